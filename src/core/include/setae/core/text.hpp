@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace setae {
+
+/// Text without leading and trailing white space (blank, tab, carriage return, line feed).
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The candidate with the smallest edit distance to `word`, for "did you mean"; empty where none is within half its length.
+[[nodiscard]] std::string nearest_match(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace setae

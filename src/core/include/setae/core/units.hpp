@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace setae {
+
+/// Exponents of length, mass, time, temperature, amount of substance and electric current.
+struct Dimension {
+    std::array<int, 6> exponents{};
+
+    friend bool operator==(const Dimension&, const Dimension&) = default;
+    friend Dimension operator*(const Dimension& a, const Dimension& b);
+    friend Dimension operator/(const Dimension& a, const Dimension& b);
+};
+
+namespace dimension {
+inline constexpr Dimension none{};
+inline constexpr Dimension length{{1, 0, 0, 0, 0, 0}};
+inline constexpr Dimension area{{2, 0, 0, 0, 0, 0}};
+inline constexpr Dimension wavevector{{-1, 0, 0, 0, 0, 0}};
+inline constexpr Dimension time{{0, 0, 1, 0, 0, 0}};
+inline constexpr Dimension temperature{{0, 0, 0, 1, 0, 0}};
+inline constexpr Dimension force{{1, 1, -2, 0, 0, 0}};
+inline constexpr Dimension pressure{{-1, 1, -2, 0, 0, 0}};
+inline constexpr Dimension energy{{2, 1, -2, 0, 0, 0}};
+inline constexpr Dimension surface_energy{{0, 1, -2, 0, 0, 0}};
+inline constexpr Dimension stiffness{{0, 1, -2, 0, 0, 0}};
+inline constexpr Dimension molar_mass{{0, 1, 0, 0, -1, 0}};
+inline constexpr Dimension power_spectrum_1d{{3, 0, 0, 0, 0, 0}};
+inline constexpr Dimension power_spectrum_2d{{4, 0, 0, 0, 0, 0}};
+}  // namespace dimension
+
+/// A unit as its factor to SI and its dimension: "mJ/m2" is {1e-3, surface energy}.
+struct Unit {
+    double factor = 1.0;
+    Dimension dimension{};
+};
+
+/// Unit from text.
+///
+/// Products with '*', '·', '.' or a blank, quotients with '/', exponents as "m2", "m^2", "m²", "m^-1", "m⁻¹"; SI prefixes
+/// from f to G; m, g, s, K, mol, A, N, J, Pa, V, Hz, F, Å, "angstrom", "micron(s)", min, h, "%", "1"; µ in each of its
+/// spellings ("um", "µm" U+00B5, "μm" U+03BC, "~m"). "°C" is refused where a difference and a reading would differ.
+/// @throws InvalidArgument for text that is no unit.
+[[nodiscard]] Unit parse_unit(std::string_view text);
+
+/// Factor to SI of a unit that must have the dimension named; "A" counts as Å where a length is expected.
+/// @throws InvalidArgument for text that is no unit or has another dimension.
+[[nodiscard]] double unit_factor(std::string_view text, const Dimension& expected);
+
+/// SI value of a number with its unit, such as "37 mJ/m2", "1.1MPa", "8nm". A dimensionless number needs no unit; a
+/// missing unit is otherwise an error, never 1.
+/// @throws InvalidArgument for a missing or wrong unit or a malformed number.
+[[nodiscard]] double parse_quantity(std::string_view text, const Dimension& expected);
+
+/// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or without the second part.
+struct UncertainValue {
+    double value = 0.0;
+    double standard_error = 0.0;
+};
+
+/// @throws InvalidArgument as parse_quantity does, and for a negative standard error.
+[[nodiscard]] UncertainValue parse_uncertain_quantity(std::string_view text, const Dimension& expected);
+
+/// SI unit of a dimension as machine files spell it: "J/m2", "1/m", "Pa", "1".
+[[nodiscard]] std::string si_unit(const Dimension& dimension);
+
+/// A number for a human reader in the prefix that puts it in [1, 1000): format_value(3.7e-2, "J/m2") is "37.00 mJ/m²".
+/// Units other than those setae prints as results are left without a prefix.
+[[nodiscard]] std::string format_value(double value, std::string_view si_unit, int significant_digits = 4);
+
+}  // namespace setae

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/special_functions.hpp"
+#include "setae/core/summation.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae {
+namespace {
+
+TEST(ParseQuantity, ReadsWhatPeopleWrite) {
+    EXPECT_DOUBLE_EQ(parse_quantity("37 mJ/m2", dimension::surface_energy), 0.037);
+    EXPECT_DOUBLE_EQ(parse_quantity("37mJ/m²", dimension::surface_energy), 0.037);
+    EXPECT_DOUBLE_EQ(parse_quantity("37 mN/m", dimension::surface_energy), 0.037);
+    EXPECT_DOUBLE_EQ(parse_quantity("1.1MPa", dimension::pressure), 1.1e6);
+    EXPECT_DOUBLE_EQ(parse_quantity(" 8nm ", dimension::length), 8e-9);
+    EXPECT_DOUBLE_EQ(parse_quantity("8 A", dimension::length), 8e-10);
+    EXPECT_DOUBLE_EQ(parse_quantity("3 nm^-1", dimension::wavevector), 3e9);
+    EXPECT_DOUBLE_EQ(parse_quantity("3 nm⁻¹", dimension::wavevector), 3e9);
+    EXPECT_DOUBLE_EQ(parse_quantity("2 1/um", dimension::wavevector), 2e6);
+    EXPECT_DOUBLE_EQ(parse_quantity("62700 g/mol", dimension::molar_mass), 62.7);
+    EXPECT_DOUBLE_EQ(parse_quantity("0.5", dimension::none), 0.5);
+}
+
+TEST(ParseQuantity, KnowsEverySpellingOfMicro) {
+    for (const std::string text : {"5 um", "5 \u00b5m", "5 \u03bcm", "5 ~m", "5 micron", "5 microns"})
+        EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::length), 5e-6) << text;
+}
+
+TEST(ParseQuantity, RefusesAMissingUnit) {
+    try {
+        (void)parse_quantity("37", dimension::surface_energy);
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        EXPECT_STREQ(error.what(), "'37' has no unit; expected one such as J/m2");
+    }
+}
+
+TEST(ParseQuantity, RefusesAnotherDimension) {
+    EXPECT_THROW((void)parse_quantity("37 nm", dimension::surface_energy), InvalidArgument);
+    EXPECT_THROW((void)parse_quantity("37 furlong", dimension::length), InvalidArgument);
+    EXPECT_THROW((void)parse_quantity("nm", dimension::length), InvalidArgument);
+}
+
+TEST(ParseUncertainQuantity, ReadsValueAndStandardError) {
+    for (const std::string text : {"37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2", "37.0 mJ/m2 ± 3.7 mJ/m2"}) {
+        const auto w = parse_uncertain_quantity(text, dimension::surface_energy);
+        EXPECT_DOUBLE_EQ(w.value, 0.037) << text;
+        EXPECT_DOUBLE_EQ(w.standard_error, 0.0037) << text;
+    }
+    EXPECT_EQ(parse_uncertain_quantity("1 MPa", dimension::pressure).standard_error, 0.0);
+}
+
+TEST(SiUnit, SpellsDerivedUnits) {
+    EXPECT_EQ(si_unit(dimension::surface_energy), "J/m2");
+    EXPECT_EQ(si_unit(dimension::power_spectrum_1d), "m3");
+    EXPECT_EQ(si_unit(dimension::wavevector), "1/m");
+    EXPECT_EQ(si_unit(dimension::none), "1");
+    for (const auto& d : {dimension::force, dimension::molar_mass, dimension::power_spectrum_2d, dimension::area})
+        EXPECT_EQ(parse_unit(si_unit(d)).dimension, d);
+}
+
+TEST(FormatValue, ChoosesThePrefix) {
+    EXPECT_EQ(format_value(0.037, "J/m2"), "37.00 mJ/m²");
+    EXPECT_EQ(format_value(4.6e-9, "m"), "4.600 nm");
+    EXPECT_EQ(format_value(-2.1e-6, "N"), "-2.100 µN");
+    EXPECT_EQ(format_value(1.3e-9, "1"), "1.300×10⁻⁹");
+    EXPECT_EQ(format_value(std::nan(""), "m"), "–");
+}
+
+TEST(ScaledComplementaryErrorFunction, AgreesWithTabulatedValues) {
+    // 20-digit values from mpmath 1.3, erfc(x)·exp(x²)
+    EXPECT_NEAR(scaled_complementary_error_function(0.0), 1.0, 1e-15);
+    EXPECT_NEAR(scaled_complementary_error_function(0.5) / 0.61569034419292587487, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(1.0) / 0.42758357615580700442, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(2.0) / 0.25539567631050573873, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(10.0) / 0.056140992743822585843, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(1e6) * 1e6 * std::sqrt(3.14159265358979323846), 1.0, 1e-12);
+}
+
+TEST(PairwiseSum, KeepsDigitsOfManySmallTerms) {
+    const Array1D tenth = Array1D::Constant(1'000'000, 0.1);
+    EXPECT_NEAR(pairwise_sum(tenth), 1e5, 1e-9);
+}
+
+TEST(NearestMatch, FindsAMisspeltKeyAndOnlyThat) {
+    const std::vector<std::string> keys{"surfaces", "elastomers", "experiments"};
+    EXPECT_EQ(nearest_match("surface", keys), "surfaces");
+    EXPECT_EQ(nearest_match("elastomer", keys), "elastomers");
+    EXPECT_EQ(nearest_match("xyz", keys), "");
+}
+
+TEST(FormatErrorMessage, BeginsWithWhere) {
+    EXPECT_STREQ(FormatError("a.txt", {.line = 12}, "got 'x', expected a number").what(), "a.txt:12: got 'x', expected a number");
+    EXPECT_STREQ(FormatError("a.di", {.offset = 4096}, "truncated").what(), "a.di: at byte 4096: truncated");
+}
+
+}  // namespace
+}  // namespace setae

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/core/units.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+
+namespace setae {
+
+Dimension operator*(const Dimension& a, const Dimension& b) {
+    Dimension product;
+    for (std::size_t i = 0; i < a.exponents.size(); ++i) product.exponents[i] = a.exponents[i] + b.exponents[i];
+    return product;
+}
+
+Dimension operator/(const Dimension& a, const Dimension& b) {
+    Dimension quotient;
+    for (std::size_t i = 0; i < a.exponents.size(); ++i) quotient.exponents[i] = a.exponents[i] - b.exponents[i];
+    return quotient;
+}
+
+namespace {
+
+constexpr Dimension mass{{0, 1, 0, 0, 0, 0}};
+constexpr Dimension amount{{0, 0, 0, 0, 1, 0}};
+constexpr Dimension current{{0, 0, 0, 0, 0, 1}};
+constexpr Dimension voltage{{2, 1, -3, 0, 0, -1}};
+constexpr Dimension capacitance{{-2, -1, 4, 0, 0, 2}};
+constexpr Dimension frequency{{0, 0, -1, 0, 0, 0}};
+
+struct Symbol {
+    std::string_view name;
+    double factor;
+    Dimension dimension;
+    bool prefixable;
+};
+
+constexpr std::array<Symbol, 27> symbols{{
+    {"m", 1.0, dimension::length, true},
+    {"g", 1e-3, mass, true},
+    {"s", 1.0, dimension::time, true},
+    {"K", 1.0, dimension::temperature, true},
+    {"mol", 1.0, amount, true},
+    {"A", 1.0, current, true},
+    {"N", 1.0, dimension::force, true},
+    {"J", 1.0, dimension::energy, true},
+    {"Pa", 1.0, dimension::pressure, true},
+    {"V", 1.0, voltage, true},
+    {"F", 1.0, capacitance, true},
+    {"f", 1.0, capacitance, true},
+    {"Hz", 1.0, frequency, true},
+    {"Å", 1e-10, dimension::length, false},
+    {"Å", 1e-10, dimension::length, false},
+    {"angstrom", 1e-10, dimension::length, false},
+    {"Angstrom", 1e-10, dimension::length, false},
+    {"micron", 1e-6, dimension::length, false},
+    {"microns", 1e-6, dimension::length, false},
+    {"Micrometer", 1e-6, dimension::length, false},
+    {"Nanometer", 1e-9, dimension::length, false},
+    {"min", 60.0, dimension::time, false},
+    {"h", 3600.0, dimension::time, false},
+    {"%", 1e-2, dimension::none, false},
+    {"1", 1.0, dimension::none, false},
+    {"rad", 1.0, dimension::none, false},
+    {"-", 1.0, dimension::none, false},
+}};
+
+struct Prefix {
+    std::string_view name;
+    double factor;
+};
+
+constexpr std::array<Prefix, 14> prefixes{{{"G", 1e9},
+                                           {"M", 1e6},
+                                           {"k", 1e3},
+                                           {"h", 1e2},
+                                           {"d", 1e-1},
+                                           {"c", 1e-2},
+                                           {"m", 1e-3},
+                                           {"u", 1e-6},
+                                           {"\u00b5", 1e-6},
+                                           {"\u03bc", 1e-6},
+                                           {"~", 1e-6},
+                                           {"n", 1e-9},
+                                           {"p", 1e-12},
+                                           {"f", 1e-15}}};
+
+std::optional<Unit> lookup(std::string_view name) {
+    for (const auto& symbol : symbols)
+        if (symbol.name == name) return Unit{symbol.factor, symbol.dimension};
+    for (const auto& prefix : prefixes) {
+        if (!name.starts_with(prefix.name)) continue;
+        const auto rest = name.substr(prefix.name.size());
+        for (const auto& symbol : symbols)
+            if (symbol.prefixable && symbol.name == rest) return Unit{prefix.factor * symbol.factor, symbol.dimension};
+    }
+    return std::nullopt;
+}
+
+/// Superscripts to ASCII digits, product dots to '*', so that one grammar serves every spelling.
+std::string plain(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replacements{
+        {{"⁻", "-"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"}, {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"},
+         {"⁸", "8"}, {"⁹", "9"}, {"·", "*"}, {"⋅", "*"}, {"−", "-"}}};
+    std::string result(text);
+    for (const auto& [from, to] : replacements)
+        for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))
+            result.replace(at, from.size(), to);
+    return result;
+}
+
+bool is_exponent_char(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '^'; }
+
+/// One factor such as "m2", "m^-1", "mJ", "1".
+Unit parse_factor(std::string_view factor, std::string_view whole) {
+    if (auto unit = lookup(factor)) return *unit;
+    auto split = factor.size();
+    while (split > 0 && is_exponent_char(factor[split - 1])) --split;
+    auto digits = factor.substr(split);
+    if (digits.starts_with('^')) digits.remove_prefix(1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    int exponent = 1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    const bool well_formed = !digits.empty() && error == std::errc{} && end == digits.data() + digits.size();
+    const auto base = lookup(factor.substr(0, split));
+    if (!base || !well_formed || std::abs(exponent) > 9)
+        throw InvalidArgument(fmt::format("'{}' is not a unit setae knows; write it as nm, um, mJ/m2, MPa, 1/m, m3", whole));
+    Unit power;
+    for (int i = 0; i < std::abs(exponent); ++i) {
+        power.factor *= base->factor;
+        power.dimension = power.dimension * base->dimension;
+    }
+    if (exponent < 0) return {1.0 / power.factor, dimension::none / power.dimension};
+    return power;
+}
+
+bool is_separator(char c) { return c == '*' || c == '/' || c == ' ' || c == '.' || c == '(' || c == ')'; }
+
+struct NumberAndRest {
+    double number;
+    std::string_view rest;
+};
+
+NumberAndRest leading_number(std::string_view text, std::string_view whole) {
+    auto body = trimmed(text);
+    if (body.starts_with('+')) body.remove_prefix(1);
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), number);
+    if (error != std::errc{})
+        throw InvalidArgument(fmt::format("'{}' does not begin with a number; write number and unit, such as 37 mJ/m2", whole));
+    return {number, trimmed(body.substr(static_cast<std::size_t>(end - body.data())))};
+}
+
+double in_si(double number, std::string_view unit, const Dimension& expected, std::string_view whole) {
+    if (unit.empty()) {
+        if (expected == dimension::none || number == 0.0) return number;
+        throw InvalidArgument(fmt::format("'{}' has no unit; expected one such as {}", whole, si_unit(expected)));
+    }
+    return number * unit_factor(unit, expected);
+}
+
+}  // namespace
+
+Unit parse_unit(std::string_view text) {
+    const auto source = plain(trimmed(text));
+    if (source.empty()) throw InvalidArgument("empty unit; a dimensionless quantity has the unit '1'");
+    Unit unit;
+    bool divide = false;
+    std::size_t at = 0;
+    bool inside_denominator = false;
+    while (at < source.size()) {
+        if (is_separator(source[at])) {
+            if (source[at] == '/') divide = true;
+            if (source[at] == '(' && divide) inside_denominator = true;
+            if (source[at] == ')') inside_denominator = divide = false;
+            ++at;
+            continue;
+        }
+        auto end = at;
+        while (end < source.size() && !is_separator(source[end])) ++end;
+        const auto factor = parse_factor(std::string_view(source).substr(at, end - at), text);
+        if (divide) {
+            unit.factor /= factor.factor;
+            unit.dimension = unit.dimension / factor.dimension;
+        } else {
+            unit.factor *= factor.factor;
+            unit.dimension = unit.dimension * factor.dimension;
+        }
+        divide = inside_denominator;
+        at = end;
+    }
+    return unit;
+}
+
+double unit_factor(std::string_view text, const Dimension& expected) {
+    if (expected == dimension::length && trimmed(text) == "A") return units::angstrom;
+    const auto unit = parse_unit(text);
+    if (unit.dimension != expected)
+        throw InvalidArgument(
+            fmt::format("unit '{}' is {}, expected one of {}", text, si_unit(unit.dimension), si_unit(expected)));
+    return unit.factor;
+}
+
+double parse_quantity(std::string_view text, const Dimension& expected) {
+    const auto [number, unit] = leading_number(text, text);
+    return in_si(number, unit, expected, text);
+}
+
+UncertainValue parse_uncertain_quantity(std::string_view text, const Dimension& expected) {
+    static constexpr std::array<std::string_view, 3> separators{"±", "+-", "+/-"};
+    for (const auto separator : separators) {
+        const auto at = text.find(separator);
+        if (at == std::string_view::npos) continue;
+        const auto value = leading_number(text.substr(0, at), text);
+        const auto error = leading_number(text.substr(at + separator.size()), text);
+        if (error.number < 0.0) throw InvalidArgument(fmt::format("'{}' has a negative uncertainty", text));
+        const auto value_unit = value.rest.empty() ? error.rest : value.rest;
+        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text)};
+    }
+    return {parse_quantity(text, expected), 0.0};
+}
+
+std::string si_unit(const Dimension& dimension) {
+    struct Named {
+        Dimension dimension;
+        std::string_view name;
+    };
+    static constexpr std::array<Named, 12> named{{{dimension::none, "1"},
+                                                  {dimension::force, "N"},
+                                                  {dimension::pressure, "Pa"},
+                                                  {dimension::energy, "J"},
+                                                  {dimension::surface_energy, "J/m2"},
+                                                  {voltage, "V"},
+                                                  {capacitance, "F"},
+                                                  {frequency, "1/s"},
+                                                  {current, "A"},
+                                                  {dimension::molar_mass, "kg/mol"},
+                                                  {dimension::wavevector, "1/m"},
+                                                  {dimension::temperature, "K"}}};
+    for (const auto& [known, name] : named)
+        if (known == dimension) return std::string(name);
+    static constexpr std::array<std::string_view, 6> base{"m", "kg", "s", "K", "mol", "A"};
+    std::string numerator, denominator;
+    for (std::size_t i = 0; i < base.size(); ++i) {
+        const int exponent = dimension.exponents[i];
+        if (exponent == 0) continue;
+        auto& side = exponent > 0 ? numerator : denominator;
+        if (!side.empty()) side += ' ';
+        side += base[i];
+        if (std::abs(exponent) > 1) side += std::to_string(std::abs(exponent));
+    }
+    if (numerator.empty()) numerator = "1";
+    if (denominator.empty()) return numerator;
+    return numerator + (denominator.find(' ') == std::string::npos ? "/" + denominator : "/(" + denominator + ")");
+}
+
+namespace {
+
+std::string with_digits(double value, int significant_digits) {
+    const auto magnitude = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+    if (magnitude < -3 || magnitude >= 6) {
+        static constexpr std::array<std::string_view, 10> superscript{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+        std::string exponent = magnitude < 0 ? "⁻" : "";
+        for (const char digit : std::to_string(std::abs(magnitude))) exponent += superscript[static_cast<std::size_t>(digit - '0')];
+        return fmt::format("{:.{}f}×10{}", value / std::pow(10.0, magnitude), significant_digits - 1, exponent);
+    }
+    return fmt::format("{:.{}f}", value, std::max(0, significant_digits - 1 - magnitude));
+}
+
+struct Scale {
+    double factor;
+    std::string_view name;
+};
+
+/// Prefixed units a reader meets; the lengths leave out Å, the reciprocals follow the lengths.
+std::vector<Scale> display_scales(std::string_view si) {
+    if (si == "m") return {{1e-12, "pm"}, {1e-9, "nm"}, {1e-6, "µm"}, {1e-3, "mm"}, {1.0, "m"}};
+    if (si == "1/m") return {{1.0, "m⁻¹"}, {1e3, "mm⁻¹"}, {1e6, "µm⁻¹"}, {1e9, "nm⁻¹"}};
+    if (si == "J/m2") return {{1e-6, "µJ/m²"}, {1e-3, "mJ/m²"}, {1.0, "J/m²"}};
+    if (si == "Pa") return {{1.0, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}};
+    if (si == "N") return {{1e-9, "nN"}, {1e-6, "µN"}, {1e-3, "mN"}, {1.0, "N"}};
+    if (si == "J") return {{1e-15, "fJ"}, {1e-12, "pJ"}, {1e-9, "nJ"}, {1e-6, "µJ"}, {1e-3, "mJ"}, {1.0, "J"}};
+    if (si == "s") return {{1e-3, "ms"}, {1.0, "s"}};
+    return {};
+}
+
+}  // namespace
+
+std::string format_value(double value, std::string_view si_unit, int significant_digits) {
+    if (std::isnan(value)) return "–";
+    if (std::isinf(value)) return value > 0 ? "infinite" : "−infinite";
+    const auto scales = display_scales(si_unit);
+    if (scales.empty()) {
+        const auto number = with_digits(value, significant_digits);
+        return si_unit == "1" ? number : fmt::format("{} {}", number, si_unit);
+    }
+    auto chosen = scales.front();
+    for (const auto& scale : scales)
+        if (value == 0.0 ? scale.factor == 1.0 : std::abs(value) >= scale.factor) chosen = scale;
+    return fmt::format("{} {}", with_digits(value / chosen.factor, significant_digits), chosen.name);
+}
+
+}  // namespace setae

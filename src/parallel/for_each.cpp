@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/parallel/for_each.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace setae::parallel {
+
+int Threads::resolved() const {
+    if (count > 0) return count;
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void for_each_index(std::size_t n, Threads threads, const std::function<void(std::size_t)>& body) {
+    std::vector<std::exception_ptr> failures(n);
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (auto i = next.fetch_add(1); i < n; i = next.fetch_add(1)) {
+            try {
+                body(i);
+            } catch (...) {
+                failures[i] = std::current_exception();
+            }
+        }
+    };
+    const auto workers = std::min<std::size_t>(n, static_cast<std::size_t>(threads.resolved()));
+    {
+        std::vector<std::jthread> crew;
+        for (std::size_t i = 1; i < workers; ++i) crew.emplace_back(work);
+        work();
+    }
+    for (const auto& failure : failures)
+        if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace setae::parallel

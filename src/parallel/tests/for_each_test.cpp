@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/parallel/for_each.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace setae::parallel {
+namespace {
+
+TEST(ForEachIndex, VisitsEveryIndexOnceForAnyNumberOfThreads) {
+    for (const int threads : {1, 2, 7}) {
+        std::vector<int> visits(1000, 0);
+        for_each_index(visits.size(), Threads{threads}, [&](std::size_t i) { ++visits[i]; });
+        EXPECT_EQ(visits, std::vector<int>(1000, 1)) << threads;
+    }
+}
+
+TEST(ForEachIndex, RethrowsTheFailureOfTheLowestIndexAfterRunningAll) {
+    std::vector<int> visits(100, 0);
+    try {
+        for_each_index(visits.size(), Threads{3}, [&](std::size_t i) {
+            visits[i] = 1;
+            if (i == 20 || i == 70) throw std::runtime_error(std::to_string(i));
+        });
+        FAIL() << "no exception";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "20");
+    }
+    EXPECT_EQ(visits, std::vector<int>(100, 1));
+}
+
+}  // namespace
+}  // namespace setae::parallel

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/topography/detrend.hpp"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::topography {
+namespace {
+
+constexpr std::array<std::pair<Trend, const char*>, 4> trend_names{
+    {{Trend::none, "none"}, {Trend::mean, "mean"}, {Trend::tilt, "tilt"}, {Trend::parabola, "parabola"}}};
+
+int polynomial_order(Trend trend) { return trend == Trend::parabola ? 2 : trend == Trend::tilt ? 1 : 0; }
+
+/// Normal equations G c = b of a least-squares fit, solved in the well-conditioned centred coordinates of the callers.
+Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moments) {
+    return gram.ldlt().solve(moments);
+}
+
+[[noreturn]] void too_few(Index defined, Index needed) {
+    throw UndefinedDataError(fmt::format("{} defined heights, a trend with {} coefficients needs more", defined, needed));
+}
+
+double centred(Index i, Index n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
+
+/// Removes a polynomial of the given order from equidistant samples. Returns false where too few are defined.
+template <class Line>
+bool remove_polynomial(Line&& heights, int order) {
+    const auto n = heights.size();
+    const Index terms = order + 1;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(terms, terms);
+    Eigen::VectorXd moments = Eigen::VectorXd::Zero(terms);
+    Eigen::VectorXd basis(terms);
+    const auto fill_basis = [&](Index i) {
+        const double t = centred(i, n);
+        basis[0] = 1.0;
+        for (Index k = 1; k < terms; ++k) basis[k] = basis[k - 1] * t;
+    };
+    // the first defined height as origin, so that a large offset costs no digits
+    double origin = 0.0;
+    for (Index i = 0; i < n; ++i)
+        if (heights[i] == heights[i]) {
+            origin = heights[i];
+            break;
+        }
+    Index defined = 0;
+    for (Index i = 0; i < n; ++i) {
+        if (heights[i] != heights[i]) continue;
+        fill_basis(i);
+        gram.noalias() += basis * basis.transpose();
+        moments += (heights[i] - origin) * basis;
+        ++defined;
+    }
+    if (defined < terms) return false;
+    const Eigen::VectorXd coefficients = solve(gram, moments);
+    for (Index i = 0; i < n; ++i) {
+        fill_basis(i);
+        heights[i] = (heights[i] - origin) - coefficients.dot(basis);
+    }
+    return true;
+}
+
+/// The six functions 1, u, v, u², v², uv on centred coordinates.
+using MapBasis = Eigen::Matrix<double, 6, 1>;
+
+Index map_terms(Trend trend) { return trend == Trend::parabola ? 6 : trend == Trend::tilt ? 3 : 1; }
+
+double first_defined(const Array2D& heights) {
+    for (Index i = 0; i < heights.size(); ++i)
+        if (heights.data()[i] == heights.data()[i]) return heights.data()[i];
+    return 0.0;
+}
+
+struct LineMoments {
+    std::array<double, 3> height{};  // sum of h v^k
+    std::array<double, 5> power{};   // sum of v^k
+    Index defined = 0;
+};
+
+/// Moments of one line in v; a map's normal equations are sums of them times powers of u.
+LineMoments line_moments(const double* heights, Index n, double origin) {
+    LineMoments moments;
+    for (Index j = 0; j < n; ++j) {
+        const double h = heights[j] - origin;
+        if (h != h) continue;
+        const double v = centred(j, n), v2 = v * v;
+        moments.height[0] += h;
+        moments.height[1] += h * v;
+        moments.height[2] += h * v2;
+        moments.power[0] += 1.0;
+        moments.power[1] += v;
+        moments.power[2] += v2;
+        moments.power[3] += v * v2;
+        moments.power[4] += v2 * v2;
+        ++moments.defined;
+    }
+    return moments;
+}
+
+/// Exponents (of u, of v) of the six basis functions.
+constexpr std::array<std::array<int, 2>, 6> basis_exponents{{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}}};
+
+std::array<double, 5> powers(double u) { return {1.0, u, u * u, u * u * u, u * u * u * u}; }
+
+}  // namespace
+
+HeightMap detrended(HeightMap map, Trend trend) {
+    if (trend == Trend::none) return map;
+    const auto terms = map_terms(trend);
+    const auto nx = map.heights.rows(), ny = map.heights.cols();
+    const double origin = first_defined(map.heights);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(terms, terms);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(terms);
+    Index defined = 0;
+    for (Index i = 0; i < nx; ++i) {
+        const auto line = line_moments(map.heights.row(i).data(), ny, origin);
+        const auto u = powers(centred(i, nx));
+        defined += line.defined;
+        for (Index a = 0; a < terms; ++a) {
+            const auto [ua, va] = basis_exponents[static_cast<std::size_t>(a)];
+            rhs[a] += u[static_cast<std::size_t>(ua)] * line.height[static_cast<std::size_t>(va)];
+            for (Index b = 0; b < terms; ++b) {
+                const auto [ub, vb] = basis_exponents[static_cast<std::size_t>(b)];
+                gram(a, b) += u[static_cast<std::size_t>(ua + ub)] * line.power[static_cast<std::size_t>(va + vb)];
+            }
+        }
+    }
+    if (defined < terms) too_few(defined, terms);
+    MapBasis coefficients = MapBasis::Zero();
+    coefficients.head(terms) = solve(gram, rhs);
+    for (Index i = 0; i < nx; ++i) {
+        const double u = centred(i, nx);
+        const double c0 = coefficients[0] + coefficients[1] * u + coefficients[3] * u * u + origin;
+        const double c1 = coefficients[2] + coefficients[5] * u;
+        double* row = map.heights.row(i).data();
+        for (Index j = 0; j < ny; ++j) {
+            const double v = centred(j, ny);
+            row[j] -= c0 + v * (c1 + v * coefficients[4]);
+        }
+    }
+    return map;
+}
+
+LineScan detrended(LineScan scan, Trend trend) {
+    if (trend == Trend::none) return scan;
+    const int order = polynomial_order(trend);
+    if (!remove_polynomial(scan.heights, order)) too_few((scan.heights == scan.heights).count(), order + 1);
+    return scan;
+}
+
+Profile detrended(Profile profile, Trend trend) {
+    if (trend == Trend::none) return profile;
+    const Index terms = polynomial_order(trend) + 1;
+    const auto n = profile.positions.size();
+    if (n < terms || n < 2) too_few(n, terms);
+    const double middle = 0.5 * (profile.positions[0] + profile.positions[n - 1]);
+    const double half = 0.5 * profile.size();
+    const Array1D t = (profile.positions - middle) / half;
+    const double origin = profile.heights[0];
+    const Array1D h = profile.heights - origin;
+    // three Gauss points integrate cubic × quadratic on each segment exactly
+    constexpr std::array<double, 3> node{-0.77459666924148337704, 0.0, 0.77459666924148337704};
+    constexpr std::array<double, 3> weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(terms, terms);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(terms);
+    Eigen::VectorXd basis(terms);
+    const auto fill_basis = [&](double s) {
+        basis[0] = 1.0;
+        for (Index k = 1; k < terms; ++k) basis[k] = basis[k - 1] * s;
+    };
+    for (Index i = 0; i + 1 < n; ++i)
+        for (std::size_t g = 0; g < node.size(); ++g) {
+            const double s = 0.5 * (1.0 + node[g]);
+            fill_basis(t[i] + s * (t[i + 1] - t[i]));
+            const double w = weight[g] * (t[i + 1] - t[i]);
+            gram.noalias() += w * basis * basis.transpose();
+            rhs += w * (h[i] + s * (h[i + 1] - h[i])) * basis;
+        }
+    const Eigen::VectorXd coefficients = solve(gram, rhs);
+    for (Index i = 0; i < n; ++i) {
+        fill_basis(t[i]);
+        profile.heights[i] = h[i] - coefficients.dot(basis);
+    }
+    return profile;
+}
+
+Measurement detrended(Measurement measurement, Trend trend) {
+    return std::visit([trend](auto&& m) -> Measurement { return detrended(std::move(m), trend); }, std::move(measurement));
+}
+
+HeightMap flattened_lines(HeightMap map, int order) {
+    if (order < 0 || order > 3)
+        throw InvalidArgument(fmt::format("polynomial order {} for flattening lines; expected 0, 1, 2 or 3", order));
+    for (Index j = 0; j < map.heights.cols(); ++j)
+        if (!remove_polynomial(map.heights.col(j), order)) map.heights.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return map;
+}
+
+Trend trend_from_name(const std::string& name) {
+    for (const auto& [trend, known] : trend_names)
+        if (name == known) return trend;
+    throw InvalidArgument(fmt::format("'{}' is not a trend; expected none, mean, tilt or parabola", name));
+}
+
+std::string name(Trend trend) {
+    for (const auto& [known, text] : trend_names)
+        if (known == trend) return text;
+    throw InternalError("trend without a name");
+}
+
+}  // namespace setae::topography

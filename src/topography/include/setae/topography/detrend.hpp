@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/topography/measurement.hpp"
+
+namespace setae::topography {
+
+/// What is subtracted before analysis.
+enum class Trend {
+    none,      ///< nothing
+    mean,      ///< the mean height
+    tilt,      ///< the best line or plane
+    parabola,  ///< the best parabola, for maps the best paraboloid 1, x, y, x², y², xy
+};
+
+/// Heights minus the trend that fits them best in the least-squares sense over defined points.
+///
+/// Lines and maps: sum over points. Profiles: exact integral over the polyline, so that the result does not depend on
+/// collinear points. Positions are centred and scaled first, so an offset of x costs no digits.
+/// @throws UndefinedDataError where fewer points are defined than the trend has coefficients.
+[[nodiscard]] HeightMap detrended(HeightMap map, Trend trend);
+[[nodiscard]] LineScan detrended(LineScan scan, Trend trend);
+[[nodiscard]] Profile detrended(Profile profile, Trend trend);
+[[nodiscard]] Measurement detrended(Measurement measurement, Trend trend);
+
+/// A map with the best polynomial of the given order (0 mean … 3) removed from every line along x by itself.
+/// Lines with too few defined points become undefined.
+/// @throws InvalidArgument for an order outside 0 … 3.
+[[nodiscard]] HeightMap flattened_lines(HeightMap map, int order);
+
+/// "none", "mean", "tilt", "parabola". @throws InvalidArgument that lists them.
+[[nodiscard]] Trend trend_from_name(const std::string& name);
+[[nodiscard]] std::string name(Trend trend);
+
+}  // namespace setae::topography

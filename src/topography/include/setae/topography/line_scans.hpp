@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "setae/topography/measurement.hpp"
+
+namespace setae::topography {
+
+/// The ny line scans along x (the fast axis) of a map.
+[[nodiscard]] std::vector<LineScan> line_scans(const HeightMap& map);
+
+/// The polyline through the points of a scan, x from 0 to (n − 1) steps; undefined points are left out.
+[[nodiscard]] Profile to_profile(const LineScan& scan);
+
+/// A scan with equal steps from points that lie within 2 % of a step on a regular grid (files round their x), or nothing.
+[[nodiscard]] std::optional<LineScan> to_line_scan(const Profile& profile);
+
+}  // namespace setae::topography

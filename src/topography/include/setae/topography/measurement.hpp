@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::topography {
+
+/// The instrument that measured; what it cannot resolve is cut from spectra (spectra/reliability.hpp).
+struct Instrument {
+    std::string name;                                ///< as the file or the study says, such as "Dimension V"
+    std::string type;                                ///< "stylus", "afm", "tem", "optical", or empty where unknown
+    std::optional<double> tip_radius;                ///< [m]
+    std::optional<double> tip_radius_standard_error; ///< [m]
+    std::optional<double> resolution;                ///< shortest wavelength resolved [m]
+};
+
+/// Where heights come from.
+struct Metadata {
+    std::string name;              ///< of the measurement or channel
+    std::string file;              ///< path as the user gave it
+    std::string format;            ///< identifier in the table of formats
+    std::string unit;              ///< the file's own length unit; values here are metres all the same
+    std::string acquisition_time;  ///< as the file says it
+    Instrument instrument;
+    std::map<std::string, std::string> attributes;  ///< further header entries worth keeping
+};
+
+/// Heights on a regular grid: h(x_i, y_j) with x_i = i · size[0]/nx, shape (nx, ny); first index x, the fast axis.
+struct HeightMap {
+    Array2D heights;               ///< [m]; NaN = undefined
+    std::array<double, 2> size{};  ///< extent along x and y [m]: n · pixel size
+    bool periodic = false;
+    Metadata metadata;
+
+    [[nodiscard]] std::array<Index, 2> shape() const { return {heights.rows(), heights.cols()}; }
+    [[nodiscard]] std::array<double, 2> pixel_size() const {
+        return {size[0] / static_cast<double>(heights.rows()), size[1] / static_cast<double>(heights.cols())};
+    }
+};
+
+/// Heights at equal steps along a line: x_i = i · size/n.
+struct LineScan {
+    Array1D heights;    ///< [m]; NaN = undefined
+    double size = 0.0;  ///< n · pixel size [m]
+    bool periodic = false;
+    Metadata metadata;
+
+    [[nodiscard]] double pixel_size() const { return size / static_cast<double>(heights.size()); }
+};
+
+/// A traced curve h(x) as a polyline with strictly increasing x (clean_contour makes it so); its integrals are exact on
+/// straight segments; its size is x_last − x_first.
+struct Profile {
+    Array1D positions;  ///< [m]
+    Array1D heights;    ///< [m]
+    Metadata metadata;
+
+    [[nodiscard]] double size() const { return positions[positions.size() - 1] - positions[0]; }
+};
+
+using Measurement = std::variant<HeightMap, LineScan, Profile>;
+
+[[nodiscard]] const Metadata& metadata(const Measurement& measurement);
+[[nodiscard]] Metadata& metadata(Measurement& measurement);
+
+/// Shape (nx, ny) of a map, (n) otherwise with the second entry 1.
+[[nodiscard]] std::array<Index, 2> shape(const Measurement& measurement);
+
+/// All heights in storage order.
+[[nodiscard]] Array1D all_heights(const Measurement& measurement);
+
+/// The same measurement with every height multiplied by `factor`.
+[[nodiscard]] Measurement scaled(Measurement measurement, double factor);
+
+/// Checks the invariants of the three types: at least two points a direction, positive finite size, increasing x,
+/// no infinite height, at least one defined height.
+/// @throws InvalidArgument or UndefinedDataError that names measurement and offending point.
+void validate(const Measurement& measurement);
+
+}  // namespace setae::topography
