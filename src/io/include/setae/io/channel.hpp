@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/quantity.hpp"
+#include "setae/topography/detrend.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::io {
+
+/// What is known of a channel before its heights are read.
+struct ChannelInfo {
+    std::string name;
+    std::string format;        ///< identifier in formats()
+    std::vector<Index> shape;  ///< (nx, ny) of a map, (n) of a line
+    std::vector<double> size;  ///< extent [m] along each direction: n · pixel size, for profiles x_last − x_first
+    std::string unit;          ///< the file's unit of heights, spelled as parse_unit knows it
+    bool is_height = true;     ///< false for phase, amplitude, current …: listed, but no heights
+    topography::Metadata metadata;
+    std::optional<topography::Trend> recommended_trend;  ///< what a container says to remove
+    std::vector<Alert> alerts;
+};
+
+/// A channel and the function that reads its heights [m]: scaled once, not levelled, NaN = undefined.
+///
+/// `read` goes back to the file each time and keeps nothing.
+/// @throws (read) FormatError for content that breaks the format, UndefinedDataError where no height is defined,
+/// InvalidArgument for a channel that holds no heights.
+struct Channel {
+    ChannelInfo info;
+    std::function<topography::Measurement()> read;
+};
+
+/// What a file may leave open and the user must say.
+struct ReadOptions {
+    std::optional<std::vector<double>> size;  ///< extent [m] of npy arrays and text matrices
+    std::optional<std::string> unit;          ///< of x and heights in text, of heights in npy arrays and text matrices
+};
+
+/// The channels of a file. The format is detected by content, never by name; truncated files and files whose header
+/// announces more than they hold are refused here. A container gives one channel a measurement, and one bad member
+/// becomes a channel with the alert UNREADABLE_MEMBER whose `read` throws what was wrong.
+/// @throws FileError for a path that cannot be read; FormatError for unknown or broken content; InvalidArgument for a
+/// missing size or unit.
+[[nodiscard]] std::vector<Channel> open(const std::string& path, const ReadOptions& options = {});
+
+/// The heights of one channel.
+/// @throws InvalidArgument where the file has no such channel or it holds no heights; else as open.
+[[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel = 0, const ReadOptions& options = {});
+
+}  // namespace setae::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace setae::io {
+
+/// Bytes a reader works on: a file on disk, read where asked, or a member of an archive in memory.
+struct Source {
+    std::string name;         ///< for messages: the path, or "container.zip: member"
+    std::uint64_t size = 0;   ///< bytes
+    std::string path;         ///< on disk; empty for a member of an archive
+    std::function<std::string(std::uint64_t offset, std::uint64_t count)> bytes;  ///< exactly `count` bytes
+
+    [[nodiscard]] std::string all() const { return bytes(0, size); }
+    /// The first `count` bytes, or all where there are fewer.
+    [[nodiscard]] std::string head(std::uint64_t count) const { return bytes(0, count < size ? count : size); }
+};
+
+/// A file on disk; nothing is read yet.
+/// @throws FileError for a missing path, a directory or a file that cannot be opened.
+[[nodiscard]] Source file_source(const std::string& path);
+
+/// Bytes in memory under a name.
+[[nodiscard]] Source memory_source(std::string name, std::string content);
+
+}  // namespace setae::io

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/table.hpp"
+#include "setae/io/source.hpp"
+
+namespace setae::io {
+
+/// How a text is encoded, where its bytes do not say it themselves.
+enum class Encoding { detect, utf8, utf16, latin1 };
+
+/// How a text table is to be taken; what is left open is found from the text.
+struct TableOptions {
+    Encoding encoding = Encoding::detect;      ///< byte order mark, else UTF-8 where valid, else latin-1
+    std::optional<char> separator;             ///< '\t', ',', ';', or ' ' for runs of blanks
+    std::optional<char> decimal_point;         ///< '.' or ','
+    std::optional<std::string> header_end;     ///< the line after which numbers begin, such as "eoh"
+};
+
+/// A table as the file spells it: names and units of the header (empty where it states none), numbers unconverted.
+struct RawTable {
+    struct RawColumn {
+        std::string name;
+        std::string unit;
+        Array1D values;
+    };
+    std::vector<RawColumn> columns;
+    std::vector<std::string> header;  ///< lines before the numbers, decoded to UTF-8
+};
+
+/// Numbers in columns with a header, as the file spells them.
+///
+/// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are found by trying
+/// which reading makes the most lines regular. Names stand in the last header line with as many cells as columns, units
+/// beside them as "force [mN]", "force (mN)", "force / mN" or "force in mN", or in a row of their own. An empty cell,
+/// "nan", "-" and "bad" are undefined.
+/// @throws FileError; FormatError that names the line where a row has another number of columns.
+[[nodiscard]] RawTable read_raw_table(const Source& source, const TableOptions& options = {});
+
+/// The same in SI. A column without unit keeps its numbers and has the empty unit; so does one whose unit setae does not
+/// know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines.
+[[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});
+
+/// A loop: column "force" [N] and "displacement" [m] or "contact_radius" [m], optionally "time" [s], in SI. Names are
+/// compared without regard to case.
+/// @throws FormatError that names the missing column or unit, as for a table without forces.
+[[nodiscard]] Table read_loop_table(const std::string& path);
+
+/// Checks that a table has a loop's columns in their units. @throws FormatError as read_loop_table.
+void require_loop_columns(const Table& table, const std::string& path);
+
+/// Writes a table as CSV: header cells "name [unit]", numbers with all their digits, NaN as empty cell; as a whole.
+/// @throws FileError; InvalidArgument for columns of different length or names that hold a comma, quote or line break.
+void write_csv(const std::string& path, const Table& table);
+
+}  // namespace setae::io

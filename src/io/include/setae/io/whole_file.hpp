@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace setae::io {
+
+/// The content of a file.
+/// @throws FileError for a missing path, a directory or a file that cannot be read.
+[[nodiscard]] std::string read_file(const std::string& path);
+
+/// Replaces a file as a whole: written under a temporary name in the same folder, then renamed, so that a reader finds
+/// the old content or the new one and never a part.
+/// @throws FileError where the folder is missing or cannot be written; the old content is then untouched.
+void write_whole_file(const std::string& path, std::string_view content);
+
+}  // namespace setae::io
