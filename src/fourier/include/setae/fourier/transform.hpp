@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <complex>
+#include <memory>
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::fourier {
+
+using Complex = std::complex<double>;
+
+/// The half spectrum of n real values.
+///
+///   out_k = sum_{j=0}^{n−1} in_j exp(−2πi jk/n),  k = 0 … n/2
+///
+/// No factor in front: the physical transform of heights a step Δ apart is Δ · out_k. The rest of the spectrum follows
+/// from out_{n−k} = conj(out_k). Plans never depend on timing, so the same input gives the same bytes in every run.
+class RealTransform {
+public:
+    /// @throws InvalidArgument for n < 1.
+    explicit RealTransform(Index n);
+    ~RealTransform();
+    RealTransform(RealTransform&&) noexcept;
+    RealTransform& operator=(RealTransform&&) noexcept;
+
+    [[nodiscard]] Index points() const { return points_; }
+    [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
+
+    /// `in` (n values) and `out` (modes() values) do not overlap and start on 16 bytes, as in a Buffer. Any number of
+    /// threads may call it at once. O(n log n).
+    void forward(const double* in, Complex* out) const;
+
+private:
+    struct Plan;
+    Index points_;
+    std::unique_ptr<Plan> plan_;
+};
+
+/// The spectrum of n complex values, in place: z_k = sum_j z_j exp(∓2πi jk/n), no factor in front.
+class ComplexTransform {
+public:
+    enum class Sign { minus, plus };
+
+    /// @throws InvalidArgument for n < 1.
+    explicit ComplexTransform(Index n, Sign sign = Sign::minus);
+    ~ComplexTransform();
+    ComplexTransform(ComplexTransform&&) noexcept;
+    ComplexTransform& operator=(ComplexTransform&&) noexcept;
+
+    [[nodiscard]] Index points() const { return points_; }
+
+    /// `values` start on 16 bytes. Any number of threads may call it at once.
+    void apply(Complex* values) const;
+
+private:
+    struct Plan;
+    Index points_;
+    std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace setae::fourier

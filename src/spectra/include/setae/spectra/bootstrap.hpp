@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "setae/parallel/for_each.hpp"
+#include "setae/spectra/combination.hpp"
+
+namespace setae::spectra {
+
+struct BootstrapOptions {
+    int resamples = 1000;
+    std::uint64_t seed = 1;
+    bool stratified = false;  ///< draw within each instrument, so that none is lost
+    Weighting weighting = Weighting::equal;
+    parallel::Threads threads;
+};
+
+/// Combined spectra of resampled measurements, on the bins of the full combination.
+struct BootstrapSpectra {
+    Array1D wavevector;    ///< as CombinedSpectrum's [1/m]
+    Array2D C1D;           ///< (resample, bin) [m³], no gaps
+    Array1D filled_share;  ///< share of resamples in which the bin was lost and filled
+    std::uint64_t seed = 0;
+};
+
+/// Draws as many measurements as there are, with replacement, and combines them, `resamples` times.
+///
+/// A bin that no drawn measurement covers is filled with the full combination's value times the ratio resample/full of
+/// the neighbouring bins, the ratio interpolated in ln q (constant beyond the ends).
+/// The same seed gives the same bytes on any machine and number of threads: resample r draws from its own
+/// std::mt19937_64 seeded from (seed, r), indices by rejection of its 64-bit output.
+/// @throws InvalidArgument for resamples < 1.
+[[nodiscard]] BootstrapSpectra bootstrap(const BinnedSpectra& spectra, const BootstrapOptions& options = {});
+
+}  // namespace setae::spectra

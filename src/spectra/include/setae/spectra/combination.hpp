@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/spectra/log_grid.hpp"
+#include "setae/spectra/power_spectrum.hpp"
+
+namespace setae::spectra {
+
+/// How measurements that share a bin are weighted.
+enum class Weighting {
+    equal,             ///< arithmetic mean over measurements ([D19])
+    per_instrument,    ///< arithmetic mean over instruments of their measurements' means
+    inverse_variance,  ///< by 1/(relative variance), from the number of modes and lines a measurement has in the bin
+};
+
+struct CombinationOptions {
+    LogGrid grid;
+    Weighting weighting = Weighting::equal;
+    bool slope_correction = true;  ///< refer every value to the bin's centre, see binned()
+};
+
+/// The measurements, each averaged in the bins of one grid: what combine() and bootstrap() work on.
+struct BinnedSpectra {
+    LogGrid grid;
+    Index first_bin = 0;                    ///< column 0 of the matrices
+    Array1D wavevector;                     ///< geometric centres of the bins [1/m]
+    Array2D C1D;                            ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
+    Array2D relative_variance;              ///< of each entry, from modes and lines; NaN likewise
+    std::vector<std::string> instruments;   ///< of each measurement: type, else name, else "unknown"
+};
+
+/// Averages each measurement's C1D inside its reliable band over the bins.
+///
+/// A steep spectrum makes the mean over a bin differ from C at its centre, most where a measurement has one mode in it
+/// (up to 10^(0.05·slope)). With slope_correction each C_k is first multiplied by (q_k/q_c)^(−p), p = dlnC/dlnq the
+/// local slope of the plain combination, by a line through its logarithm over half a decade on either side: exact for a
+/// power law. p is limited to −6 … 2.
+/// @throws InvalidArgument if nothing lies in any band.
+[[nodiscard]] BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options = {});
+
+/// One spectrum from many.
+struct CombinedSpectrum {
+    Array1D wavevector;        ///< geometric centres of the non-empty bins [1/m]
+    Array1D C1D;               ///< [m³]
+    Array1D standard_error;    ///< between measurements [m³]; NaN for one measurement
+    Array1D count;             ///< measurements in the bin
+    Array1D instrument_count;  ///< different instruments in the bin
+    double q_min = 0.0;        ///< [1/m], lowest end of any member's band
+    double q_max = 0.0;        ///< highest end
+    LogGrid grid;
+    std::vector<Alert> alerts; ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
+};
+
+/// Mean over the measurements of each bin, a map being one measurement.
+///
+///   C = Σ w_i C_i/Σ w_i;   SE² = n/(n−1) Σ w_i² (C_i − C)²/(Σ w_i)²
+///
+/// The order of the measurements does not matter beyond rounding.
+/// @throws InvalidArgument if nothing lies in any band.
+/// Source: [D19] (equal weights).
+[[nodiscard]] CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options = {});
+[[nodiscard]] CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal);
+
+}  // namespace setae::spectra

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/spectra/options.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::spectra {
+
+/// Power spectral density of heights along x, two-sided and averaged over ±q.
+///
+///   C1D(q) = |h̃(q)|²/L,  h̃(q) = ∫ w h exp(−iqx) dx;   h_rms² = (1/π) ∫_0^∞ C1D dq
+///
+/// Of n equidistant points the modes are q_k = 2πk/L, k = 1 … n/2 (k = 0 is left out). Where the last one lies at the
+/// Nyquist wavevector π/Δ (even n) it stands for both signs, so that Parseval reads
+///   mean(w²h²) − (mean wh)² = (2/L) sum_k g_k C_k,  g = ½ for that mode, 1 otherwise.
+struct PowerSpectrum1D {
+    Array1D wavevector;      ///< q > 0, increasing [1/m]
+    Array1D C1D;             ///< [m³]
+    Array1D standard_error;  ///< of the mean over lines [m³], neighbouring lines taken as independent; NaN for one line
+    Array1D count;           ///< lines averaged
+    double q_min = 0.0;      ///< reliable band [1/m]
+    double q_max = 0.0;
+    double length = 0.0;     ///< L [m]
+    std::string window;
+    std::vector<Alert> alerts;
+    topography::Metadata metadata;
+};
+
+/// Of a line scan.
+/// @throws UndefinedDataError if a height is undefined, InvalidArgument if validate() does.
+/// Source: [J17].
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options = {});
+
+/// Of a map as line scans along the fast axis x: the mean over the ny lines, ONE measurement.
+/// The trend is removed from the map as a whole, then the mean from every line where `trend` is not none.
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options = {});
+
+/// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with the
+/// alert CONTOUR_STEPS that says how large the correction is.
+/// The reliable band ends at π/(mean step).
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options = {});
+
+/// Of any measurement, by its kind.
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Measurement& measurement, const SpectrumOptions& options = {});
+
+/// Only what lies inside the reliable band q_min … q_max.
+[[nodiscard]] PowerSpectrum1D within_band(PowerSpectrum1D spectrum);
+
+}  // namespace setae::spectra

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::spectra {
+
+/// How the wavelengths an instrument cannot show are found.
+struct ReliabilityOptions {
+    /// Share of positions whose curvature may exceed the tip's before a scale is called unreliable: 0 is the strict
+    /// minimum, decided by the sharpest point; 0.001 ignores single noisy pixels.
+    double percentile = 0.0;
+    bool both_directions = false;   ///< maps: also along y, the worse direction decides
+    double nyquist_fraction = 1.0;  ///< upper end of the band over π/(mean step): below 1 cuts what aliasing lifts most
+    int first_mode = 1;             ///< lower end of the band over 2π/L: above 1 cuts what window and detrending distort
+};
+
+/// What the tip-radius criterion found.
+enum class CutoffStatus {
+    found,              ///< value is the cutoff
+    all_reliable,       ///< even the shortest stencil (two steps) is blunter than the tip: value 0
+    nothing_reliable,   ///< even the longest stencil is sharper than the tip: value is the size
+};
+
+/// Shortest wavelength a tip of finite radius shows.
+struct TipCutoff {
+    double value = 0.0;                ///< l_c [m]; use q < 2π/l_c only
+    CutoffStatus status = CutoffStatus::found;
+    double percentile = 0.0;           ///< 0: strict minimum
+    std::optional<Interval> interval;  ///< 95 %, from the standard error of the tip radius
+};
+
+/// The cutoff of the second-difference criterion.
+///
+///   h''_l(x) = [h(x − l/2) − 2h(x) + h(x + l/2)]/(l/2)²,   min_x h''_l = −1/(2R) at l = l_c
+///
+/// R: tip radius [m]. Between points the heights are interpolated linearly; maps are looked at along x (and y, see
+/// options). Stencils run from two (mean) steps to half the size. Periodic data wrap; undefined heights leave out the
+/// stencils they touch. With a percentile p the p-quantile of h''_l takes the place of the minimum.
+/// Root to 1e-8; the result scales with the unit of length.
+/// @throws InvalidArgument for R <= 0 or p outside 0 … 0.5, or a re-entrant profile.
+/// Source: 10.1016/j.apsadv.2021.100190; [G18].
+[[nodiscard]] TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
+                                   std::optional<double> tip_radius_standard_error = {},
+                                   const ReliabilityOptions& options = {}, parallel::Threads threads = {});
+
+/// Wavevectors a measurement can be trusted in.
+struct ReliableBand {
+    Band band;                      ///< [2π first_mode/L, min(nyquist_fraction π/Δ, 2π/l_c, 2π/resolution)] [1/m]
+    std::string upper_limit;        ///< what set the upper end: "sampling", "tip radius" or "resolution"
+    std::optional<TipCutoff> tip;   ///< where the instrument names a tip radius
+    std::vector<Alert> alerts;      ///< TIP_CUTOFF: how much of the band the tip takes
+    [[nodiscard]] bool empty() const { return !(band.upper > band.lower); }
+};
+
+/// The band of a measurement along x, from its sampling and from the tip radius and resolution in its metadata.
+[[nodiscard]] ReliableBand reliable_band(const topography::Measurement& measurement,
+                                         const ReliabilityOptions& options = {}, parallel::Threads threads = {});
+
+}  // namespace setae::spectra
