@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/fourier/map_transform.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/fourier/buffer.hpp"
+
+namespace setae::fourier {
+namespace {
+
+/// Room for lines of n values, each on 16 bytes.
+constexpr Index padded(Index n) { return n + n % 2; }
+
+std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
+
+SpectrumBlock block_of(Index index, Index lines, Index modes, const Complex* values) {
+    const Index first = index * lines_per_block;
+    return {index, first, std::min(lines_per_block, lines - first), modes, values};
+}
+
+void require_shape(Index nx, Index ny) {
+    if (nx < 1 || ny < 1) throw InvalidArgument(fmt::format("a transform of {} x {} points; expected at least 1 x 1", nx, ny));
+}
+
+}  // namespace
+
+void transform_lines(const ArrayView2D& map, const std::function<void(Index, double*)>& prepare,
+                     const BlockConsumer& consume, parallel::Threads threads) {
+    const Index nx = map.rows(), ny = map.cols(), stride = padded(nx);
+    require_shape(nx, ny);
+    const RealTransform transform(nx);
+    parallel::for_each_index(extent(block_count(ny)), threads, [&](std::size_t index) {
+        thread_local Buffer<double> lines;
+        thread_local Buffer<Complex> spectra;
+        lines.resize(extent(lines_per_block * stride));
+        spectra.resize(extent(lines_per_block * transform.modes()));
+        const auto block = block_of(static_cast<Index>(index), ny, transform.modes(), spectra.data());
+        for (Index i = 0; i < nx; ++i) {
+            const double* row = map.data() + i * map.outerStride() + block.first;
+            for (Index j = 0; j < block.lines; ++j) lines[extent(j * stride + i)] = row[j];
+        }
+        for (Index j = 0; j < block.lines; ++j) {
+            double* line = lines.data() + j * stride;
+            prepare(block.first + j, line);
+            transform.forward(line, spectra.data() + j * transform.modes());
+        }
+        consume(block);
+    });
+}
+
+void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>& load, const BlockConsumer& consume,
+                   parallel::Threads threads) {
+    require_shape(nx, ny);
+    const RealTransform along_y(ny);
+    const ComplexTransform along_x(nx);
+    const Index modes = along_y.modes();
+    Buffer<Complex> half(extent(nx * modes));
+
+    parallel::for_each_index(extent(block_count(nx)), threads, [&](std::size_t index) {
+        thread_local Buffer<double> line;
+        line.resize(extent(ny));
+        const Index first = static_cast<Index>(index) * lines_per_block;
+        for (Index i = first; i < std::min(nx, first + lines_per_block); ++i) {
+            load(i, line.data());
+            along_y.forward(line.data(), half.data() + i * modes);
+        }
+    });
+    parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t index) {
+        thread_local Buffer<Complex> lines;
+        lines.resize(extent(lines_per_block * nx));
+        const auto block = block_of(static_cast<Index>(index), modes, nx, lines.data());
+        for (Index i = 0; i < nx; ++i) {
+            const Complex* row = half.data() + i * modes + block.first;
+            for (Index m = 0; m < block.lines; ++m) lines[extent(m * nx + i)] = row[m];
+        }
+        for (Index m = 0; m < block.lines; ++m) along_x.apply(lines.data() + m * nx);
+        consume(block);
+    });
+}
+
+}  // namespace setae::fourier

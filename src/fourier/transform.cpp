@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/fourier/transform.hpp"
+
+#include <mutex>
+
+#include <fftw3.h>
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/fourier/buffer.hpp"
+
+namespace setae::fourier {
+namespace {
+
+/// FFTW's planner is not thread-safe; its executors are.
+std::mutex& planner_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+/// The planner only looks at alignment, never writes with FFTW_ESTIMATE, whose plans do not depend on timing.
+fftw_complex* as_fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
+
+void require_points(Index n) {
+    if (n < 1) throw InvalidArgument(fmt::format("a transform of {} points; expected at least 1", n));
+}
+
+template <class Planned>
+fftw_plan checked(Planned plan, Index n) {
+    if (plan == nullptr) throw InternalError(fmt::format("no transform plan for {} points", n));
+    return plan;
+}
+
+struct PlanHandle {
+    explicit PlanHandle(fftw_plan plan) : handle(plan) {}
+    PlanHandle(const PlanHandle&) = delete;
+    PlanHandle& operator=(const PlanHandle&) = delete;
+    ~PlanHandle() {
+        const std::lock_guard lock(planner_mutex());
+        fftw_destroy_plan(handle);
+    }
+    fftw_plan handle;
+};
+
+fftw_plan plan_real(Index n) {
+    Buffer<double> in(static_cast<std::size_t>(n));
+    Buffer<Complex> out(static_cast<std::size_t>(n / 2 + 1));
+    const std::lock_guard lock(planner_mutex());
+    return checked(fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(out.data()),
+                                        FFTW_ESTIMATE | FFTW_PRESERVE_INPUT), n);
+}
+
+fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
+    Buffer<Complex> values(static_cast<std::size_t>(n));
+    const int direction = sign == ComplexTransform::Sign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
+    const std::lock_guard lock(planner_mutex());
+    return checked(fftw_plan_dft_1d(static_cast<int>(n), as_fftw(values.data()), as_fftw(values.data()), direction,
+                                    FFTW_ESTIMATE), n);
+}
+
+}  // namespace
+
+struct RealTransform::Plan : PlanHandle {
+    using PlanHandle::PlanHandle;
+};
+
+RealTransform::RealTransform(Index n) : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_real(n))) {}
+RealTransform::~RealTransform() = default;
+RealTransform::RealTransform(RealTransform&&) noexcept = default;
+RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
+
+void RealTransform::forward(const double* in, Complex* out) const {
+    // FFTW_PRESERVE_INPUT keeps the promise of const
+    fftw_execute_dft_r2c(plan_->handle, const_cast<double*>(in), as_fftw(out));
+}
+
+struct ComplexTransform::Plan : PlanHandle {
+    using PlanHandle::PlanHandle;
+};
+
+ComplexTransform::ComplexTransform(Index n, Sign sign)
+    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_complex(n, sign))) {}
+ComplexTransform::~ComplexTransform() = default;
+ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;
+ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = default;
+
+void ComplexTransform::apply(Complex* values) const {
+    fftw_execute_dft(plan_->handle, as_fftw(values), as_fftw(values));
+}
+
+}  // namespace setae::fourier
