@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/parallel/for_each.hpp"
+#include "setae/roughness/spectral_moments.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::adhesion {
+
+/// Elastic energy per apparent area [J/m²] that a half-space stores when it conforms to a rough surface.
+///
+///   U_el/A_app = (E*/8) ∫ q C1D dq   (isotropic surface, exact; or with Eq. (11))
+///
+/// contact_modulus: E* [Pa], > 0.  Source: [D19] (8); THEORY §4.1, §7.
+[[nodiscard]] double stored_energy(double contact_modulus, const roughness::SpectrumCurve& curve,
+                                   roughness::Conversion conversion = roughness::Conversion::exact);
+
+/// U_el/A_app = (E*/8π) ∫ q² C_iso dq. Source: [D19] (8).
+[[nodiscard]] double stored_energy(double contact_modulus, const roughness::IsotropicCurve& curve);
+
+/// U_el/A_app = (E*/4) Σ_q |q| |h_q|² over the Fourier modes of a map, taken as one period; any direction, no isotropy assumed.
+///
+/// Non-periodic maps are detrended by their best plane and windowed (Hann) as in spectra. A cosine of amplitude h0 gives E* q h0²/8.
+/// @throws UndefinedDataError for maps with undefined heights.  Source: THEORY §7.
+[[nodiscard]] double stored_energy(double contact_modulus, const topography::HeightMap& map, parallel::Threads threads = {});
+
+/// Upper bound E* h_rms h'_rms/4 of U_el/A_app for any spectrum (Cauchy–Schwarz). Source: THEORY §7.
+[[nodiscard]] double stored_energy_bound(double contact_modulus, double rms_height, double rms_slope);
+
+}  // namespace setae::adhesion

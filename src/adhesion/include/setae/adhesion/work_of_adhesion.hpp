@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::adhesion {
+
+/// What roughness does to the energy balance, per apparent area.
+struct ConformalState {
+    double area_ratio = 1.0;     ///< r = A_true/A_app, >= 1
+    double stored_energy = 0.0;  ///< U_el/A_app [J/m²], >= 0
+};
+
+/// Apparent work of adhesion on approach.
+struct ApparentWork {
+    double raw = 0.0;       ///< what the balance gives [J/m²]; negative where conforming costs energy
+    double floored = 0.0;   ///< max(0, raw): what a contact can show
+    bool conforms = true;   ///< raw > 0. Necessary, not sufficient: see scale_balance.hpp
+};
+
+/// Balance with the area change of the soft side at constant surface energy.
+///
+///   W_app = W_int r − γ1 (r − 1) − U_el/A_app
+///
+/// work_of_adhesion: W_int [J/m²], >= 0.  surface_energy: γ1 of the soft solid [J/m²], >= 0.
+/// Limits: flat W_int; E* → 0: W_int r − γ1 (r − 1).
+/// @throws InvalidArgument outside the domain.  Source: [D19] (7).
+[[nodiscard]] ApparentWork modified_balance(double work_of_adhesion, double surface_energy, const ConformalState& state);
+
+/// Balance without area change of the soft side: W_app = W_int r − U_el/A_app. Source: [D19] (2).
+[[nodiscard]] ApparentWork balance_without_area_change(double work_of_adhesion, const ConformalState& state);
+
+/// Persson–Tosatti: W_app = W_int (1 + h'²/2) − U_el/A_app. Source: [PT01]; [D19] (S13).
+[[nodiscard]] ApparentWork persson_tosatti_balance(double work_of_adhesion, double rms_slope, double stored_energy);
+
+/// Surface energy γ1s of the soft solid against its stretched area x = A/A_app.
+struct SurfaceEnergyLaw {
+    Array1D area_ratio;      ///< nodes x, increasing from 1
+    Array1D surface_energy;  ///< γ1s(x) [J/m²], linear between nodes, constant beyond the last
+
+    /// γ1s(x) = γ1.
+    [[nodiscard]] static SurfaceEnergyLaw constant(double surface_energy);
+    /// γ1s(x) = γ1 + χ (x − 1) up to x = `up_to`, a surface-stress law of surface modulus χ [J/m²].
+    [[nodiscard]] static SurfaceEnergyLaw surface_stress(double surface_energy, double surface_modulus, double up_to);
+
+    /// γ1s at x [J/m²].
+    [[nodiscard]] double at(double x) const;
+    /// ∫_1^x γ1s dx' [J/m²], exact for the law.
+    [[nodiscard]] double integral(double x) const;
+};
+
+/// The general balance.
+///
+///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app,   W*_int = W_int + [γ1s(r) − γ1s(1)] − interface_change
+///
+/// interface_change: γ1s2 − γ12 [J/m²], the strain's effect on the interface itself, 0 unless known.
+/// Equals modified_balance for a constant law.
+/// @throws InvalidArgument outside the domain.  Source: [D19] (5), (6); THEORY §8.
+[[nodiscard]] ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state,
+                                           double interface_change = 0.0);
+
+}  // namespace setae::adhesion

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/work_of_adhesion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+void require_not_negative(double value, const char* what) {
+    if (!(value >= 0.0) || std::isinf(value)) throw InvalidArgument(fmt::format("{} is {} J/m2, expected a number >= 0", what, value));
+}
+
+void require_state(const ConformalState& state) {
+    require_not_negative(state.stored_energy, "stored energy");
+    if (!(state.area_ratio >= 1.0)) throw InvalidArgument(fmt::format("true over apparent area is {}, expected >= 1", state.area_ratio));
+}
+
+ApparentWork apparent(double raw) { return {raw, std::max(0.0, raw), raw > 0.0}; }
+
+void require_law(const SurfaceEnergyLaw& law) {
+    const auto n = law.area_ratio.size();
+    if (n < 1 || n != law.surface_energy.size() || law.area_ratio[0] != 1.0)
+        throw InvalidArgument("a surface energy law needs as many energies as area ratios, the first ratio being 1");
+    for (Index i = 1; i < n; ++i)
+        if (!(law.area_ratio[i] > law.area_ratio[i - 1]))
+            throw InvalidArgument(fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
+}
+
+}  // namespace
+
+ApparentWork modified_balance(double work_of_adhesion, double surface_energy, const ConformalState& state) {
+    require_not_negative(work_of_adhesion, "work of adhesion");
+    require_not_negative(surface_energy, "surface energy");
+    require_state(state);
+    return apparent(work_of_adhesion * state.area_ratio - surface_energy * (state.area_ratio - 1.0) - state.stored_energy);
+}
+
+ApparentWork balance_without_area_change(double work_of_adhesion, const ConformalState& state) {
+    return modified_balance(work_of_adhesion, 0.0, state);
+}
+
+ApparentWork persson_tosatti_balance(double work_of_adhesion, double rms_slope, double stored_energy) {
+    return balance_without_area_change(work_of_adhesion, {1.0 + 0.5 * rms_slope * rms_slope, stored_energy});
+}
+
+SurfaceEnergyLaw SurfaceEnergyLaw::constant(double surface_energy) {
+    return {Array1D::Ones(1), Array1D::Constant(1, surface_energy)};
+}
+
+SurfaceEnergyLaw SurfaceEnergyLaw::surface_stress(double surface_energy, double surface_modulus, double up_to) {
+    if (!(up_to > 1.0)) return constant(surface_energy);
+    SurfaceEnergyLaw law{Array1D(2), Array1D(2)};
+    law.area_ratio << 1.0, up_to;
+    law.surface_energy << surface_energy, surface_energy + surface_modulus * (up_to - 1.0);
+    return law;
+}
+
+double SurfaceEnergyLaw::at(double x) const {
+    const auto n = area_ratio.size();
+    if (x >= area_ratio[n - 1]) return surface_energy[n - 1];
+    const auto right = std::upper_bound(area_ratio.data(), area_ratio.data() + n, x) - area_ratio.data();
+    if (right == 0) return surface_energy[0];
+    const double t = (x - area_ratio[right - 1]) / (area_ratio[right] - area_ratio[right - 1]);
+    return surface_energy[right - 1] + t * (surface_energy[right] - surface_energy[right - 1]);
+}
+
+double SurfaceEnergyLaw::integral(double x) const {
+    double sum = 0.0, left = 1.0;
+    for (Index i = 1; i < area_ratio.size() && left < x; ++i) {
+        const double right = std::min(x, area_ratio[i]);
+        sum += 0.5 * (at(left) + at(right)) * (right - left);
+        left = right;
+    }
+    return x > left ? sum + surface_energy[surface_energy.size() - 1] * (x - left) : sum;
+}
+
+ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state, double interface_change) {
+    require_not_negative(work_of_adhesion, "work of adhesion");
+    require_state(state);
+    require_law(law);
+    const double r = state.area_ratio;
+    const double strained_work = work_of_adhesion + law.at(r) - law.at(1.0) - interface_change;
+    return apparent(strained_work * r - law.integral(r) - state.stored_energy);
+}
+
+}  // namespace setae::adhesion

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/roughness/slope_distribution.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::roughness {
+namespace {
+
+constexpr int block_count = 16;
+
+/// Raw power sums of slopes; polylines weight each by its step, so that collinear points change nothing.
+struct PowerSums {
+    std::array<double, 5> s{};
+
+    void add(double slope, double weight) {
+        if (slope != slope) return;
+        double power = weight;
+        for (double& sum : s) {
+            sum += power;
+            power *= slope;
+        }
+    }
+    PowerSums& operator+=(const PowerSums& other) {
+        for (std::size_t k = 0; k < s.size(); ++k) s[k] += other.s[k];
+        return *this;
+    }
+    friend PowerSums operator-(PowerSums a, const PowerSums& b) {
+        for (std::size_t k = 0; k < a.s.size(); ++k) a.s[k] -= b.s[k];
+        return a;
+    }
+};
+
+using Blocks = std::array<PowerSums, block_count>;
+
+struct Shape {
+    double rms = 0.0, skewness = 0.0, excess_kurtosis = 0.0;
+};
+
+Shape shape_of(const PowerSums& sums) {
+    const auto& s = sums.s;
+    const double m = s[1] / s[0], m2 = s[2] / s[0] - m * m;
+    const double m3 = s[3] / s[0] - 3.0 * m * s[2] / s[0] + 2.0 * m * m * m;
+    const double m4 = s[4] / s[0] - 4.0 * m * s[3] / s[0] + 6.0 * m * m * s[2] / s[0] - 3.0 * m * m * m * m;
+    if (!(m2 > 0.0)) return {};
+    return {std::sqrt(m2), m3 / std::pow(m2, 1.5), m4 / (m2 * m2) - 3.0};
+}
+
+/// Delete-one-block jackknife of a statistic of Shape.
+template <class Statistic>
+double jackknife_error(const std::vector<Shape>& without_one, Statistic statistic) {
+    const auto n = static_cast<double>(without_one.size());
+    if (n < 2.0) return undefined;
+    double mean = 0.0, sum2 = 0.0;
+    for (const auto& shape : without_one) mean += statistic(shape) / n;
+    for (const auto& shape : without_one) sum2 += std::pow(statistic(shape) - mean, 2);
+    return std::sqrt((n - 1.0) / n * sum2);
+}
+
+DirectionalSlope directional(double angle, const Blocks& blocks) {
+    PowerSums all;
+    for (const auto& block : blocks) all += block;
+    std::vector<Shape> without_one;
+    for (const auto& block : blocks)
+        if (block.s[0] > 0.0) without_one.push_back(shape_of(all - block));
+    const auto shape = shape_of(all);
+    return {angle,
+            shape.rms,
+            jackknife_error(without_one, [](const Shape& s) { return s.rms; }),
+            shape.skewness,
+            jackknife_error(without_one, [](const Shape& s) { return s.skewness; }),
+            shape.excess_kurtosis,
+            jackknife_error(without_one, [](const Shape& s) { return s.excess_kurtosis; }),
+            static_cast<int>(without_one.size())};
+}
+
+std::size_t block_of(Index i, Index n) { return static_cast<std::size_t>(i * block_count / n); }
+
+struct Slopes {
+    std::vector<DirectionalSlope> directions;
+    std::vector<double> along_x;
+};
+
+Slopes slopes_of(const topography::HeightMap& map) {
+    const auto nx = map.heights.rows(), ny = map.heights.cols();
+    const auto [dx, dy] = map.pixel_size();
+    const double diagonal = std::hypot(dx, dy);
+    Blocks x{}, y{}, up{}, down{};
+    Slopes slopes;
+    slopes.along_x.reserve(static_cast<std::size_t>(map.heights.size()));
+    const auto& h = map.heights;
+    for (Index i = 0; i + 1 < nx; ++i)
+        for (Index j = 0; j + 1 < ny; ++j) {
+            // blocks are tiles of a 4 × 4 partition: neighbours in both directions stay together
+            const auto block = static_cast<std::size_t>((i * 4 / nx) * 4 + j * 4 / ny);
+            const double along_x = (h(i + 1, j) - h(i, j)) / dx;
+            if (along_x == along_x) slopes.along_x.push_back(along_x);
+            x[block].add(along_x, 1.0);
+            y[block].add((h(i, j + 1) - h(i, j)) / dy, 1.0);
+            up[block].add((h(i + 1, j + 1) - h(i, j)) / diagonal, 1.0);
+            down[block].add((h(i + 1, j) - h(i, j + 1)) / diagonal, 1.0);
+        }
+    const double tilt = std::atan2(dy, dx);
+    slopes.directions = {directional(0.0, x), directional(0.5 * pi, y), directional(tilt, up), directional(-tilt, down)};
+    return slopes;
+}
+
+Slopes slopes_of(const topography::LineScan& scan) {
+    Blocks blocks{};
+    Slopes slopes;
+    const auto n = scan.heights.size() - 1;
+    for (Index i = 0; i < n; ++i) {
+        const double slope = (scan.heights[i + 1] - scan.heights[i]) / scan.pixel_size();
+        blocks[block_of(i, n)].add(slope, 1.0);
+        if (slope == slope) slopes.along_x.push_back(slope);
+    }
+    slopes.directions = {directional(0.0, blocks)};
+    return slopes;
+}
+
+Slopes slopes_of(const topography::Profile& profile) {
+    Blocks blocks{};
+    Slopes slopes;
+    const auto n = profile.positions.size() - 1;
+    for (Index i = 0; i < n; ++i) {
+        const double step = profile.positions[i + 1] - profile.positions[i];
+        const double slope = (profile.heights[i + 1] - profile.heights[i]) / step;
+        blocks[block_of(i, n)].add(slope, step);
+        if (slope == slope) slopes.along_x.push_back(slope);
+    }
+    slopes.directions = {directional(0.0, blocks)};
+    return slopes;
+}
+
+void fill_histogram(SlopeDistribution& distribution, const std::vector<double>& slopes, double rms) {
+    constexpr int bins = 40;
+    constexpr double range = 5.0;  // in rms
+    constexpr double width = 2.0 * range / bins;
+    double mean = 0.0;
+    for (const double s : slopes) mean += s / static_cast<double>(slopes.size());
+    distribution.slope = Array1D::LinSpaced(bins, -range + 0.5 * width, range - 0.5 * width);
+    distribution.density = Array1D::Zero(bins);
+    for (const double s : slopes) {
+        const auto bin = static_cast<Index>(std::floor(((s - mean) / rms + range) / width));
+        if (bin >= 0 && bin < bins) distribution.density[bin] += 1.0 / (static_cast<double>(slopes.size()) * width);
+    }
+}
+
+double chi_squared_p_value(double chi2, int degrees_of_freedom) {
+    if (!std::isfinite(chi2)) return undefined;
+    return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), chi2));
+}
+
+/// The direction with the strongest evidence, corrected for having looked at all of them (Bonferroni).
+double gaussian_p_value(const std::vector<DirectionalSlope>& directions) {
+    double smallest = 1.0;
+    for (const auto& d : directions) {
+        const double chi2 = std::pow(d.skewness / d.skewness_standard_error, 2) +
+                            std::pow(d.excess_kurtosis / d.excess_kurtosis_standard_error, 2);
+        smallest = std::min(smallest, chi_squared_p_value(chi2, 2));
+    }
+    return std::min(1.0, smallest * static_cast<double>(directions.size()));
+}
+
+/// x against y and diagonal against diagonal: pairs with the same step, so that resolution does not mimic anisotropy.
+double isotropy_p_value(const std::vector<DirectionalSlope>& d) {
+    double smallest = 1.0;
+    for (const auto& [a, b] : {std::pair{d[0], d[1]}, std::pair{d[2], d[3]}}) {
+        const double difference = std::log(a.rms / b.rms);
+        const double error2 = std::pow(a.rms_standard_error / a.rms, 2) + std::pow(b.rms_standard_error / b.rms, 2);
+        smallest = std::min(smallest, chi_squared_p_value(difference * difference / error2, 1));
+    }
+    return std::min(1.0, 2.0 * smallest);
+}
+
+double isotropy_ratio(const std::vector<DirectionalSlope>& d) {
+    return std::exp(std::max(std::abs(std::log(d[0].rms / d[1].rms)), std::abs(std::log(d[2].rms / d[3].rms))));
+}
+
+void add_alerts(SlopeDistribution& distribution, const std::string& subject) {
+    constexpr double significance = 0.01, shape_size = 0.5, anisotropy_size = 1.1;
+    double kurtosis = 0.0, skewness = 0.0;
+    for (const auto& d : distribution.directions) {
+        if (std::abs(d.excess_kurtosis) > std::abs(kurtosis)) kurtosis = d.excess_kurtosis;
+        if (std::abs(d.skewness) > std::abs(skewness)) skewness = d.skewness;
+    }
+    if (distribution.gaussian_p_value < significance && (std::abs(kurtosis) > shape_size || std::abs(skewness) > shape_size))
+        distribution.alerts.push_back({"NON_GAUSSIAN", subject,
+                                       fmt::format("slopes have excess kurtosis {:.2g} and skewness {:.2g} (p = {:.1e})", kurtosis,
+                                                   skewness, distribution.gaussian_p_value),
+                                       "the true area of formula (9) assumes Gaussian slopes: use the triangulated area of maps"});
+    if (distribution.directions.size() == 1) {
+        distribution.alerts.push_back({"ONE_DIRECTION", subject, "a line sees the slope along one direction only",
+                                       "isotropy, which the 2D parameters assume, cannot be tested on it"});
+        return;
+    }
+    if (distribution.isotropy_p_value < significance && distribution.isotropy_ratio > anisotropy_size)
+        distribution.alerts.push_back({"ANISOTROPIC", subject,
+                                       fmt::format("rms slopes of perpendicular directions differ by a factor {:.3g} (p = {:.1e})",
+                                                   distribution.isotropy_ratio, distribution.isotropy_p_value),
+                                       "2D parameters from line scans assume isotropy: measure along several directions"});
+}
+
+}  // namespace
+
+SlopeDistribution slope_distribution(const topography::Measurement& measurement) {
+    const auto slopes = std::visit([](const auto& m) { return slopes_of(m); }, measurement);
+    const auto& subject = topography::metadata(measurement).file;
+    if (slopes.along_x.size() < 32)
+        throw UndefinedDataError(fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.along_x.size()));
+    SlopeDistribution distribution;
+    distribution.directions = slopes.directions;
+    fill_histogram(distribution, slopes.along_x, slopes.directions.front().rms);
+    distribution.gaussian_p_value = gaussian_p_value(slopes.directions);
+    const bool map = slopes.directions.size() > 1;
+    distribution.isotropy_ratio = map ? isotropy_ratio(slopes.directions) : undefined;
+    distribution.isotropy_p_value = map ? isotropy_p_value(slopes.directions) : undefined;
+    add_alerts(distribution, subject);
+    return distribution;
+}
+
+}  // namespace setae::roughness

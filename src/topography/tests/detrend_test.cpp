@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/topography/detrend.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::topography {
+namespace {
+
+HeightMap paraboloid(Index nx, Index ny, double offset) {
+    HeightMap map{Array2D(nx, ny), {3.0, 2.0}};
+    for (Index i = 0; i < nx; ++i)
+        for (Index j = 0; j < ny; ++j) {
+            const double x = 3.0 * static_cast<double>(i) / static_cast<double>(nx), y = 2.0 * static_cast<double>(j) / static_cast<double>(ny);
+            map.heights(i, j) = offset + 0.3 * x - 0.7 * y + 0.05 * x * x + 0.02 * y * y - 0.04 * x * y;
+        }
+    return map;
+}
+
+TEST(Detrend, RemovesAPlaneFromANonSquareMap) {
+    auto map = paraboloid(17, 33, 0.0);
+    HeightMap plane{Array2D(17, 33), {3.0, 2.0}};
+    for (Index i = 0; i < 17; ++i)
+        for (Index j = 0; j < 33; ++j) plane.heights(i, j) = 1.0 + 2.0 * static_cast<double>(i) - 3.0 * static_cast<double>(j);
+    EXPECT_LT(detrended(plane, Trend::tilt).heights.abs().maxCoeff(), 1e-12);
+    EXPECT_GT(detrended(map, Trend::tilt).heights.abs().maxCoeff(), 1e-3);
+}
+
+TEST(Detrend, RemovesAParaboloidWhateverTheOffset) {
+    EXPECT_LT(detrended(paraboloid(17, 33, 0.0), Trend::parabola).heights.abs().maxCoeff(), 1e-13);
+    // 1e6 costs the digits the input itself has lost, no more
+    EXPECT_LT(detrended(paraboloid(17, 33, 1e6), Trend::parabola).heights.abs().maxCoeff(), 1e-9);
+}
+
+TEST(Detrend, LeavesUndefinedHeightsUndefinedAndUsesTheOthers) {
+    auto map = paraboloid(20, 20, 5.0);
+    map.heights(3, 4) = undefined;
+    const auto level = detrended(map, Trend::parabola);
+    EXPECT_TRUE(std::isnan(level.heights(3, 4)));
+    map.heights(3, 4) = 0.0;
+    EXPECT_LT(level.heights.isNaN().select(0.0, level.heights).abs().maxCoeff(), 1e-13);
+}
+
+TEST(Detrend, OfALineLeavesTheResidualOrthogonalToThePolynomial) {
+    LineScan scan{Array1D::Random(101), 7.0};
+    const auto level = detrended(scan, Trend::parabola);
+    const Array1D x = Array1D::LinSpaced(101, -1.0, 1.0);
+    EXPECT_NEAR(level.heights.sum(), 0.0, 1e-12);
+    EXPECT_NEAR((level.heights * x).sum(), 0.0, 1e-12);
+    EXPECT_NEAR((level.heights * x * x).sum(), 0.0, 1e-12);
+}
+
+TEST(Detrend, OfAPolylineIgnoresCollinearPointsAndTheOriginOfX) {
+    Profile coarse{Array1D(4), Array1D(4)};
+    coarse.positions << 0.0, 1.0, 3.0, 4.5;
+    coarse.heights << 0.0, 2.0, -1.0, 0.5;
+    Profile fine{Array1D(5), Array1D(5)};
+    fine.positions << 1e6, 1e6 + 1.0, 1e6 + 2.0, 1e6 + 3.0, 1e6 + 4.5;
+    fine.heights << 0.0, 2.0, 0.5, -1.0, 0.5;
+    const auto a = detrended(coarse, Trend::parabola), b = detrended(fine, Trend::parabola);
+    EXPECT_NEAR(a.heights[0], b.heights[0], 1e-9);
+    EXPECT_NEAR(a.heights[1], b.heights[1], 1e-9);
+    EXPECT_NEAR(a.heights[2], b.heights[3], 1e-9);
+    EXPECT_NEAR(a.heights[3], b.heights[4], 1e-9);
+}
+
+TEST(Detrend, RefusesTooFewDefinedHeights) {
+    LineScan scan{Array1D::Constant(10, undefined), 1.0};
+    scan.heights[2] = 1.0;
+    EXPECT_THROW((void)detrended(scan, Trend::tilt), UndefinedDataError);
+}
+
+TEST(FlattenLines, RemovesEachLinesOwnPolynomial) {
+    HeightMap map{Array2D(50, 3), {1.0, 1.0}};
+    for (Index i = 0; i < 50; ++i)
+        for (Index j = 0; j < 3; ++j) map.heights(i, j) = std::pow(0.1 * static_cast<double>(i), static_cast<double>(j));
+    EXPECT_LT(flattened_lines(map, 2).heights.abs().maxCoeff(), 1e-12);
+    EXPECT_LT(flattened_lines(map, 1).heights.leftCols(2).abs().maxCoeff(), 1e-12);
+    EXPECT_GT(flattened_lines(map, 1).heights.col(2).abs().maxCoeff(), 1.0);
+    EXPECT_THROW((void)flattened_lines(map, 4), InvalidArgument);
+}
+
+TEST(TrendNames, GoBothWays) {
+    for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola}) EXPECT_EQ(trend_from_name(name(trend)), trend);
+    EXPECT_THROW((void)trend_from_name("plane"), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace setae::topography
