@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "domain.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::contact {
+
+void require_positive(double value, const char* what) {
+    if (!(value > 0.0) || std::isinf(value)) throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {}", what, value));
+}
+
+void require_not_negative(double value, const char* what) {
+    if (!(value >= 0.0)) throw InvalidArgument(fmt::format("{} must be >= 0, got {}", what, value));
+}
+
+void require_sphere(double radius, double contact_modulus) {
+    require_positive(radius, "sphere radius");
+    require_positive(contact_modulus, "contact modulus");
+}
+
+}  // namespace setae::contact

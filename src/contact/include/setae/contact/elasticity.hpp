@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace setae::contact {
+
+/// A linear elastic, isotropic solid.
+struct ElasticSolid {
+    double youngs_modulus = 0.0;  ///< E [Pa], > 0; infinity for a rigid body
+    double poisson_ratio = 0.0;   ///< ν, −1 < ν <= 1/2
+};
+
+/// A sphere pressed against a flat; only its radius and the combined modulus of the two bodies matter.
+struct SphereOnFlat {
+    double radius = 0.0;           ///< R [m], > 0
+    double contact_modulus = 0.0;  ///< E* [Pa], > 0
+};
+
+/// Contact modulus E* [Pa] of two solids pressed together.
+///
+///   1/E* = (1 − ν1²)/E1 + (1 − ν2²)/E2
+///
+/// @throws InvalidArgument for E <= 0, ν outside (−1, 1/2], or two rigid bodies.
+/// Source: Johnson, Contact Mechanics (1985), eq. 4.20.
+[[nodiscard]] double contact_modulus(const ElasticSolid& first, const ElasticSolid& second);
+
+/// Young's modulus E [Pa] of the one body whose Poisson ratio ν is known, from E* [Pa] and the counter-body.
+///
+///   E = (1 − ν²) / (1/E* − (1 − ν2²)/E2)
+///
+/// @throws InvalidArgument outside the domain, and where E* is at least the counter-body's own E2/(1 − ν2²), which no
+/// softer partner can give.
+[[nodiscard]] double youngs_modulus_from(double contact_modulus, double poisson_ratio, const ElasticSolid& counter_body);
+
+}  // namespace setae::contact
