@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/adhesion/scale_balance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "setae/adhesion/work_of_adhesion.hpp"
@@ -8,8 +9,8 @@
 
 namespace setae::adhesion {
 
-ScaleBalance scale_balance(const roughness::SpectrumCurve& curve, double contact_modulus, double work_of_adhesion, double surface_energy) {
-    const auto below = roughness::cumulative_parameters(curve);
+ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus, double work_of_adhesion,
+                           double surface_energy) {
     const auto n = below.wavevector.size();
     const double slope2 = std::pow(below.rms_slope[n - 1], 2);
     const double energy = contact_modulus * below.elastic_energy_per_modulus[n - 1];
@@ -19,7 +20,7 @@ ScaleBalance scale_balance(const roughness::SpectrumCurve& curve, double contact
     };
     const double change = work(below.rms_slope[n - 1], energy) - work_of_adhesion;
 
-    ScaleBalance balance{below.wavevector, Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n)};
+    ScaleBalance balance{below.wavevector, Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n), std::nullopt};
     for (Index i = 0; i < n; ++i) {
         const double slope_below = below.rms_slope[i];
         const double stored_below = contact_modulus * below.elastic_energy_per_modulus[i];
@@ -29,7 +30,9 @@ ScaleBalance scale_balance(const roughness::SpectrumCurve& curve, double contact
         balance.stored_share[i] = stored_below / energy;
         balance.area_share[i] = (roughness::gaussian_area_ratio(slope_below) - 1.0) / excess_area;
         balance.work_share[i] = (work(slope_below, stored_below) - work_of_adhesion) / change;
-        balance.bridging[i] = balance.gained[i] < balance.stored[i] ? 1.0 : 0.0;
+        if (balance.gained[i] >= balance.stored[i]) continue;
+        if (!balance.bridging) balance.bridging = Band{below.wavevector[i], below.wavevector[i]};
+        balance.bridging->upper = below.wavevector[i];
     }
     return balance;
 }

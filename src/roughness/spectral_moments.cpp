@@ -21,12 +21,13 @@ struct PowerLaw {
 };
 
 /// A curve as power laws that cover its band, in order.
-std::vector<PowerLaw> pieces(const Array1D& wavevector, const Array1D& density, const Band& band) {
+std::vector<PowerLaw> pieces(const SpectrumCurve& curve) {
+    const auto& band = curve.band;
     std::vector<double> q, c;
-    for (Index i = 0; i < wavevector.size(); ++i)
-        if (std::isfinite(density[i]) && density[i] > 0.0) {
-            q.push_back(wavevector[i]);
-            c.push_back(density[i]);
+    for (Index i = 0; i < curve.wavevector.size(); ++i)
+        if (std::isfinite(curve.values[i]) && curve.values[i] > 0.0) {
+            q.push_back(curve.wavevector[i]);
+            c.push_back(curve.values[i]);
         }
     if (q.size() < 2)
         throw UndefinedDataError(fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", q.size()));
@@ -59,12 +60,37 @@ double weighted_integral(const PowerLaw& piece, double order, double q_s) {
     return boost::math::quadrature::gauss<double, 15>::integrate(integrand, t0, t1);
 }
 
-struct Moments {
-    double height = 0.0, energy = 0.0, slope = 0.0, curvature = 0.0;  // orders 0, 1, 2, 4
+/// Squares of the parameters, and the energy, that one piece adds: factor · ∫ q^order C dq.
+struct Contribution {
+    double height2 = 0.0, slope2 = 0.0, curvature2 = 0.0, energy = 0.0;
+
+    Contribution& operator+=(const Contribution& other) {
+        height2 += other.height2;
+        slope2 += other.slope2;
+        curvature2 += other.curvature2;
+        energy += other.energy;
+        return *this;
+    }
+    [[nodiscard]] SpectralParameters parameters() const {
+        return {std::sqrt(height2), std::sqrt(slope2), std::sqrt(curvature2), energy};
+    }
 };
 
-SpectralParameters exact_parameters(const Moments& m) {
-    return {std::sqrt(m.height / pi), std::sqrt(2.0 * m.slope / pi), std::sqrt(2.0 * m.curvature / (3.0 * pi)), m.energy / 8.0};
+/// Contributions of C1D through the exact identities.
+Contribution of_profile(const PowerLaw& piece) {
+    return {integral(piece, 0.0) / pi, 2.0 * integral(piece, 2.0) / pi, 2.0 * integral(piece, 4.0) / (3.0 * pi), integral(piece, 1.0) / 8.0};
+}
+
+/// Contributions of C_iso; integrate(order) is ∫ q^order C_iso dq.
+template <class Integrate>
+Contribution of_isotropic(Integrate integrate) {
+    return {integrate(1.0) / (2.0 * pi), integrate(3.0) / (2.0 * pi), integrate(5.0) / (8.0 * pi), integrate(2.0) / (8.0 * pi)};
+}
+
+Contribution contribution(const PowerLaw& piece, const SpectrumCurve& curve, Conversion conversion) {
+    if (curve.density == Density::C_iso) return of_isotropic([&](double order) { return integral(piece, order); });
+    if (conversion == Conversion::exact) return of_profile(piece);
+    return of_isotropic([&](double order) { return pi * weighted_integral(piece, order - 1.0, curve.band.upper); });
 }
 
 }  // namespace
@@ -79,49 +105,26 @@ SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
     return curve;
 }
 
-double spectral_integral(const SpectrumCurve& curve, double order, Conversion conversion) {
-    double sum = 0.0;
-    for (const auto& piece : pieces(curve.wavevector, curve.C1D, curve.band))
-        sum += conversion == Conversion::exact ? integral(piece, order) : weighted_integral(piece, order, curve.band.upper);
-    return sum;
-}
-
 SpectralParameters spectral_parameters(const SpectrumCurve& curve, Conversion conversion) {
-    const Moments m{spectral_integral(curve, 0.0, conversion), spectral_integral(curve, 1.0, conversion),
-                    spectral_integral(curve, 2.0, conversion), spectral_integral(curve, 4.0, conversion)};
-    if (conversion == Conversion::exact) return exact_parameters(m);
-    return {std::sqrt(m.height / 2.0), std::sqrt(m.slope / 2.0), std::sqrt(m.curvature / 8.0), m.energy / 8.0};
-}
-
-SpectralParameters spectral_parameters(const IsotropicCurve& curve) {
-    const auto parts = pieces(curve.wavevector, curve.C_iso, curve.band);
-    const auto moment = [&](double order) {
-        double sum = 0.0;
-        for (const auto& piece : parts) sum += integral(piece, order);
-        return sum;
-    };
-    return {std::sqrt(moment(1.0) / (2.0 * pi)), std::sqrt(moment(3.0) / (2.0 * pi)), std::sqrt(moment(5.0) / (8.0 * pi)),
-            moment(2.0) / (8.0 * pi)};
+    Contribution sum;
+    for (const auto& piece : pieces(curve)) sum += contribution(piece, curve, conversion);
+    return sum.parameters();
 }
 
 CumulativeParameters cumulative_parameters(const SpectrumCurve& curve) {
-    const auto parts = pieces(curve.wavevector, curve.C1D, curve.band);
+    const auto parts = pieces(curve);
     const auto n = static_cast<Index>(parts.size()) + 1;
     CumulativeParameters result{Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n)};
-    Moments sum;
+    Contribution sum;
     for (Index i = 0; i < n; ++i) {
-        const auto parameters = exact_parameters(sum);
-        result.wavevector[i] = i == 0 ? parts.front().left : parts[static_cast<std::size_t>(i - 1)].right;
+        const auto* piece = i > 0 ? &parts[static_cast<std::size_t>(i - 1)] : nullptr;
+        if (piece) sum += contribution(*piece, curve, Conversion::exact);
+        const auto parameters = sum.parameters();
+        result.wavevector[i] = piece ? piece->right : parts.front().left;
         result.rms_height[i] = parameters.rms_height;
         result.rms_slope[i] = parameters.rms_slope;
         result.rms_curvature[i] = parameters.rms_curvature;
         result.elastic_energy_per_modulus[i] = parameters.elastic_energy_per_modulus;
-        if (i + 1 == n) break;
-        const auto& piece = parts[static_cast<std::size_t>(i)];
-        sum.height += integral(piece, 0.0);
-        sum.energy += integral(piece, 1.0);
-        sum.slope += integral(piece, 2.0);
-        sum.curvature += integral(piece, 4.0);
     }
     return result;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "setae/core/arrays.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 
@@ -14,14 +16,15 @@ struct ScaleBalance {
     Array1D stored_share;  ///< share of the whole U_el stored below q: cumulative, 0 … 1
     Array1D area_share;    ///< share of r − 1 reached by the roughness below q, 0 … 1
     Array1D work_share;    ///< (W_app of the roughness below q alone − W_int)/(W_app − W_int): cumulative change of W_app
-    Array1D bridging;      ///< 1 where the solid would rather bridge the roughness above q than conform (gained < stored), else 0
+    std::optional<Band> bridging;  ///< [1/m] wavevectors where gained < stored: lowest and highest
 };
 
-/// For an isotropic surface with Gaussian slopes, at the nodes of its spectrum.
+/// For an isotropic surface with Gaussian slopes, at the wavevectors of its cumulative parameters.
 ///
-/// Where `bridging` is 1 the contact gives up the roughness shorter than 2π/q, whatever (7) says in sum.
+/// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says in
+/// sum; formulas for full conformity then overstate both area and energy.
 /// contact_modulus [Pa] > 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8.
-[[nodiscard]] ScaleBalance scale_balance(const roughness::SpectrumCurve& curve, double contact_modulus, double work_of_adhesion,
-                                         double surface_energy);
+[[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
+                                         double work_of_adhesion, double surface_energy);
 
 }  // namespace setae::adhesion

@@ -7,16 +7,13 @@
 
 namespace setae::adhesion {
 
-/// Elastic energy per apparent area [J/m²] that a half-space stores when it conforms to a rough surface.
+/// Elastic energy per apparent area [J/m²] that a half-space stores when it conforms to an isotropic rough surface.
 ///
-///   U_el/A_app = (E*/8) ∫ q C1D dq   (isotropic surface, exact; or with Eq. (11))
+///   U_el/A_app = (E*/8) ∫ q C1D dq = (E*/8π) ∫ q² C_iso dq
 ///
-/// contact_modulus: E* [Pa], > 0.  Source: [D19] (8); THEORY §4.1, §7.
+/// contact_modulus: E* [Pa], > 0; conversion: of C1D curves, exact or by Eq. (11).  Source: [D19] (8); THEORY §4.1, §7.
 [[nodiscard]] double stored_energy(double contact_modulus, const roughness::SpectrumCurve& curve,
                                    roughness::Conversion conversion = roughness::Conversion::exact);
-
-/// U_el/A_app = (E*/8π) ∫ q² C_iso dq. Source: [D19] (8).
-[[nodiscard]] double stored_energy(double contact_modulus, const roughness::IsotropicCurve& curve);
 
 /// U_el/A_app = (E*/4) Σ_q |q| |h_q|² over the Fourier modes of a map, taken as one period; any direction, no isotropy assumed.
 ///

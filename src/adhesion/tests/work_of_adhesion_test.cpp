@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/work_of_adhesion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/roughness/true_area.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+TEST(ModifiedBalance, OfAFlatSurfaceIsTheIntrinsicWork) {
+    EXPECT_EQ(modified_balance(0.037, 0.025, {1.0, 0.0}).raw, 0.037);
+}
+
+TEST(ModifiedBalance, WithoutStiffnessGivesTheNumbersOfTableS1) {
+    // THEORY §11: W_app(E → 0) with W_int 37, γ1 25 mJ/m² for the slopes of Table S1
+    for (const auto& [slope, expected] : {std::pair{0.39, 37.85}, {1.46, 45.26}, {1.15, 42.70}, {1.07, 42.08}})
+        EXPECT_NEAR(1e3 * modified_balance(0.037, 0.025, {roughness::gaussian_area_ratio(slope), 0.0}).raw, expected, 0.005) << slope;
+}
+
+TEST(ModifiedBalance, IsFlooredAtZeroAndSaysSo) {
+    const auto work = modified_balance(0.037, 0.025, {1.2, 0.1});
+    EXPECT_LT(work.raw, 0.0);
+    EXPECT_EQ(work.floored, 0.0);
+    EXPECT_FALSE(work.conforms);
+}
+
+TEST(ModifiedBalance, RefusesWhatHasNoMeaning) {
+    EXPECT_THROW((void)modified_balance(-0.01, 0.025, {1.0, 0.0}), InvalidArgument);
+    EXPECT_THROW((void)modified_balance(0.037, 0.025, {0.9, 0.0}), InvalidArgument);
+    EXPECT_THROW((void)modified_balance(0.037, 0.025, {1.1, -1.0}), InvalidArgument);
+}
+
+TEST(Balances, DifferByTheStretchingOfTheSoftSide) {
+    const ConformalState state{1.5, 0.01};
+    EXPECT_NEAR(balance_without_area_change(0.037, state).raw - modified_balance(0.037, 0.025, state).raw, 0.0125, 1e-15);
+    EXPECT_NEAR(persson_tosatti_balance(0.037, 1.0, 0.01).raw, balance_without_area_change(0.037, state).raw, 1e-15);
+}
+
+TEST(GeneralBalance, EqualsTheModifiedOneForAConstantSurfaceEnergy) {
+    const ConformalState state{1.688, 0.004};
+    EXPECT_NEAR(general_balance(0.037, SurfaceEnergyLaw::constant(0.025), state).raw, modified_balance(0.037, 0.025, state).raw, 1e-16);
+}
+
+TEST(GeneralBalance, OfASurfaceStressLawHasItsClosedForm) {
+    // γ = γ1 + χ (x − 1): W*_int = W + χ (r − 1), integral γ1 (r − 1) + χ (r − 1)²/2
+    const double r = 1.5, chi = 0.02, w = 0.037, gamma = 0.025;
+    const double expected = (w + chi * (r - 1.0)) * r - gamma * (r - 1.0) - 0.5 * chi * (r - 1.0) * (r - 1.0) - 0.003;
+    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}).raw, expected, 1e-16);
+    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}, 0.001).raw, expected - 0.001 * r, 1e-16);
+}
+
+TEST(SurfaceEnergyLaw, IsLinearBetweenItsNodesAndConstantBeyond) {
+    SurfaceEnergyLaw law{Array1D(3), Array1D(3)};
+    law.area_ratio << 1.0, 1.2, 1.4;
+    law.surface_energy << 0.02, 0.03, 0.025;
+    EXPECT_NEAR(law.at(1.1), 0.025, 1e-16);
+    EXPECT_EQ(law.at(9.0), 0.025);
+    EXPECT_NEAR(law.integral(1.4), 0.2 * 0.025 + 0.2 * 0.0275, 1e-16);
+    EXPECT_NEAR(law.integral(2.4), law.integral(1.4) + 0.025, 1e-16);
+    law.area_ratio << 1.0, 1.2, 1.1;
+    EXPECT_THROW((void)general_balance(0.037, law, {1.1, 0.0}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace setae::adhesion

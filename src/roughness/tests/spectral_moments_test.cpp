@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/roughness/spectral_moments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/spectra/self_affine.hpp"
+
+namespace setae::roughness {
+namespace {
+
+const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
+
+Array1D log_spaced(double lower, double upper, Index n) { return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp(); }
+
+/// The model's C_iso is a power law on either side of its roll-off, so two nodes a side hold it exactly.
+SpectrumCurve isotropic_curve() {
+    Array1D q(3);
+    q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
+    return {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, Density::C_iso};
+}
+
+/// C1D falls to zero at q_s like a square root: nodes crowd there.
+SpectrumCurve profile_curve() {
+    const double q_s = model.short_wavevector;
+    const Array1D coarse = log_spaced(2.0 * pi / 1e-2, 0.9 * q_s, 4000);
+    const Array1D fine = q_s * (1.0 - log_spaced(1e-9, 0.0999, 4000).reverse());
+    Array1D q(8000);
+    q << coarse, fine;
+    return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}, Density::C1D};
+}
+
+TEST(SpectralParameters, OfTheLaterNcdModelAreThosePublished) {
+    // THEORY §11, self-affine NCD model of later work by the authors of [D19]
+    const auto p = spectral_parameters(isotropic_curve());
+    EXPECT_NEAR(p.rms_height, 93.9e-9, 0.05e-9);
+    EXPECT_NEAR(p.rms_slope, 0.7465, 5e-5);
+    EXPECT_NEAR(p.rms_curvature, 15.19e6, 0.005e6);
+    EXPECT_NEAR(4.0 * p.elastic_energy_per_modulus, 4.374e-8, 5e-12);
+}
+
+TEST(SpectralParameters, FromLineScansAreExactlyThoseOfTheSurface) {
+    const auto from_lines = spectral_parameters(profile_curve()), from_surface = spectral_parameters(isotropic_curve());
+    EXPECT_NEAR(from_lines.rms_height / from_surface.rms_height, 1.0, 2e-4);  // lines start at 1 cm
+    EXPECT_NEAR(from_lines.elastic_energy_per_modulus / from_surface.elastic_energy_per_modulus, 1.0, 2e-5);
+    EXPECT_NEAR(from_lines.rms_slope / from_surface.rms_slope, 1.0, 2e-5);
+    EXPECT_NEAR(from_lines.rms_curvature / from_surface.rms_curvature, 1.0, 2e-5);
+}
+
+TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
+    Array1D q(2);
+    q << 1e6, 1e9;
+    const SpectrumCurve curve{q, 1e-20 * (q / 1e6).pow(-2.0), {1e6, 1e9}};
+    const auto p = spectral_parameters(curve);
+    EXPECT_NEAR(p.rms_height, std::sqrt(1e-20 * 1e6 * (1.0 - 1e-3) / pi), 1e-20);
+    EXPECT_NEAR(p.elastic_energy_per_modulus, 1e-20 * 1e12 * std::log(1e3) / 8.0, 1e-20);
+}
+
+TEST(SpectralParameters, ContinueTheOuterPowerLawsToTheBand) {
+    const Array1D inner = log_spaced(1e6, 1e9, 5), outer = log_spaced(1e5, 1e10, 9);
+    const auto law = [](const Array1D& q) -> Array1D { return 1e-20 * (q / 1e6).pow(-2.6); };
+    const auto a = spectral_parameters({inner, law(inner), {1e5, 1e10}}), b = spectral_parameters({outer, law(outer), {1e5, 1e10}});
+    EXPECT_NEAR(a.rms_height / b.rms_height, 1.0, 1e-12);
+    EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 1e-12);
+}
+
+TEST(SpectralParameters, PassOverGaps) {
+    Array1D q = log_spaced(1e6, 1e9, 7), c = 1e-20 * (q / 1e6).pow(-2.6);
+    const auto whole = spectral_parameters({q, c, {1e6, 1e9}});
+    c[2] = undefined;
+    c[3] = 0.0;
+    EXPECT_NEAR(spectral_parameters({q, c, {1e6, 1e9}}).rms_slope / whole.rms_slope, 1.0, 1e-12);
+    c.setConstant(undefined);
+    EXPECT_THROW((void)spectral_parameters({q, c, {1e6, 1e9}}), UndefinedDataError);
+}
+
+TEST(LimitedSpectrum, CutsBothEndsAndRefusesNothing) {
+    const auto curve = isotropic_curve();
+    const auto cut = limited(curve, {.longest = 100e-6});
+    const double energy = spectral_parameters(curve).elastic_energy_per_modulus;
+    const double lost = 1.0 - spectral_parameters(cut).elastic_energy_per_modulus / energy;
+    // plateau below q_c = 2π/100 µm: C q_c³/(3 · 8π)
+    EXPECT_NEAR(lost, 5e-27 * std::pow(2.0 * pi / 1e-4, 3) / (24.0 * pi) / energy, 1e-9);
+    EXPECT_THROW((void)limited(curve, {.longest = 1e-9, .shortest = 1e-6}), InvalidArgument);
+}
+
+TEST(CumulativeParameters, EndAtTheWholeAndGrow) {
+    const auto curve = profile_curve();
+    const auto cumulative = cumulative_parameters(curve);
+    const auto whole = spectral_parameters(curve);
+    const auto last = cumulative.wavevector.size() - 1;
+    EXPECT_EQ(cumulative.rms_slope[0], 0.0);
+    EXPECT_EQ(cumulative.rms_slope[last], whole.rms_slope);
+    EXPECT_EQ(cumulative.elastic_energy_per_modulus[last], whole.elastic_energy_per_modulus);
+    EXPECT_TRUE((cumulative.rms_height.tail(last) >= cumulative.rms_height.head(last)).all());
+}
+
+}  // namespace
+}  // namespace setae::roughness
