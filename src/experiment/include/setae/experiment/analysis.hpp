@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/experiment/jkr_fits.hpp"
+#include "setae/experiment/loop_energy.hpp"
+#include "setae/experiment/outcome.hpp"
+#include "setae/experiment/retraction.hpp"
+#include "setae/experiment/segments.hpp"
+
+namespace setae::experiment {
+
+/// Limits beyond which a result carries an alert.
+struct AlertLimits {
+    double contact_radius_per_sphere_radius = 0.2;  ///< LARGE_STRAIN
+    double contact_radius_per_thickness = 0.1;      ///< THIN_LAYER
+    double lens_height = 700e-6;                    ///< LENS_HEIGHT [m]: below it the mount is felt
+    double tabor_parameter = 5.0;                   ///< TABOR_RANGE: JKR holds above
+    double relative_residual = 0.015;               ///< POOR_FIT: rms residual over the range of the fitted quantity
+    double contact_point_share = 0.05;              ///< CONTACT_POINT_SPREAD: of the largest penetration
+    double loop_sampling_share = 0.05;              ///< LOOP_UNDERSAMPLED: sampling error over energy
+    double stiffness_ratio = 10.0;                  ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
+};
+
+struct AnalysisOptions {
+    SegmentOptions segments;
+    Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
+    std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
+    bool effective_variance = false;               ///< Eq. (1) allows for the errors of force too
+    std::optional<double> contact_radius_noise;    ///< σ_a [m]; else from the radii's second differences
+    std::optional<double> machine_stiffness;       ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
+    Index retraction_points = 6;                   ///< of (S2)
+    bool retraction_modulus_free = false;          ///< E* of (S2) fitted, not taken from loading
+    double interaction_range = 0.3e-9;             ///< z0 of the Tabor parameter [m]
+    AlertLimits limits;
+};
+
+/// Samples a fit rests on.
+struct FitRange {
+    std::string name;           ///< such as "loading, from 3 samples after jump-in to the largest force"
+    Index first = 0, last = 0;  ///< samples of the record
+    Index n = 0;                ///< fewer than last − first + 1 where partial releases or missing frames were left out
+    double force_first = 0.0;   ///< [N]
+    double force_last = 0.0;    ///< [N]
+};
+
+/// E* and W with so many samples dropped after the jump-in.
+struct RangeSensitivity {
+    Index dropped = 0;
+    Outcome<JkrFit> fit;
+};
+
+/// All routes to E* and W on one branch, side by side.
+struct BranchAnalysis {
+    FitRange range;
+    Outcome<JkrFit> radius_force;                     ///< Eq. (1)
+    Outcome<JkrFit> radius_force_effective_variance;  ///< Eq. (1), errors in both
+    Outcome<JkrFit> linear_form;
+    Outcome<JkrFit> force_displacement;
+    Outcome<PointwiseModulus> pointwise;
+    EnergyReleaseRate energy_release_rate;
+    std::vector<RangeSensitivity> sensitivity;  ///< empty on unloading
+    bool effective_variance_first = false;
+
+    /// Eq. (1) where the contact radius was measured, else force against displacement.
+    [[nodiscard]] const JkrFit& primary() const;
+};
+
+/// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
+struct LoopContext {
+    double largest_contact_radius = 0.0;     ///< [m]
+    bool radius_measured = false;            ///< else from the loading fit at the largest force
+    double largest_contact_area = 0.0;       ///< π a_max² [m²]
+    double ideal_smooth_sphere_loss = 0.0;   ///< of the jumps under fixed grips, with E* and W of loading [J]
+    double tabor_parameter = 0.0;            ///< with W and E* of loading
+};
+
+/// One press and release.
+struct CycleAnalysis {
+    Cycle cycle;
+    Outcome<BranchAnalysis> loading;
+    Outcome<BranchAnalysis> unloading;
+    Outcome<double> energy;  ///< ∮F dδ of the cycle [J]
+};
+
+struct LoopAnalysis {
+    Segments segments;
+    BranchAnalysis loading;  ///< of the first contact, partial releases left out
+    Outcome<BranchAnalysis> unloading;
+    Outcome<PullOff> pull_off;
+    Outcome<RetractionFit> retraction;
+    Outcome<LoopEnergy> loop;
+    LoopContext context;
+    std::vector<CycleAnalysis> cycles;
+    std::vector<Alert> alerts;
+};
+
+/// Everything that one contact experiment tells: segments, fits of both branches, pull-off, loop energy, alerts.
+///
+/// `subject` names the loop in the alerts.
+/// @throws InvalidArgument for impossible bodies or series; UndefinedDataError where there is no contact to analyse (see
+/// find_segments) or the loading branch has too few samples. A missing retraction is no error: see the reasons.
+[[nodiscard]] LoopAnalysis analyse(const Loop& loop, const LensAndCounterBody& bodies,
+                                   const AnalysisOptions& options = {}, const std::string& subject = "loop");
+
+}  // namespace setae::experiment

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/core/units.hpp"
+#include "setae/experiment/loop.hpp"
+
+namespace setae::experiment {
+
+/// Samples of one branch, force counted from the baseline, and how noisy they are (0 = unknown).
+struct BranchData {
+    Array1D force;           ///< [N]
+    Array1D displacement;    ///< [m], empty where not measured
+    Array1D contact_radius;  ///< [m], empty where not measured; > 0
+    double force_noise = 0.0;
+    double displacement_noise = 0.0;
+    double force_displacement_covariance = 0.0;
+    double contact_radius_noise = 0.0;
+};
+
+/// Least-squares estimate of E* and W by one of several routes.
+///
+/// Standard errors and covariance are scaled by the scatter of the residuals themselves and hold for independent
+/// residuals; `chi2_reduced` compares that scatter with the noise of free flight, so that a value far above 1 says that
+/// the model, not the noise, makes the residuals. A negative W means a contact smaller than Hertz's.
+struct JkrFit {
+    std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement"
+    bool converged = false;
+    int iterations = 0;
+    UncertainValue contact_modulus;   ///< E* [Pa]
+    UncertainValue youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
+    UncertainValue work_of_adhesion;  ///< W [J/m²]
+    UncertainValue contact_point;     ///< δ at first touch [m]; NaN where the method has none
+    Eigen::MatrixXd covariance;       ///< of E*, W and, where fitted, the contact point
+    double correlation = 0.0;         ///< of E* and W
+    Index n = 0;
+    Array1D residuals;               ///< measured − fitted, in `residual_unit`
+    std::string residual_unit;       ///< "m", or "N/m^1.5" for the linear form
+    double rms_residual = 0.0;       ///< in `residual_unit`
+    double relative_residual = 0.0;  ///< rms residual over the range of the fitted quantity
+    double chi2_reduced = 0.0;       ///< NaN where the noise is unknown
+};
+
+/// Which errors the fit of a(F) allows for.
+enum class RadiusErrors {
+    radius_only,         ///< ordinary least squares in a
+    effective_variance,  ///< each residual weighed by σ_a² + (da/dF)² σ_F²: a(F) is vertical where the contact parts
+};
+
+/// Eq. (1): contact radius against force, nonlinear least squares in a; unknown E* and W.
+///
+///   a³ = (3R/4E*) [F + 3πRW + √(6πRWF + (3πRW)²)]
+///
+/// Forces below the fitted pull-off keep the radius at pull-off.
+/// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
+/// effective variance without a force noise.
+/// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.
+[[nodiscard]] JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies,
+                                      RadiusErrors errors = RadiusErrors::radius_only);
+
+/// The same model as a straight line, K = 4E*/3:
+///
+///   F/√(6πa³) = K a^(3/2)/(√(6π) R) − √(KW)
+///
+/// Errors of a enter both sides, which biases it where they are large.
+/// @throws as fit_radius_force.
+[[nodiscard]] JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies);
+
+/// Displacement against force, nonlinear least squares in depth; unknown E*, W and the contact point.
+///
+///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by (1)
+///
+/// Forces below the fitted pull-off keep the depth at pull-off. Starts are found by a scan over W, in which E* and δ0 are
+/// linear.
+/// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that falls as the force
+/// rises; InvalidArgument for R <= 0.
+[[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies);
+
+/// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
+struct PointwiseModulus {
+    UncertainValue contact_modulus;   ///< slope [Pa]
+    UncertainValue youngs_modulus;    ///< [Pa]
+    UncertainValue contact_point;     ///< δ0 [m]
+    Array1D pointwise;                ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
+    double rms_residual = 0.0;        ///< of F/(2a) [N/m]
+    double relative_residual = 0.0;
+    Index n = 0;
+};
+
+/// @throws UndefinedDataError for fewer than 3 samples, or without displacement or contact radius.
+[[nodiscard]] PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCounterBody& bodies);
+
+/// Energy release rate along a branch.
+struct EnergyReleaseRate {
+    Array1D contact_radius;       ///< [m], measured, else implied by F, δ and E*
+    Array1D energy_release_rate;  ///< G [J/m²]
+    bool radius_measured = false;
+};
+
+/// G = (4E*a³/3R − F)²/(8πE*a³) at each sample, with E* and contact point given.
+[[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
+                                                     double contact_point);
+
+/// Young's modulus of the soft body with its standard error, from E*; NaN where the counter-body is too soft for it.
+[[nodiscard]] UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensAndCounterBody& bodies);
+
+}  // namespace setae::experiment

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/experiment/segments.hpp"
+
+namespace setae::experiment {
+
+/// One standard deviation of each cause of error of a loop energy [J].
+struct LoopErrorBudget {
+    double noise = 0.0;           ///< of force and displacement, sample by sample
+    double drift = 0.0;           ///< of the two baselines between which force drift is interpolated
+    double sampling = 0.0;        ///< where within one sampling step the jumps happened
+    double discretisation = 0.0;  ///< of the trapezoid rule, against every second sample
+    double total = 0.0;           ///< square root of the sum of squares
+};
+
+/// Energy lost in a closed loop.
+struct LoopEnergy {
+    double energy = 0.0;            ///< ∮F dδ [J] with baseline and linear drift of force removed; > 0 is lost
+    double without_drift = 0.0;     ///< the same with the first baseline only
+    LoopErrorBudget standard_error;
+    double opening = 0.0;           ///< displacement at the end minus at the start [m]; free flight, so no energy
+    double largest_jump_share = 0.0;  ///< force change of the largest step over the force range
+};
+
+/// Loss of one contact, ∮F dδ by the trapezoid rule over its extent.
+///
+/// The rule is exact along a jump that follows the machine's straight unloading line, and for a vertical jump sampled at
+/// both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order 3/2
+/// for one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
+/// @throws UndefinedDataError without displacement or without return to free flight.
+[[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0);
+
+/// ∮F dδ [J] of a partial release and reload: from the reversal to where the displacement is reached again. Nothing
+/// where it never is.
+[[nodiscard]] std::optional<double> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle);
+
+}  // namespace setae::experiment

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "setae/experiment/jkr_fits.hpp"
+#include "setae/experiment/outcome.hpp"
+
+namespace setae::experiment {
+
+/// Pull-off force and the work of adhesion it stands for.
+struct PullOff {
+    Index index = 0;                               ///< sample of the smallest force
+    UncertainValue force;                          ///< [N], < 0; its error is the noise and the baseline's
+    UncertainValue work_of_adhesion;               ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
+    UncertainValue work_of_adhesion_fixed_grips;   ///< 6|F|/(5πR): in an infinitely stiff machine
+    double machine_stiffness = 0.0;  ///< −ΔF/Δδ of the jump [N/m]; infinite for a vertical jump, NaN where unknown
+};
+
+/// The last points before pull-off as a JKR curve (S2).
+struct RetractionFit {
+    UncertainValue work_of_adhesion;  ///< [J/m²]
+    UncertainValue contact_modulus;   ///< [Pa]; the value given, or the one fitted
+    bool modulus_free = false;
+    Index first = 0, last = 0;        ///< samples used
+    Index n = 0;
+    double rms_residual = 0.0;        ///< [N]
+    bool radius_measured = false;     ///< else a is implied by F, δ and E*
+};
+
+/// W (and E* where it is left free) from points close to pull-off (S2).
+///
+/// The residual is taken in force, F = 4E*a³/(3R) − √(8πE*W a³), which is the curve (S2) solved for F: there a(F) is
+/// vertical, and the problem becomes linear in √W. `contact_modulus` and `contact_point` are those of the loading branch.
+/// @throws UndefinedDataError for fewer points than unknowns, or E* free without measured contact radius.
+[[nodiscard]] RetractionFit fit_retraction(const BranchData& last_points, double radius,
+                                           const UncertainValue& contact_modulus, double contact_point,
+                                           bool modulus_free = false);
+
+}  // namespace setae::experiment
