@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+
+namespace setae::workflow {
+
+/// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
+///
+///   prediction(W) = max(0, slope · W − offset)
+///
+/// Balance (7): slope r, offset γ1 (r − 1) + U_el/A.  (S13): slope 1 + h'²/2, offset U_el/A.  Loops (10): slope A_true,
+/// offset 0, or minus the loss of the smooth sphere.
+struct PairPoint {
+    std::string surface;
+    std::string elastomer;
+    double measured = 0.0;
+    double standard_error = 0.0;     ///< of the measured value; 0 where unknown
+    double slope = 0.0;              ///< > 0
+    double offset = 0.0;
+    double slope_variance = 0.0;     ///< variance of the prediction is slope_variance (W − slope_centre)² + offset_variance
+    double slope_centre = 0.0;
+    double offset_variance = 0.0;
+    bool floored = true;             ///< predictions stop at 0
+
+    [[nodiscard]] double prediction(double work) const;
+    [[nodiscard]] double prediction_variance(double work) const;
+};
+
+/// An estimate of W under one assumption on the errors.
+struct WorkEstimate {
+    double value = 0.0;
+    double standard_error = 0.0;
+    double chi_squared = 0.0;    ///< under the errors assumed
+    double extra_scatter = 0.0;  ///< standard deviation added to each pair's own, where the assumption has one
+};
+
+/// W from all pairs, and how well the model fits.
+struct WorkFit {
+    double work_of_adhesion = 0.0;        ///< least squares, every pair alike
+    double standard_error = 0.0;          ///< from the residuals, pairs independent
+    double clustered_standard_error = 0.0;///< pairs of one surface, and of one elastomer, correlated (two-way sandwich)
+    double r_squared = 0.0;               ///< 1 − SS_res/SS_tot
+    double residual_standard_deviation = 0.0;
+    int n = 0;
+    int degrees_of_freedom = 0;
+    std::vector<double> predicted;        ///< per pair, at work_of_adhesion
+    std::vector<double> residual;         ///< measured − predicted
+    std::optional<WorkEstimate> weighted;           ///< by the measured ± alone; its χ² tests the model
+    std::optional<WorkEstimate> with_extra_scatter; ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
+    std::optional<WorkEstimate> errors_in_both;     ///< measured and predicted ±, and the scatter still missing
+    std::optional<Interval> interval;               ///< 95 % profile likelihood over the extra scatter
+};
+
+/// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.
+/// The weighted variants need a standard error at every pair.
+/// @throws InvalidArgument for fewer than two pairs or slopes <= 0.
+/// Source: THEORY §10; clustered errors: Cameron, Gelbach, Miller, J. Bus. Econ. Stat. 29 (2011) 238.
+[[nodiscard]] WorkFit fit_work_of_adhesion(const std::vector<PairPoint>& pairs);
+
+/// A straight line through points: y = slope · x + intercept, ordinary least squares.
+struct LineFit {
+    double slope = 0.0, slope_standard_error = 0.0;
+    double intercept = 0.0, intercept_standard_error = 0.0;
+    double r_squared = 0.0;
+    int n = 0;
+};
+
+/// @throws InvalidArgument for fewer than three points or x all alike.
+[[nodiscard]] LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y);
+
+/// A pair as the bound below sees it: prediction max(0, base_slope · W − base_offset − modulus · u).
+struct FreeEnergyPoint {
+    std::string surface;
+    double measured = 0.0;
+    double slope = 0.0;            ///< r
+    double offset = 0.0;           ///< γ1 (r − 1)
+    double contact_modulus = 0.0;  ///< [Pa]
+};
+
+/// The best any power spectral density could do: (7) with U_el/(A E*) = u free, >= 0, for each surface.
+struct FreeEnergyFit {
+    double work_of_adhesion = 0.0;
+    double r_squared = 0.0;
+    std::vector<std::pair<std::string, double>> energy_per_modulus;  ///< u by surface [m]
+};
+
+/// @throws InvalidArgument for fewer than two pairs.
+[[nodiscard]] FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs);
+
+}  // namespace setae::workflow
