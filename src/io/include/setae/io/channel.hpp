@@ -28,7 +28,6 @@ struct ChannelInfo {
 
 /// A channel and the function that reads its heights [m]: scaled once, not levelled, NaN = undefined.
 ///
-/// `read` goes back to the file each time and keeps nothing.
 /// @throws (read) FormatError for content that breaks the format, UndefinedDataError where no height is defined,
 /// InvalidArgument for a channel that holds no heights.
 struct Channel {
@@ -36,7 +35,8 @@ struct Channel {
     std::function<topography::Measurement()> read;
 };
 
-/// What a file may leave open and the user must say.
+/// What a file may leave open and the user must say. Where the file says it itself, the file wins, and a difference
+/// becomes an alert (SIZE_MISMATCH above 1e-4, UNIT_MISMATCH).
 struct ReadOptions {
     std::optional<std::vector<double>> size;  ///< extent [m] of npy arrays and text matrices
     std::optional<std::string> unit;          ///< of x and heights in text, of heights in npy arrays and text matrices

@@ -26,7 +26,8 @@ struct Format {
     bool writes = false;
     bool tested_on_real_files = false;                     ///< of instruments, not only files made by the tests
     bool carries_scale = true;                             ///< heights come with their unit and scale from the file itself
-    std::function<Match(std::string_view head)> detect;    ///< from the first `detection_bytes` bytes
+    /// from the first `detection_bytes` bytes, and for archives from the names of their members
+    std::function<Match(std::string_view head, const Source&)> detect;
     std::function<std::vector<Channel>(const Source&, const ReadOptions&)> open;
 };
 

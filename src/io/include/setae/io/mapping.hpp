@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,19 +19,25 @@ struct MappedColumn {
     std::optional<std::string> unit;     ///< replaces the header's
 };
 
+/// A number expressions use by name, in SI.
+struct MappedConstant {
+    std::string name;
+    double value = 0.0;
+    Dimension dimension;
+};
+
 /// A column of the result: an expression over mapped columns and constants, all in SI.
 struct MappedResult {
     std::string name;        ///< such as "force"
     std::string expression;  ///< such as "spring_constant * mems"
-    Dimension dimension;     ///< the expression is checked to have it
+    Dimension dimension;     ///< what the expression must have
 };
 
 /// How a foreign table becomes one with canonical columns; examples/mappings/eoh.toml shows every part.
 struct Mapping {
     std::string path;  ///< of the mapping file, for messages
     TableOptions file;
-    std::map<std::string, double> constants;  ///< in SI
-    std::map<std::string, Dimension> constant_dimensions;
+    std::vector<MappedConstant> constants;
     std::vector<MappedColumn> columns;
     std::vector<MappedResult> results;
 };
@@ -42,13 +47,14 @@ struct Mapping {
 /// [file]: encoding, separator ("tab", "comma", "semicolon", "blank"), decimal ("point", "comma"), header_end.
 /// [constants]: NAME = "3.01 N/m". [columns.NAME]: header or position (from 1), unit.
 /// [table]: force, displacement, contact_radius, time = "expression", any other name = { expression, unit }.
-/// Each expression is checked to have the dimension its name or unit says.
 /// @throws FileError; FormatError for text that is no TOML, an unknown key (with the nearest known one), a missing or
-/// wrong unit, an expression that does not parse or has another dimension.
+/// wrong unit, an expression that does not parse or names what is not there.
 [[nodiscard]] Mapping read_mapping(const std::string& path);
 
-/// Reads a table through a mapping: columns to SI, then the expressions row by row.
-/// @throws FormatError where the file lacks a mapped column; the message lists what the header holds.
+/// Reads a table through a mapping: columns to SI, then the expressions row by row. Each expression is checked to have
+/// the dimension its name or unit says: "3.01 * mems" is no force, "spring_constant * mems" is.
+/// @throws FileError; FormatError where the file lacks a mapped column (the message lists those it has) or its unit, or
+/// an expression has another dimension.
 [[nodiscard]] Table read_mapped_table(const std::string& path, const Mapping& mapping);
 
 }  // namespace setae::io

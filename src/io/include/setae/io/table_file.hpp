@@ -30,6 +30,8 @@ struct RawTable {
     };
     std::vector<RawColumn> columns;
     std::vector<std::string> header;  ///< lines before the numbers, decoded to UTF-8
+    char separator = ' ';
+    char decimal_point = '.';
 };
 
 /// Numbers in columns with a header, as the file spells them.

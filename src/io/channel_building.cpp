@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "channel_building.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::io {
+
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Measurement;
+using topography::Profile;
+
+namespace {
+
+std::vector<double> size_of(const HeightMap& map) { return {map.size[0], map.size[1]}; }
+std::vector<double> size_of(const LineScan& scan) { return {scan.size}; }
+std::vector<double> size_of(const Profile& profile) {
+    return {std::abs(profile.positions[profile.positions.size() - 1] - profile.positions[0])};
+}
+
+}  // namespace
+
+std::vector<double> extent(const Measurement& measurement) {
+    return std::visit([](const auto& m) { return size_of(m); }, measurement);
+}
+
+std::vector<Index> channel_shape(const Measurement& measurement) {
+    const auto [nx, ny] = topography::shape(measurement);
+    if (std::holds_alternative<HeightMap>(measurement)) return {nx, ny};
+    return {nx};
+}
+
+Channel loaded_channel(ChannelInfo info, Measurement measurement) {
+    info.shape = channel_shape(measurement);
+    info.size = extent(measurement);
+    info.metadata = topography::metadata(measurement);
+    const auto shared = std::make_shared<const Measurement>(std::move(measurement));
+    return {std::move(info), [shared] { return *shared; }};
+}
+
+Channel non_height_channel(ChannelInfo info) {
+    info.is_height = false;
+    auto message = fmt::format("{}: channel '{}' holds no heights", info.metadata.file, info.name);
+    return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
+Measurement checked(Measurement measurement, const Source& source) {
+    const auto points = topography::shape(measurement);
+    const bool is_map = std::holds_alternative<HeightMap>(measurement);
+    if (points[0] < 2 || (is_map && points[1] < 2))
+        throw FormatError(source.name, {}, fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
+    std::visit(
+        [](auto& m) { m.heights = m.heights.isFinite().select(m.heights, std::numeric_limits<double>::quiet_NaN()).eval(); },
+        measurement);
+    const auto heights_defined = std::visit([](const auto& m) { return m.heights.isFinite().any(); }, measurement);
+    if (!heights_defined)
+        throw UndefinedDataError(fmt::format("{}: all {} heights are undefined", source.name, points[0] * points[1]));
+    const bool is_profile = std::holds_alternative<Profile>(measurement);  // a traced curve may end where it began
+    for (const double length : extent(measurement))
+        if (!is_profile && (!(length > 0.0) || !std::isfinite(length)))
+            throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", length));
+    return measurement;
+}
+
+LengthUnit length_unit(const std::string& unit, const Source& source) {
+    static constexpr std::pair<const char*, double> spellings[] = {{"m", 1.0},       {"cm", 1e-2},        {"mm", units::mm}, {"µm", units::um},
+                                                                   {"nm", units::nm}, {"Å", units::angstrom}, {"pm", units::pm}};
+    try {
+        const double factor = unit_factor(unit, dimension::length);
+        for (const auto& [name, known] : spellings)
+            if (std::abs(factor / known - 1.0) < 1e-12) return {name, factor};
+        return {unit, factor};
+    } catch (const InvalidArgument& error) {
+        throw FormatError(source.name, {}, fmt::format("unit of heights: {}", error.what()));
+    }
+}
+
+std::string required_unit(const ReadOptions& options, const Source& source) {
+    if (options.unit) return *options.unit;
+    throw InvalidArgument(fmt::format("{}: the file states no unit; give it, as in --unit um", source.name));
+}
+
+std::vector<double> required_size(const ReadOptions& options, std::size_t dimensions, const Source& source) {
+    const auto example = dimensions == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\"";
+    if (!options.size) throw InvalidArgument(fmt::format("{}: the file states no size; give it, as in {}", source.name, example));
+    if (options.size->size() != dimensions)
+        throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name,
+                                          options.size->size(), dimensions, example));
+    return *options.size;
+}
+
+}  // namespace setae::io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/io/channel.hpp"
+#include "setae/io/source.hpp"
+
+namespace setae::io {
+
+/// A channel that holds a measurement already in memory.
+[[nodiscard]] Channel loaded_channel(ChannelInfo info, topography::Measurement measurement);
+
+/// A channel of something other than heights: listed, never read.
+[[nodiscard]] Channel non_height_channel(ChannelInfo info);
+
+/// Extent [m] as ChannelInfo::size has it.
+[[nodiscard]] std::vector<double> extent(const topography::Measurement& measurement);
+
+/// Shape as ChannelInfo::shape has it.
+[[nodiscard]] std::vector<Index> channel_shape(const topography::Measurement& measurement);
+
+/// The measurement with infinite heights made undefined, after checking what every reader owes its caller.
+/// @throws UndefinedDataError where no height is defined; FormatError for fewer than two points or an extent that is no
+/// positive length.
+[[nodiscard]] topography::Measurement checked(topography::Measurement measurement, const Source& source);
+
+/// A length unit in setae's spelling (m, cm, mm, µm, nm, Å, pm; others as they are) and its factor to metres.
+struct LengthUnit {
+    std::string name;
+    double factor = 1.0;
+};
+
+/// The unit the file or the user names. @throws FormatError for a unit that is no length.
+[[nodiscard]] LengthUnit length_unit(const std::string& unit, const Source& source);
+
+/// The unit and, where the format leaves it open, the extent the user gave.
+/// @throws InvalidArgument that tells the option to give.
+[[nodiscard]] std::string required_unit(const ReadOptions& options, const Source& source);
+[[nodiscard]] std::vector<double> required_size(const ReadOptions& options, std::size_t dimensions, const Source& source);
+
+}  // namespace setae::io

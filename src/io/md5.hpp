@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace setae::io {
+
+/// MD5 digest as 32 lower-case hexadecimal digits: the checksum X3P files carry, no protection against intent.
+/// Source: RFC 1321.
+[[nodiscard]] std::string md5(std::string_view bytes);
+
+}  // namespace setae::io

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/io/table_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "header.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/io/whole_file.hpp"
+#include "text.hpp"
+
+namespace setae::io {
+namespace {
+
+/// Index of the first line numbers may stand in.
+std::size_t after_header_end(const std::vector<std::string_view>& lines, const TableOptions& options, const std::string& name) {
+    if (!options.header_end) return 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (trimmed(lines[i]) == *options.header_end) return i + 1;
+    throw FormatError(name, {.line = lines.size()},
+                      fmt::format("no line '{}' that ends the header; check header_end of the mapping", *options.header_end));
+}
+
+bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
+
+/// Numbers row by row, with what is known of the columns' cells.
+struct Numbers {
+    std::vector<double> values;        ///< row-major
+    std::size_t columns = 0;
+    std::vector<bool> has_text;        ///< per column: any cell that is not empty
+};
+
+Numbers parse_rows(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
+    Numbers numbers{{}, layout.columns, std::vector<bool>(layout.columns, false)};
+    numbers.values.reserve((lines.size() - layout.first_row) * layout.columns);
+    std::vector<std::string_view> cells;
+    for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
+        const auto line = trimmed(lines[i]);
+        if (line.empty() || is_comment(line)) continue;
+        split_cells(lines[i], layout.dialect.separator, cells);
+        while (cells.size() > layout.columns && cells.back().empty()) cells.pop_back();
+        if (cells.size() != layout.columns)
+            throw FormatError(name, {.line = i + 1},
+                              fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
+                                          cells.size(), layout.columns));
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            double value = 0.0;
+            if (!parse_cell(cells[k], layout.dialect.decimal_point, value))
+                throw FormatError(name, {.line = i + 1},
+                                  fmt::format("'{:.40}' in column {} is no number", cells[k], k + 1));
+            numbers.values.push_back(value);
+            if (!cells[k].empty()) numbers.has_text[k] = true;
+        }
+    }
+    return numbers;
+}
+
+/// Columns up to the last that holds anything: rows may end in separators.
+std::size_t filled_columns(const Numbers& numbers) {
+    auto filled = numbers.columns;
+    while (filled > 1 && !numbers.has_text[filled - 1]) --filled;
+    return filled;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const auto& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
+}
+
+}  // namespace
+
+RawTable read_raw_table(const Source& source, const TableOptions& options) {
+    if (source.size == 0) throw FormatError(source.name, {.offset = 0}, "the file is empty; expected rows of numbers");
+    const auto text = decoded(source.all(), options.encoding);
+    auto lines = split_lines(text);
+    const auto begin = after_header_end(lines, options, source.name);
+    const std::vector<std::string_view> body(lines.begin() + static_cast<std::ptrdiff_t>(begin), lines.end());
+    auto layout = find_layout(body, options);
+    if (!layout) throw FormatError(source.name, {.line = begin + 1}, "no row of numbers; expected columns of numbers below a header");
+    layout->first_row += begin;
+    const auto numbers = parse_rows(lines, *layout, source.name);
+
+    RawTable table{{}, {}, layout->dialect.separator, layout->dialect.decimal_point};
+    for (std::size_t i = 0; i < layout->first_row; ++i) {
+        if (options.header_end && i + 1 == begin) continue;
+        if (const auto line = trimmed(lines[i]); !line.empty()) table.header.emplace_back(line);
+    }
+    const auto filled = filled_columns(numbers);
+    const auto names = parse_header(table.header, layout->dialect.separator, filled, numbers.columns);
+    const auto columns = names.empty() ? filled : names.size();
+    const auto rows = static_cast<Index>(numbers.values.size() / numbers.columns);
+    using Rows = Eigen::Map<const Array2D>;
+    const Rows values(numbers.values.data(), rows, static_cast<Index>(numbers.columns));
+    for (std::size_t k = 0; k < columns; ++k) {
+        const auto cell = names.empty() ? HeaderCell{} : names[k];
+        table.columns.push_back({cell.name, cell.unit, values.col(static_cast<Index>(k))});
+    }
+    return table;
+}
+
+Table read_table(const std::string& path, const TableOptions& options) {
+    const auto raw = read_raw_table(file_source(path), options);
+    Table table;
+    table.metadata["file"] = path;
+    if (!raw.header.empty()) table.metadata["header"] = joined(raw.header);
+    for (std::size_t k = 0; k < raw.columns.size(); ++k) {
+        const auto& column = raw.columns[k];
+        const auto name = column.name.empty() ? fmt::format("column_{}", k + 1) : column.name;
+        const auto unit = try_parse_unit(column.unit);
+        if (unit)
+            table.columns.push_back({name, si_unit(unit->dimension), column.values * unit->factor});
+        else
+            table.columns.push_back({name, column.unit, column.values});
+    }
+    return table;
+}
+
+namespace {
+
+struct LoopColumn {
+    const char* name;
+    const char* unit;
+};
+constexpr LoopColumn loop_columns[] = {{"force", "N"}, {"displacement", "m"}, {"contact_radius", "m"}, {"time", "s"}};
+
+std::string column_list(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& column : table.columns)
+        names.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void require_loop_columns(const Table& table, const std::string& path) {
+    const auto missing = [&](const char* what) {
+        throw FormatError(path, {}, fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
+                                                "name the columns by a mapping file", what, column_list(table)));
+    };
+    if (!table.find("force")) missing("'force'");
+    if (!table.find("displacement") && !table.find("contact_radius")) missing("'displacement' or 'contact_radius'");
+    for (const auto& [name, unit] : loop_columns) {
+        const auto* column = table.find(name);
+        if (column && column->unit != unit)
+            throw FormatError(path, {}, fmt::format("column '{}' has {}, expected a unit of {} as in '{} [{}]'", name,
+                                                    column->unit.empty() ? "no unit" : fmt::format("the unit '{}'", column->unit),
+                                                    unit, name, unit));
+    }
+}
+
+Table read_loop_table(const std::string& path) {
+    auto table = read_table(path);
+    for (auto& column : table.columns)
+        for (const auto& known : loop_columns)
+            if (lowered(column.name) == known.name) column.name = known.name;
+    require_loop_columns(table, path);
+    return table;
+}
+
+void write_csv(const std::string& path, const Table& table) {
+    std::string text;
+    for (const auto& column : table.columns) {
+        if (column.values.size() != table.rows())
+            throw InvalidArgument(fmt::format("{}: column '{}' has {} rows, expected {}", path, column.name, column.values.size(), table.rows()));
+        if ((column.name + column.unit).find_first_of(",\"\r\n") != std::string::npos)
+            throw InvalidArgument(fmt::format("{}: column name '{}' holds a comma, quote or line break", path, column.name));
+        if (&column != &table.columns.front()) text += ',';
+        text += column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+    }
+    text += '\n';
+    for (Index i = 0; i < table.rows(); ++i) {
+        for (std::size_t k = 0; k < table.columns.size(); ++k) {
+            if (k > 0) text += ',';
+            const double value = table.columns[k].values[i];
+            if (!std::isnan(value))
+                fmt::format_to(std::back_inserter(text), "{}", value);
+            else if (table.columns.size() == 1)
+                text += "nan";  // an empty cell alone would be an empty line
+        }
+        text += '\n';
+    }
+    write_whole_file(path, text);
+}
+
+}  // namespace setae::io

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "setae/io/table_file.hpp"
+
+namespace setae::io {
+
+/// Bytes of a text as UTF-8 with '\n' line ends, without byte order mark.
+[[nodiscard]] std::string decoded(std::string bytes, Encoding encoding);
+
+/// Whether bytes can be text: a UTF-16 byte order mark, or no control characters besides white space.
+[[nodiscard]] bool looks_like_text(std::string_view bytes);
+
+/// ASCII letters in lower case.
+[[nodiscard]] std::string lowered(std::string_view text);
+
+[[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
+
+/// How numbers are separated and spelled.
+struct Dialect {
+    char separator = ' ';  ///< '\t', ';', ',' or ' ' for runs of blanks
+    char decimal_point = '.';
+};
+
+/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-"; false for anything that is no number.
+[[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
+
+/// Cells of a line; for separator ' ' runs of blanks and tabs separate and none lead or trail.
+void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+/// Where the numbers of a text stand and how they are written.
+struct Layout {
+    Dialect dialect;
+    std::size_t columns = 0;
+    std::size_t filled = 0;     ///< columns up to the last that is not empty in every row looked at
+    std::size_t first_row = 0;  ///< index of the line the numbers begin at
+};
+
+/// The dialect that makes the most of the last lines rows of numbers, and the first row; nothing where no line is one.
+[[nodiscard]] std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, const TableOptions& options);
+
+/// Numeric columns in the first bytes of a text, 0 where there are none or it is no text.
+[[nodiscard]] std::size_t numeric_columns(std::string_view head);
+
+/// Cells of a header line with between `least` and `most` cells, by the numbers' separator or any other; else empty.
+[[nodiscard]] std::vector<std::string> header_cells(std::string_view line, char separator, std::size_t least, std::size_t most);
+
+}  // namespace setae::io
