@@ -24,7 +24,7 @@ struct BootstrapSpectra {
     std::uint64_t seed = 0;
 };
 
-/// Draws as many measurements as there are, with replacement, and combines them, `resamples` times.
+/// Draws as many measurements as have data, with replacement, and combines them, `resamples` times.
 ///
 /// A bin that no drawn measurement covers is filled with the full combination's value times the ratio resample/full of
 /// the neighbouring bins, the ratio interpolated in ln q (constant beyond the ends).

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/topography/measurement.hpp"
+
+namespace setae::spectra {
+
+/// How messages name a measurement.
+[[nodiscard]] std::string label(const topography::Metadata& metadata);
+
+/// @throws InvalidArgument for fewer than two points a direction or a size that is not positive; looks at no height.
+void require_shape(const topography::LineScan& scan);
+void require_shape(const topography::HeightMap& map);
+
+/// @throws UndefinedDataError if a height is undefined or infinite.
+void require_defined(const ArrayView1D& heights, const topography::Metadata& metadata);
+
+/// @throws UndefinedDataError that names the measurement and the place.
+[[noreturn]] void throw_undefined(const topography::Metadata& metadata, const std::string& where);
+
+/// lower <= q <= upper up to the rounding of mode numbers times 2π/L.
+[[nodiscard]] inline bool in_band(double wavevector, double lower, double upper) {
+    constexpr double rounding = 1e-12;
+    return wavevector >= lower * (1.0 - rounding) && wavevector <= upper * (1.0 + rounding);
+}
+
+}  // namespace setae::spectra

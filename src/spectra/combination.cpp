@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectra/combination.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "combination_mean.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::spectra {
+namespace {
+
+std::string instrument_of(const topography::Metadata& metadata) {
+    const auto& instrument = metadata.instrument;
+    if (!instrument.type.empty()) return instrument.type;
+    return instrument.name.empty() ? "unknown" : instrument.name;
+}
+
+bool usable(const PowerSpectrum1D& spectrum, Index k) {
+    return std::isfinite(spectrum.C1D[k]) && in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max);
+}
+
+struct BinRange {
+    Index first;
+    Index count;
+};
+
+BinRange occupied_bins(std::span<const PowerSpectrum1D> spectra, const LogGrid& grid) {
+    Index first = std::numeric_limits<Index>::max(), last = std::numeric_limits<Index>::min();
+    for (const auto& spectrum : spectra)
+        for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
+            if (!usable(spectrum, k)) continue;
+            const Index bin = grid.bin_of(spectrum.wavevector[k]);
+            first = std::min(first, bin);
+            last = std::max(last, bin);
+        }
+    if (first > last)
+        throw InvalidArgument(fmt::format("{} spectra with nothing inside their reliable bands; nothing to combine", spectra.size()));
+    return {first, last - first + 1};
+}
+
+/// Averages over bins of C_k (q_c/q_k)^slope, slope by bin.
+void fill_bins(std::span<const PowerSpectrum1D> spectra, const Array1D& slopes, BinnedSpectra& result) {
+    const auto members = static_cast<Index>(spectra.size()), bins = result.wavevector.size();
+    Array2D modes = Array2D::Zero(members, bins);
+    result.C1D = Array2D::Zero(members, bins);
+    result.relative_variance = Array2D::Zero(members, bins);
+    for (Index i = 0; i < members; ++i) {
+        const auto& spectrum = spectra[static_cast<std::size_t>(i)];
+        for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
+            if (!usable(spectrum, k)) continue;
+            const Index bin = result.grid.bin_of(spectrum.wavevector[k]) - result.first_bin;
+            result.C1D(i, bin) += spectrum.C1D[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
+            const double relative = spectrum.standard_error[k] / spectrum.C1D[k];
+            // a single line's periodogram is distributed exponentially: its deviation is its mean
+            result.relative_variance(i, bin) += std::isfinite(relative) ? relative * relative : 1.0;
+            modes(i, bin) += 1.0;
+        }
+    }
+    result.C1D = (modes > 0.0).select(result.C1D / modes, undefined);
+    result.relative_variance = (modes > 0.0).select(result.relative_variance / modes.square(), undefined);
+}
+
+/// dlnC/dlnq in every bin: a line through the logarithms of the bins within half a decade that hold data.
+Array1D local_slopes(const BinnedSpectra& binned) {
+    const Array1D mean = bin_means(binned, Weighting::equal, all_members(binned));
+    const Index bins = mean.size(), reach = std::max(1, binned.grid.bins_per_decade / 2);
+    Array1D slopes = Array1D::Zero(bins);
+    for (Index b = 0; b < bins; ++b) {
+        double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+        for (Index j = std::max<Index>(0, b - reach); j <= std::min(bins - 1, b + reach); ++j) {
+            if (!(mean[j] > 0.0)) continue;
+            const double x = std::log(binned.wavevector[j] / binned.wavevector[b]), y = std::log(mean[j]);
+            n += 1.0, sx += x, sy += y, sxx += x * x, sxy += x * y;
+        }
+        const double spread = n * sxx - sx * sx;
+        if (n >= 2.0 && spread > 0.0) slopes[b] = std::clamp((n * sxy - sx * sy) / spread, -6.0, 2.0);
+    }
+    return slopes;
+}
+
+/// Non-empty bins as the columns of a combined spectrum.
+struct BinStatistics {
+    Index members = 0;
+    Index instruments = 0;
+};
+
+BinStatistics statistics(const BinnedSpectra& binned, Index bin) {
+    BinStatistics result;
+    std::vector<std::string> seen;
+    for (Index i = 0; i < binned.C1D.rows(); ++i) {
+        if (std::isnan(binned.C1D(i, bin))) continue;
+        ++result.members;
+        seen.push_back(binned.instruments[static_cast<std::size_t>(i)]);
+    }
+    std::sort(seen.begin(), seen.end());
+    result.instruments = std::unique(seen.begin(), seen.end()) - seen.begin();
+    return result;
+}
+
+double standard_error(const BinnedSpectra& binned, Index bin, Weighting weighting, double mean) {
+    const Array1D weights = bin_weights(binned, bin, weighting, all_members(binned));
+    const double n = static_cast<double>((weights > 0.0).count());
+    if (n < 2.0) return undefined;
+    double sum = 0.0;
+    for (Index i = 0; i < weights.size(); ++i)
+        if (weights[i] > 0.0) sum += std::pow(weights[i] * (binned.C1D(i, bin) - mean), 2);
+    return std::sqrt(n / (n - 1.0) * sum) / weights.sum();
+}
+
+void add_gap_alerts(CombinedSpectrum& spectrum) {
+    const double widest = std::pow(10.0, 1.5 / spectrum.grid.bins_per_decade);
+    for (Index b = 1; b < spectrum.wavevector.size(); ++b) {
+        const double below = spectrum.wavevector[b - 1], above = spectrum.wavevector[b];
+        if (above < widest * below) continue;
+        spectrum.alerts.push_back({"COVERAGE_GAP", "combined spectrum",
+                                   fmt::format("no measurement between {:.3g} and {:.3g} 1/m ({:.2g} decades)", below, above,
+                                               std::log10(above / below)),
+                                   "measure these wavelengths; integrals bridge the gap by a power law"});
+    }
+}
+
+void add_single_instrument_alerts(CombinedSpectrum& spectrum) {
+    const int n = spectrum.grid.bins_per_decade;
+    std::map<int, Index> most;  // by decade: the most instruments any bin has
+    std::map<int, int> bins;
+    for (Index b = 0; b < spectrum.wavevector.size(); ++b) {
+        const int decade = static_cast<int>(std::floor(std::log10(spectrum.wavevector[b])));
+        most[decade] = std::max(most[decade], static_cast<Index>(spectrum.instrument_count[b]));
+        ++bins[decade];
+    }
+    for (const auto& [decade, instruments] : most)
+        if (instruments == 1 && bins[decade] == n)
+            spectrum.alerts.push_back({"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
+                                       fmt::format("from 1e{} to 1e{} 1/m one instrument only: nothing checks it", decade, decade + 1),
+                                       "measure this decade with a second instrument"});
+}
+
+/// Mean of ln C of an instrument's measurements in a bin and its standard error.
+struct LogMean {
+    double value;
+    double variance;
+};
+
+std::map<std::string, LogMean> log_means(const BinnedSpectra& binned, Index bin) {
+    std::map<std::string, std::vector<double>> logs;
+    for (Index i = 0; i < binned.C1D.rows(); ++i)
+        if (binned.C1D(i, bin) > 0.0) logs[binned.instruments[static_cast<std::size_t>(i)]].push_back(std::log(binned.C1D(i, bin)));
+    std::map<std::string, LogMean> means;
+    for (const auto& [instrument, values] : logs) {
+        if (values.size() < 2) continue;
+        const Eigen::Map<const Array1D> y(values.data(), static_cast<Index>(values.size()));
+        const double n = static_cast<double>(values.size());
+        means[instrument] = {y.mean(), (y - y.mean()).square().sum() / (n * (n - 1.0))};
+    }
+    return means;
+}
+
+/// Pairs of instruments whose means differ by more than three standard errors in at least half of two or more shared bins.
+void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
+    struct Comparison {
+        int shared = 0, apart = 0;
+        double difference = 0.0;
+    };
+    std::map<std::pair<std::string, std::string>, Comparison> comparisons;
+    for (Index bin = 0; bin < binned.wavevector.size(); ++bin) {
+        const auto means = log_means(binned, bin);
+        for (auto a = means.begin(); a != means.end(); ++a)
+            for (auto b = std::next(a); b != means.end(); ++b) {
+                auto& comparison = comparisons[{a->first, b->first}];
+                const double difference = a->second.value - b->second.value;
+                ++comparison.shared;
+                comparison.difference += difference;
+                constexpr double errors = 3.0;
+                if (difference * difference > errors * errors * (a->second.variance + b->second.variance)) ++comparison.apart;
+            }
+    }
+    for (const auto& [pair, comparison] : comparisons)
+        if (comparison.shared >= 2 && 2 * comparison.apart >= comparison.shared)
+            spectrum.alerts.push_back({"DISAGREE", pair.first + ", " + pair.second,
+                                       fmt::format("differ by more than three standard errors in {} of {} shared bins; C1D of the first is "
+                                                   "{:.2g} times the second's", comparison.apart, comparison.shared,
+                                                   std::exp(comparison.difference / comparison.shared)),
+                                       "check scale, tip and reliable bands of both"});
+}
+
+}  // namespace
+
+BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options) {
+    const auto range = occupied_bins(spectra, options.grid);
+    BinnedSpectra result;
+    result.grid = options.grid;
+    result.first_bin = range.first;
+    result.wavevector = Array1D::NullaryExpr(range.count, [&](Index b) { return options.grid.centre(range.first + b); });
+    for (const auto& spectrum : spectra) result.instruments.push_back(instrument_of(spectrum.metadata));
+    fill_bins(spectra, Array1D::Zero(range.count), result);
+    if (options.slope_correction) fill_bins(spectra, local_slopes(result), result);
+    return result;
+}
+
+CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
+    const Array1D mean = bin_means(spectra, weighting, all_members(spectra));
+    std::vector<Index> filled;
+    for (Index b = 0; b < mean.size(); ++b)
+        if (!std::isnan(mean[b])) filled.push_back(b);
+    const auto count = static_cast<Index>(filled.size());
+    CombinedSpectrum result;
+    result.grid = spectra.grid;
+    result.wavevector = spectra.wavevector(filled);
+    result.C1D = mean(filled);
+    result.standard_error.resize(count);
+    result.count.resize(count);
+    result.instrument_count.resize(count);
+    for (Index k = 0; k < count; ++k) {
+        const Index bin = filled[static_cast<std::size_t>(k)];
+        const auto [members, instruments] = statistics(spectra, bin);
+        result.count[k] = static_cast<double>(members);
+        result.instrument_count[k] = static_cast<double>(instruments);
+        result.standard_error[k] = standard_error(spectra, bin, weighting, mean[bin]);
+    }
+    result.q_min = spectra.grid.edge(spectra.first_bin + filled.front());
+    result.q_max = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
+    add_gap_alerts(result);
+    add_single_instrument_alerts(result);
+    add_disagreement_alerts(spectra, result);
+    return result;
+}
+
+CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options) {
+    auto result = combine(binned(spectra, options), options.weighting);
+    result.q_min = std::numeric_limits<double>::infinity();
+    result.q_max = 0.0;
+    for (const auto& spectrum : spectra)
+        for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
+            if (!usable(spectrum, k)) continue;
+            result.q_min = std::min(result.q_min, spectrum.wavevector[k]);
+            result.q_max = std::max(result.q_max, spectrum.wavevector[k]);
+        }
+    return result;
+}
+
+}  // namespace setae::spectra

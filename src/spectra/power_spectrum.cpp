@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectra/power_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/fourier/map_transform.hpp"
+#include "setae/spectra/polyline.hpp"
+#include "setae/spectra/segment_response.hpp"
+
+namespace setae::spectra {
+namespace {
+
+Array1D modes(Index count, double length) {
+    return Array1D::LinSpaced(count, 1.0, static_cast<double>(count)) * (2.0 * pi / length);
+}
+
+PowerSpectrum1D empty_spectrum(const topography::Measurement& measurement, double length, Window window,
+                               const SpectrumOptions& options) {
+    PowerSpectrum1D spectrum;
+    const auto reliable = reliable_band(measurement, options.reliability, options.threads);
+    spectrum.q_min = reliable.band.lower;
+    spectrum.q_max = reliable.band.upper;
+    spectrum.alerts = reliable.alerts;
+    spectrum.length = length;
+    spectrum.window = name(window);
+    spectrum.metadata = topography::metadata(measurement);
+    return spectrum;
+}
+
+/// Sums over the lines of a map, mode by mode.
+struct LineSums {
+    Array1D power;
+    Array1D squares;
+};
+
+/// Sum of |transform|² and of its square over all lines, in an order that does not depend on threads.
+LineSums sum_over_lines(const ArrayView2D& heights, const Array1D& window, bool remove_mean,
+                        const topography::Metadata& metadata, parallel::Threads threads) {
+    const Index modes = heights.rows() / 2 + 1, blocks = fourier::block_count(heights.cols());
+    Array2D power(blocks, modes), squares(blocks, modes);
+    const auto prepare = [&](Index j, double* values) {
+        Eigen::Map<Array1D> line(values, heights.rows());
+        const double mean = line.mean();
+        if (!std::isfinite(mean)) throw_undefined(metadata, fmt::format("line {} along x", j));
+        line = (line - (remove_mean ? mean : 0.0)) * window;
+    };
+    const auto consume = [&](const fourier::SpectrumBlock& block) {
+        auto power_row = power.row(block.index);
+        auto squares_row = squares.row(block.index);
+        power_row.setZero();
+        squares_row.setZero();
+        for (Index m = 0; m < block.lines; ++m) {
+            const fourier::Complex* line = block.values + m * modes;
+            for (Index k = 0; k < modes; ++k) {
+                const double value = line[k].real() * line[k].real() + line[k].imag() * line[k].imag();
+                power_row[k] += value;
+                squares_row[k] += value * value;
+            }
+        }
+    };
+    fourier::transform_lines(heights, prepare, consume, threads);
+    LineSums sums{Array1D::Zero(modes), Array1D::Zero(modes)};
+    for (Index b = 0; b < blocks; ++b) {
+        sums.power += power.row(b).transpose();
+        sums.squares += squares.row(b).transpose();
+    }
+    return sums;
+}
+
+bool needs_fit(topography::Trend trend) {
+    return trend == topography::Trend::tilt || trend == topography::Trend::parabola;
+}
+
+/// C1D, its standard error and count from the lines of a map whose trend other than the mean is gone.
+void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window, const SpectrumOptions& options) {
+    const Index n = heights.rows(), lines = heights.cols(), count = n / 2;
+    const auto sums = sum_over_lines(heights, window_values(window, n), options.trend != topography::Trend::none,
+                                     spectrum.metadata, options.threads);
+    const double step = spectrum.length / static_cast<double>(n), factor = step * step / spectrum.length;
+    const double number = static_cast<double>(lines);
+    spectrum.wavevector = modes(count, spectrum.length);
+    spectrum.C1D = sums.power.tail(count) * (factor / number);
+    spectrum.count = Array1D::Constant(count, number);
+    spectrum.standard_error = Array1D::Constant(count, undefined);
+    if (lines > 1) {
+        const Array1D variance = (sums.squares.tail(count) * (factor * factor / number) - spectrum.C1D.square()).max(0.0);
+        spectrum.standard_error = (variance / (number - 1.0)).sqrt();
+    }
+}
+
+template <class Uniform>
+void require_uniform(const Uniform& measurement, Window window) {
+    require_shape(measurement);
+    if (window == Window::radial_hann)
+        throw InvalidArgument("window radial_hann for line scans; expected none, hann or blackman_harris");
+}
+
+/// Size of the correction of a contour's straight segments.
+Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response) {
+    const Array1D q2 = corrected.wavevector.square();
+    const auto rms_change = [&](const Array1D& weight) {
+        return 100.0 * (std::sqrt((weight * corrected.C1D).sum() / (weight * corrected.C1D * response).sum()) - 1.0);
+    };
+    const auto last = response.size() - 1;
+    return {"CONTOUR_STEPS", corrected.metadata.name,
+            fmt::format("straight segments between points keep {:.0f} % of C1D at {:.3g} 1/m; undoing this raises this profile's "
+                        "rms slope by {:.1f} % and rms curvature by {:.1f} %",
+                        100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
+            "trace with finer steps, or choose segments to take the polyline for the surface"};
+}
+
+}  // namespace
+
+PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options) {
+    const auto window = resolved(options.window, scan.periodic);
+    require_uniform(scan, window);
+    auto spectrum = empty_spectrum(scan, scan.size, window, options);
+    require_defined(scan.heights, scan.metadata);
+    const auto detrended = topography::detrended(scan, options.trend);
+    fill_from_lines(spectrum, Eigen::Map<const Array2D>(detrended.heights.data(), detrended.heights.size(), 1), window, options);
+    return spectrum;
+}
+
+PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options) {
+    const auto window = resolved(options.window, map.periodic);
+    require_uniform(map, window);
+    auto spectrum = empty_spectrum(map, map.size[0], window, options);
+    if (needs_fit(options.trend))
+        fill_from_lines(spectrum, topography::detrended(map, options.trend).heights, window, options);
+    else
+        fill_from_lines(spectrum, map.heights, window, options);
+    return spectrum;
+}
+
+PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options) {
+    topography::validate(profile);
+    require_defined(profile.heights, profile.metadata);
+    const auto window = resolved(options.window, false);
+    auto spectrum = empty_spectrum(profile, profile.size(), window, options);
+    const double steps = static_cast<double>(profile.positions.size() - 1);
+    spectrum.wavevector = options.wavevectors ? *options.wavevectors
+                                              : modes(std::max<Index>(1, static_cast<Index>(0.5 * steps)), spectrum.length);
+    spectrum.C1D = polyline_power_spectrum(topography::detrended(profile, options.trend), spectrum.wavevector, window,
+                                           options.threads);
+    spectrum.count = Array1D::Ones(spectrum.wavevector.size());
+    spectrum.standard_error = Array1D::Constant(spectrum.wavevector.size(), undefined);
+    if (options.contour == ContourTreatment::sinc_corrected) {
+        const SegmentResponse segments(profile.positions);
+        const Array1D response = segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
+        spectrum.C1D /= response;
+        spectrum.alerts.push_back(contour_alert(spectrum, response));
+    }
+    return spectrum;
+}
+
+PowerSpectrum1D power_spectrum(const topography::Measurement& measurement, const SpectrumOptions& options) {
+    return std::visit([&](const auto& m) { return power_spectrum(m, options); }, measurement);
+}
+
+PowerSpectrum1D within_band(PowerSpectrum1D spectrum) {
+    std::vector<Index> kept;
+    for (Index k = 0; k < spectrum.wavevector.size(); ++k)
+        if (in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max)) kept.push_back(k);
+    for (Array1D* column : {&spectrum.wavevector, &spectrum.C1D, &spectrum.standard_error, &spectrum.count}) {
+        const Array1D part = (*column)(kept);
+        *column = part;
+    }
+    return spectrum;
+}
+
+}  // namespace setae::spectra

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectra/reliability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include <boost/math/tools/roots.hpp>
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "second_differences.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::spectra {
+namespace {
+
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Profile;
+
+/// One direction of a measurement: its curvature at a scale, and the scales it has.
+struct Direction {
+    CurvatureAtScale curvature;
+    double step;
+    double size;
+};
+
+Direction direction(const CurvatureGrid& grid, double size, const ReliabilityOptions& options, parallel::Threads threads) {
+    return {curvature_on_grid(grid, options.percentile, threads), grid.step, size};
+}
+
+std::vector<Direction> directions(const HeightMap& map, const ReliabilityOptions& options, parallel::Threads threads) {
+    require_shape(map);
+    std::vector<Direction> list{direction({map.heights, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)};
+    if (options.both_directions)
+        list.push_back(direction({map.heights, false, map.pixel_size()[1], map.periodic}, map.size[1], options, threads));
+    return list;
+}
+
+std::vector<Direction> directions(const LineScan& scan, const ReliabilityOptions& options, parallel::Threads threads) {
+    require_shape(scan);
+    const Eigen::Map<const Array2D> line(scan.heights.data(), 1, scan.heights.size());
+    return {direction({line, false, scan.pixel_size(), scan.periodic}, scan.size, options, threads)};
+}
+
+std::vector<Direction> directions(const Profile& profile, const ReliabilityOptions& options, parallel::Threads) {
+    topography::validate(profile);
+    return {{curvature_of_profile(profile, options.percentile),
+             profile.size() / static_cast<double>(profile.positions.size() - 1), profile.size()}};
+}
+
+/// Largest scale at which the curvature passes −1/(2R): found from long stencils down by halving, then bracketed.
+TipCutoff cutoff(const Direction& direction, double tip_radius) {
+    const double threshold = -0.5 / tip_radius, shortest = 2.0 * direction.step, longest = 0.5 * direction.size;
+    const auto excess = [&](double length) {
+        const double curvature = direction.curvature(length);
+        return std::isnan(curvature) ? 1.0 : curvature / -threshold + 1.0;
+    };
+    TipCutoff result;
+    if (longest <= shortest) return {0.0, CutoffStatus::all_reliable, 0.0, {}};
+    double above = longest, at_above = excess(above);
+    if (at_above < 0.0) return {direction.size, CutoffStatus::nothing_reliable, 0.0, {}};
+    for (;;) {
+        const double below = std::max(shortest, 0.5 * above), at_below = excess(below);
+        if (at_below < 0.0) {
+            std::uintmax_t rounds = 100;
+            const auto close = [](double a, double b) { return std::abs(b - a) <= 1e-9 * std::abs(b); };
+            const auto root = boost::math::tools::toms748_solve(excess, below, above, at_below, at_above, close, rounds);
+            result.value = 0.5 * (root.first + root.second);
+            return result;
+        }
+        if (below == shortest) return {0.0, CutoffStatus::all_reliable, 0.0, {}};
+        above = below;
+        at_above = at_below;
+    }
+}
+
+TipCutoff worst(const std::vector<Direction>& directions, double tip_radius) {
+    TipCutoff result{0.0, CutoffStatus::all_reliable, 0.0, {}};
+    for (const auto& direction : directions) {
+        const auto candidate = cutoff(direction, tip_radius);
+        if (candidate.value > result.value) result = candidate;
+    }
+    return result;
+}
+
+struct Sampling {
+    double step;
+    double size;
+};
+
+Sampling sampling(const topography::Measurement& measurement) {
+    if (const auto* map = std::get_if<HeightMap>(&measurement)) return {map->pixel_size()[0], map->size[0]};
+    if (const auto* scan = std::get_if<LineScan>(&measurement)) return {scan->pixel_size(), scan->size};
+    const auto& profile = std::get<Profile>(measurement);
+    return {profile.size() / static_cast<double>(profile.positions.size() - 1), profile.size()};
+}
+
+Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const TipCutoff& tip, const Band& band, double nyquist) {
+    const std::string action = "use a sharper tip, or a finer instrument for these wavelengths";
+    if (tip.status == CutoffStatus::nothing_reliable)
+        return {"TIP_CUTOFF", label(metadata),
+                fmt::format("the tip of {:.3g} m radius is blunter than the surface at every scale: nothing is reliable", tip_radius), action};
+    return {"TIP_CUTOFF", label(metadata),
+            fmt::format("the tip of {:.3g} m radius hides wavelengths below {:.4g} m: the band ends at {:.3g} instead of {:.3g} 1/m, "
+                        "{:.2g} decades less", tip_radius, tip.value, band.upper, nyquist, std::log10(nyquist / band.upper)), action};
+}
+
+void check(const ReliabilityOptions& options) {
+    if (!(options.percentile >= 0.0 && options.percentile <= 0.5))
+        throw InvalidArgument(fmt::format("percentile {} of the tip criterion; expected 0 … 0.5", options.percentile));
+    if (!(options.nyquist_fraction > 0.0 && options.nyquist_fraction <= 1.0))
+        throw InvalidArgument(fmt::format("Nyquist fraction {}; expected above 0, at most 1", options.nyquist_fraction));
+    if (options.first_mode < 1) throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
+}
+
+}  // namespace
+
+TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
+                     std::optional<double> tip_radius_standard_error, const ReliabilityOptions& options,
+                     parallel::Threads threads) {
+    check(options);
+    if (!(tip_radius > 0.0) || !std::isfinite(tip_radius))
+        throw InvalidArgument(fmt::format("tip radius {} m; expected a positive length", tip_radius));
+    const auto all = std::visit([&](const auto& m) { return directions(m, options, threads); }, measurement);
+    auto result = worst(all, tip_radius);
+    result.percentile = options.percentile;
+    if (tip_radius_standard_error) {
+        constexpr double two_sided_95 = 1.959963984540054;
+        const double reach = two_sided_95 * *tip_radius_standard_error;
+        // a radius below a hundredth of the nominal one is no tip: the normal approximation ends there
+        const double sharp = worst(all, std::max(tip_radius - reach, 0.01 * tip_radius)).value;
+        result.interval = Interval{sharp, worst(all, tip_radius + reach).value, 0.95};
+    }
+    return result;
+}
+
+ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options, parallel::Threads threads) {
+    check(options);
+    const auto [step, size] = sampling(measurement);
+    const double nyquist = pi / step;
+    ReliableBand result;
+    result.band = {2.0 * pi * options.first_mode / size, options.nyquist_fraction * nyquist};
+    result.upper_limit = "sampling";
+    const auto& metadata = topography::metadata(measurement);
+    const auto& instrument = metadata.instrument;
+    const auto limit = [&](double wavelength, const char* cause) {
+        if (!(2.0 * pi / wavelength < result.band.upper)) return false;
+        result.band.upper = 2.0 * pi / wavelength;
+        result.upper_limit = cause;
+        return true;
+    };
+    if (instrument.resolution && *instrument.resolution > 0.0) limit(*instrument.resolution, "resolution");
+    if (instrument.tip_radius) {
+        result.tip = tip_cutoff(measurement, *instrument.tip_radius, instrument.tip_radius_standard_error, options, threads);
+        if (result.tip->value > 0.0 && limit(result.tip->value, "tip radius"))
+            result.alerts.push_back(tip_alert(metadata, *instrument.tip_radius, *result.tip, result.band, nyquist));
+    }
+    return result;
+}
+
+}  // namespace setae::spectra
