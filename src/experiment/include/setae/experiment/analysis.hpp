@@ -24,6 +24,7 @@ struct AlertLimits {
     double contact_point_share = 0.05;              ///< CONTACT_POINT_SPREAD: of the largest penetration
     double loop_sampling_share = 0.05;              ///< LOOP_UNDERSAMPLED: sampling error over energy
     double stiffness_ratio = 10.0;                  ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
+    double work_spread = 0.2;                       ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
 };
 
 struct AnalysisOptions {

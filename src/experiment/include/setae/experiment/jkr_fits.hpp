@@ -54,7 +54,7 @@ enum class RadiusErrors {
 ///
 /// Forces below the fitted pull-off keep the radius at pull-off.
 /// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
-/// effective variance without a force noise.
+/// effective variance without the noise of both.
 /// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.
 [[nodiscard]] JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies,
                                       RadiusErrors errors = RadiusErrors::radius_only);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "setae/experiment/segments.hpp"
 
 namespace setae::experiment {
@@ -8,10 +10,10 @@ namespace setae::experiment {
 /// One standard deviation of each cause of error of a loop energy [J].
 struct LoopErrorBudget {
     double noise = 0.0;           ///< of force and displacement, sample by sample
-    double drift = 0.0;           ///< of the two baselines between which force drift is interpolated
+    double drift = 0.0;           ///< of the two baselines between which drift is interpolated; NaN without the second
     double sampling = 0.0;        ///< where within one sampling step the jumps happened
     double discretisation = 0.0;  ///< of the trapezoid rule, against every second sample
-    double total = 0.0;           ///< square root of the sum of squares
+    double total = 0.0;           ///< square root of the sum of squares of those known
 };
 
 /// Energy lost in a closed loop.
@@ -20,7 +22,6 @@ struct LoopEnergy {
     double without_drift = 0.0;     ///< the same with the first baseline only
     LoopErrorBudget standard_error;
     double opening = 0.0;           ///< displacement at the end minus at the start [m]; free flight, so no energy
-    double largest_jump_share = 0.0;  ///< force change of the largest step over the force range
 };
 
 /// Loss of one contact, ∮F dδ by the trapezoid rule over its extent.

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "setae/experiment/jkr_fits.hpp"
-#include "setae/experiment/outcome.hpp"
 
 namespace setae::experiment {
 
@@ -31,7 +28,8 @@ struct RetractionFit {
 /// W (and E* where it is left free) from points close to pull-off (S2).
 ///
 /// The residual is taken in force, F = 4E*a³/(3R) − √(8πE*W a³), which is the curve (S2) solved for F: there a(F) is
-/// vertical, and the problem becomes linear in √W. `contact_modulus` and `contact_point` are those of the loading branch.
+/// vertical, and the problem becomes linear in √W. `contact_modulus` and `contact_point` are those of the loading branch;
+/// the standard error of W holds that of a fixed modulus, but not the contact point's.
 /// @throws UndefinedDataError for fewer points than unknowns, or E* free without measured contact radius.
 [[nodiscard]] RetractionFit fit_retraction(const BranchData& last_points, double radius,
                                            const UncertainValue& contact_modulus, double contact_point,

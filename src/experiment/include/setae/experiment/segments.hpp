@@ -38,11 +38,11 @@ struct Cycle {
 
 /// One touch, from jump-in to pull-off.
 struct ContactSegments {
-    IndexRange extent;                    ///< with the free flight around it, up to the middle between two contacts
+    IndexRange extent;                    ///< with the free flight around it, up to a sample between two contacts
     std::optional<IndexRange> jump_in;    ///< last free sample … force minimum
     IndexRange loading;                   ///< first sample in contact … largest force
     std::optional<IndexRange> hold;       ///< around the largest force, where it hardly changes
-    std::optional<IndexRange> unloading;  ///< largest force … smallest force, or last sample in contact
+    std::optional<IndexRange> unloading;  ///< last press … smallest force, or last sample in contact
     std::optional<IndexRange> pull_off;   ///< force minimum … first free sample
     std::vector<Index> cycles;            ///< into Segments::cycles
 };

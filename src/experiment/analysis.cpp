@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/experiment/analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "alerts.hpp"
+#include "attempt.hpp"
+#include "branch.hpp"
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::experiment {
+namespace {
+
+/// The loop with the machine's own deflection taken off the displacement.
+Loop without_compliance(const Loop& loop, const std::optional<double>& machine_stiffness) {
+    if (!machine_stiffness) return loop;
+    if (!(*machine_stiffness > 0.0))
+        throw InvalidArgument(fmt::format("machine stiffness must be > 0 N/m, got {}", *machine_stiffness));
+    Loop corrected = loop;
+    if (loop.displacement.size() == loop.force.size()) corrected.displacement -= loop.force / *machine_stiffness;
+    return corrected;
+}
+
+BranchAnalysis analyse_loading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                               const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    BranchAnalysis branch = analyse_branch(
+        loop, segments.before, loading_selection(loop, segments, contact, options.samples_dropped), bodies, options);
+    for (const Index dropped : options.sensitivity_dropped)
+        branch.sensitivity.push_back({.dropped = dropped, .fit = attempt([&] {
+                                          const Selection selection = loading_selection(loop, segments, contact, dropped);
+                                          return primary_fit(branch_data(loop, segments.before, selection, options), bodies,
+                                                             options);
+                                      })});
+    return branch;
+}
+
+Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                                          const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
+    const char* name = contact.pull_off ? "unloading, from the last press to the pull-off minimum"
+                                        : "unloading, from the last press to the last sample in contact";
+    return attempt(
+        [&] { return analyse_branch(loop, segments.before, range_selection(*contact.unloading, name), bodies, options); });
+}
+
+/// −ΔF/Δδ of the largest step of the jump.
+double stiffness_of_jump(const Loop& loop, const IndexRange& jump) {
+    if (loop.displacement.size() == 0) return undefined;
+    Index at = jump.first;
+    for (Index i = jump.first; i < jump.last; ++i)
+        if (loop.force[i + 1] - loop.force[i] > loop.force[at + 1] - loop.force[at]) at = i;
+    const double step = loop.displacement[at + 1] - loop.displacement[at];
+    return step < 0.0 ? (loop.force[at + 1] - loop.force[at]) / -step : INFINITY;
+}
+
+Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const ContactSegments& contact, double radius) {
+    if (!contact.pull_off)
+        return Outcome<PullOff>::missing(contact.unloading ? "the force has no minimum below the baseline before contact ends"
+                                                           : "the record has no retraction");
+    const Baseline& baseline = segments.before;
+    PullOff result{.index = contact.pull_off->first};
+    result.force = {loop.force[result.index] - baseline.force,
+                    std::hypot(baseline.force_noise, baseline.force_standard_error)};
+    const auto work = [&](contact::jkr::Control control) -> UncertainValue {
+        return {contact::jkr::work_of_adhesion_from_pull_off(result.force.value, radius, control),
+                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control)};
+    };
+    result.work_of_adhesion = work(contact::jkr::Control::fixed_load);
+    result.work_of_adhesion_fixed_grips = work(contact::jkr::Control::fixed_grips);
+    result.machine_stiffness = stiffness_of_jump(loop, *contact.pull_off);
+    return result;
+}
+
+Outcome<RetractionFit> analyse_retraction(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
+                                          const AnalysisOptions& options) {
+    const ContactSegments& contact = analysis.segments.contacts.front();
+    if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
+    IndexRange range = *contact.unloading;
+    range.first = std::max(range.first, range.last - options.retraction_points + 1);
+    return attempt([&] {
+        const BranchData points =
+            branch_data(loop, analysis.segments.before, range_selection(range, "last points before pull-off"), options);
+        const BranchAnalysis& loading = analysis.loading;
+        const double contact_point = loading.force_displacement ? loading.force_displacement->contact_point.value : undefined;
+        RetractionFit fit = fit_retraction(points, bodies.radius, loading.primary().contact_modulus, contact_point,
+                                           options.retraction_modulus_free);
+        fit.first = range.first;
+        fit.last = range.last;
+        return fit;
+    });
+}
+
+LoopContext find_context(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
+                         const AnalysisOptions& options) {
+    const JkrFit& fit = analysis.loading.primary();
+    const contact::jkr::Contact lens{.radius = bodies.radius,
+                                     .contact_modulus = fit.contact_modulus.value,
+                                     .work_of_adhesion = std::max(fit.work_of_adhesion.value, 0.0)};
+    const IndexRange& extent = analysis.segments.contacts.front().extent;
+    LoopContext context{.radius_measured = loop.contact_radius.size() > 0};
+    context.largest_contact_radius =
+        context.radius_measured
+            ? loop.contact_radius.segment(extent.first, extent.count()).isNaN().select(0.0, loop.contact_radius.segment(extent.first, extent.count())).maxCoeff()
+            : contact::jkr::contact_radius_at_force(analysis.loading.range.force_last, lens);
+    context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
+    context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
+    context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
+    return context;
+}
+
+Outcome<double> cycle_energy(const Loop& loop, const LoopAnalysis& analysis, Index index) {
+    const Cycle& cycle = analysis.segments.cycles[static_cast<std::size_t>(index)];
+    const ContactSegments& contact = analysis.segments.contacts[static_cast<std::size_t>(cycle.contact)];
+    if (loop.displacement.size() == 0) return Outcome<double>::missing("the displacement was not measured");
+    if (contact.cycles.size() == 1)
+        return attempt([&] { return loop_energy(loop, analysis.segments, cycle.contact).energy; });
+    if (const auto energy = partial_loop_energy(loop, analysis.segments, index)) return {*energy};
+    return Outcome<double>::missing("the release is not followed by a press that closes it");
+}
+
+CycleAnalysis analyse_cycle(const Loop& loop, const LoopAnalysis& analysis, Index index, const LensAndCounterBody& bodies,
+                            const AnalysisOptions& options) {
+    CycleAnalysis result{.cycle = analysis.segments.cycles[static_cast<std::size_t>(index)]};
+    result.energy = cycle_energy(loop, analysis, index);
+    if (analysis.segments.cycles.size() == 1) {
+        result.loading = analysis.loading;
+        result.unloading = analysis.unloading;
+        return result;
+    }
+    const auto branch = [&](const IndexRange& range, const std::string& name) {
+        return attempt([&] {
+            return analyse_branch(loop, analysis.segments.before, range_selection(range, name), bodies, options);
+        });
+    };
+    IndexRange loading = result.cycle.loading;
+    if (analysis.segments.contacts[static_cast<std::size_t>(result.cycle.contact)].cycles.front() == index)
+        loading.first = std::min(loading.first + options.samples_dropped, loading.last);
+    result.loading = branch(loading, fmt::format("loading of cycle {}", index + 1));
+    result.unloading = branch(result.cycle.unloading, fmt::format("unloading of cycle {}", index + 1));
+    return result;
+}
+
+}  // namespace
+
+LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                     const std::string& subject) {
+    const Loop loop = without_compliance(recorded, options.machine_stiffness);
+    LoopAnalysis analysis{.segments = find_segments(loop, options.segments)};
+    const ContactSegments& contact = analysis.segments.contacts.front();
+    analysis.loading = analyse_loading(loop, analysis.segments, contact, bodies, options);
+    analysis.unloading = analyse_unloading(loop, analysis.segments, contact, bodies, options);
+    analysis.pull_off = find_pull_off(loop, analysis.segments, contact, bodies.radius);
+    analysis.retraction = analyse_retraction(loop, analysis, bodies, options);
+    analysis.loop = attempt([&] { return loop_energy(loop, analysis.segments); });
+    analysis.context = find_context(loop, analysis, bodies, options);
+    for (Index i = 0; i < static_cast<Index>(analysis.segments.cycles.size()); ++i)
+        analysis.cycles.push_back(analyse_cycle(loop, analysis, i, bodies, options));
+    analysis.alerts = alerts_of(analysis, loop, bodies, options.limits, subject);
+    return analysis;
+}
+
+}  // namespace setae::experiment

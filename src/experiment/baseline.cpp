@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "baseline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "setae/core/constants.hpp"
+
+namespace setae::experiment {
+namespace {
+
+Array1D second_differences(const ArrayView1D& series) {
+    const Index n = series.size();
+    if (n < 3) return Array1D();
+    return series.head(n - 2) - 2.0 * series.segment(1, n - 2) + series.tail(n - 2);
+}
+
+/// ⟨xy⟩/6 of second differences: 1² + 2² + 1² independent contributions.
+double noise_product(const Array1D& x, const Array1D& y) { return x.size() == 0 ? 0.0 : (x * y).mean() / 6.0; }
+
+}  // namespace
+
+double median(Array1D values) {
+    const Index half = values.size() / 2;
+    std::nth_element(values.begin(), values.begin() + half, values.end());
+    const double upper = values[half];
+    if (values.size() % 2 == 1) return upper;
+    return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + half));
+}
+
+double white_noise(const ArrayView1D& series) {
+    const Array1D differences = second_differences(series);
+    return std::sqrt(noise_product(differences, differences));
+}
+
+Baseline baseline_over(const Loop& loop, const IndexRange& range) {
+    const Array1D force = loop.force.segment(range.first, range.count());
+    Baseline baseline{.range = range, .force = median(force), .force_noise = white_noise(force)};
+    baseline.force_scatter = std::sqrt((force - baseline.force).square().mean());
+    // the median of n normal values: σ √(π/2n)
+    baseline.force_standard_error = baseline.force_scatter * std::sqrt(0.5 * pi / static_cast<double>(range.count()));
+    if (loop.displacement.size() > 0) {
+        const Array1D displacement = loop.displacement.segment(range.first, range.count());
+        baseline.displacement_noise = white_noise(displacement);
+        baseline.force_displacement_covariance =
+            noise_product(second_differences(force), second_differences(displacement));
+    }
+    return baseline;
+}
+
+}  // namespace setae::experiment

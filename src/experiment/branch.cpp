@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "branch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "attempt.hpp"
+#include "baseline.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::experiment {
+namespace {
+
+Array1D picked(const Array1D& series, const std::vector<Index>& samples) {
+    if (series.size() == 0) return Array1D();
+    Array1D values(static_cast<Index>(samples.size()));
+    for (Index i = 0; i < values.size(); ++i) values[i] = series[samples[static_cast<std::size_t>(i)]];
+    return values;
+}
+
+std::vector<Index> in_contact(const Loop& loop, const std::vector<Index>& samples) {
+    if (loop.contact_radius.size() == 0) return samples;
+    std::vector<Index> kept;
+    for (const Index i : samples)
+        if (loop.contact_radius[i] > 0.0) kept.push_back(i);
+    return kept;
+}
+
+bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
+
+}  // namespace
+
+Selection range_selection(const IndexRange& range, std::string name) {
+    Selection selection{.name = std::move(name)};
+    for (Index i = range.first; i <= range.last; ++i) selection.samples.push_back(i);
+    return selection;
+}
+
+Selection loading_selection(const Loop& loop, const Segments& segments, const ContactSegments& contact, Index dropped) {
+    Selection selection{.name = fmt::format("loading, from {} samples after first contact to the largest force", dropped)};
+    Index next = contact.loading.first + dropped;
+    const auto take_until = [&](Index last) {
+        for (; next <= last; ++next) selection.samples.push_back(next);
+    };
+    for (const Index index : contact.cycles) {
+        const Cycle& cycle = segments.cycles[static_cast<std::size_t>(index)];
+        const Index peak = cycle.loading.last;
+        if (peak >= contact.loading.last) break;
+        take_until(peak);
+        next = std::max(next, cycle.unloading.last);
+        while (next < contact.loading.last && loop.force[next] < loop.force[peak]) ++next;
+    }
+    take_until(contact.loading.last);
+    return selection;
+}
+
+BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selection& selection,
+                       const AnalysisOptions& options) {
+    const std::vector<Index> samples = in_contact(loop, selection.samples);
+    BranchData data{.force = picked(loop.force, samples) - baseline.force,
+                    .displacement = picked(loop.displacement, samples),
+                    .contact_radius = picked(loop.contact_radius, samples),
+                    .force_noise = baseline.force_noise,
+                    .displacement_noise = baseline.displacement_noise,
+                    .force_displacement_covariance = baseline.force_displacement_covariance};
+    data.contact_radius_noise =
+        options.contact_radius_noise ? *options.contact_radius_noise : white_noise(data.contact_radius);
+    return data;
+}
+
+JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (data.contact_radius.size() == 0) return fit_force_displacement(data, bodies);
+    const bool both = options.effective_variance && can_weigh_both(data);
+    return fit_radius_force(data, bodies, both ? RadiusErrors::effective_variance : RadiusErrors::radius_only);
+}
+
+const JkrFit& BranchAnalysis::primary() const {
+    if (effective_variance_first && radius_force_effective_variance) return *radius_force_effective_variance;
+    return radius_force ? *radius_force : *force_displacement;
+}
+
+BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const Selection& selection,
+                              const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    const BranchData data = branch_data(loop, baseline, selection, options);
+    BranchAnalysis branch{.effective_variance_first = options.effective_variance};
+    branch.radius_force = attempt([&] { return fit_radius_force(data, bodies); });
+    branch.radius_force_effective_variance =
+        can_weigh_both(data) ? attempt([&] { return fit_radius_force(data, bodies, RadiusErrors::effective_variance); })
+                             : Outcome<JkrFit>::missing("the noise of force or contact radius is not known");
+    branch.linear_form = attempt([&] { return fit_linear_form(data, bodies); });
+    branch.force_displacement = attempt([&] { return fit_force_displacement(data, bodies); });
+    branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });
+    if (!branch.radius_force && !branch.force_displacement)
+        throw UndefinedDataError(
+            fmt::format("{}: no fit: {}", selection.name,
+                        data.contact_radius.size() > 0 ? branch.radius_force.reason : branch.force_displacement.reason));
+    const std::vector<Index> samples = in_contact(loop, selection.samples);
+    branch.range = {.name = selection.name,
+                    .first = samples.front(),
+                    .last = samples.back(),
+                    .n = static_cast<Index>(samples.size()),
+                    .force_first = data.force[0],
+                    .force_last = data.force[data.force.size() - 1]};
+    const JkrFit& fit = branch.primary();
+    const double contact_point = branch.force_displacement ? branch.force_displacement->contact_point.value : 0.0;
+    branch.energy_release_rate =
+        energy_release_rates(data, bodies.radius, fit.contact_modulus.value, contact_point);
+    return branch;
+}
+
+}  // namespace setae::experiment

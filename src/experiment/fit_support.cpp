@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fit_support.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::experiment {
+
+void require_data(const BranchData& data, const LensAndCounterBody& bodies, const Wanted& wanted) {
+    if (!(bodies.radius > 0.0) || std::isinf(bodies.radius))
+        throw InvalidArgument(fmt::format("sphere radius must be > 0 m and finite, got {}", bodies.radius));
+    const auto check = [&](const Array1D& series, const char* name, bool needed) {
+        if (series.size() == 0 && needed && data.force.size() > 0)
+            throw UndefinedDataError(fmt::format("this fit needs the {}, which was not measured", name));
+        if (series.size() != 0 && series.size() != data.force.size())
+            throw InvalidArgument(fmt::format("{} has {} samples, force has {}", name, series.size(), data.force.size()));
+    };
+    check(data.contact_radius, "contact radius", wanted.contact_radius);
+    check(data.displacement, "displacement", wanted.displacement);
+    if (data.force.size() < wanted.fewest)
+        throw UndefinedDataError(fmt::format("{} samples, this fit needs at least {}", data.force.size(), wanted.fewest));
+}
+
+double force_scale(const BranchData& data) {
+    const double scale = data.force.abs().maxCoeff();
+    if (!(scale > 0.0)) throw UndefinedDataError("all forces of the branch are zero; a fit needs a force that changes");
+    return scale;
+}
+
+double square_standard_error(double root, double root_standard_error, double factor) {
+    const double variance = root_standard_error * root_standard_error;
+    return factor * std::sqrt(4.0 * root * root * variance + 2.0 * variance * variance);
+}
+
+UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensAndCounterBody& bodies) {
+    const contact::ElasticSolid counter = bodies.counter_body();
+    const double stiffest = contact::contact_modulus(counter, {.youngs_modulus = INFINITY});
+    if (!(contact_modulus.value > 0.0 && contact_modulus.value < stiffest)) return {undefined, undefined};
+    const double modulus = contact::youngs_modulus_from(contact_modulus.value, bodies.lens_poisson_ratio, counter);
+    // dE/dE* = (E/E*)² / (1 − ν²)
+    const double ratio = modulus / contact_modulus.value;
+    const double compliance = 1.0 - bodies.lens_poisson_ratio * bodies.lens_poisson_ratio;
+    return {modulus, contact_modulus.standard_error * ratio * ratio / compliance};
+}
+
+void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
+    fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
+    fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
+    fit.n = fit.residuals.size();
+    fit.rms_residual = std::sqrt(fit.residuals.square().mean());
+    fit.relative_residual = fit.rms_residual / fitted_range;
+}
+
+double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters) {
+    const Index freedom = residuals.size() - parameters;
+    if (freedom <= 0 || !(variances.minCoeff() > 0.0)) return undefined;
+    return (residuals.square() / variances).sum() / static_cast<double>(freedom);
+}
+
+}  // namespace setae::experiment

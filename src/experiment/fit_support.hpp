@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "least_squares.hpp"
+#include "setae/experiment/jkr_fits.hpp"
+
+/// What the routes to E* and W share.
+namespace setae::experiment {
+
+/// @throws InvalidArgument for R <= 0 or series of different length; UndefinedDataError for fewer than `fewest` samples,
+/// or where contact radius or displacement is wanted and missing.
+struct Wanted {
+    bool contact_radius = false;
+    bool displacement = false;
+    Index fewest = 3;
+};
+void require_data(const BranchData& data, const LensAndCounterBody& bodies, const Wanted& wanted);
+
+/// Largest |F| [N], the scale of the reduced model. @throws UndefinedDataError where all forces are zero.
+[[nodiscard]] double force_scale(const BranchData& data);
+
+/// Standard error of W ∝ p|p| from that of p: sqrt((2|p| σ)² + 2σ⁴) c, which stays finite at W = 0.
+[[nodiscard]] double square_standard_error(double root, double root_standard_error, double factor);
+
+/// Fills E, standard errors, correlation, rms and relative residual from covariance, residuals and E*, W.
+void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
+
+/// Σ r²/variance over n − p; undefined where a variance is not > 0.
+[[nodiscard]] double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters);
+
+}  // namespace setae::experiment

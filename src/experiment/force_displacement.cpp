@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "fit_support.hpp"
+#include "reduced_jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::experiment {
+namespace {
+
+/// Depth against force in reduced units: δ = c D(f; p) + δ0, parameters c = L²/R, p and δ0.
+struct DepthProblem {
+    Array1D force;
+    Array1D depth;
+
+    /// The best of many shapes, c and δ0 by linear regression.
+    [[nodiscard]] Eigen::VectorXd start() const {
+        Eigen::Vector3d best(1.0, 0.0, 0.0);
+        double least = std::numeric_limits<double>::infinity();
+        const Array1D candidates = reduced::shape_candidates();
+        Array1D model(force.size());
+        for (const double shape : candidates) {
+            for (Index i = 0; i < force.size(); ++i) model[i] = reduced::depth(force[i], shape).value;
+            const double mean_model = model.mean();
+            const double mean_depth = depth.mean();
+            model -= mean_model;
+            const double xx = model.square().sum();
+            if (!(xx > 0.0)) continue;
+            const double slope = (model * (depth - mean_depth)).sum() / xx;
+            const double cost = (depth - mean_depth - slope * model).square().sum();
+            if (cost < least) {
+                least = cost;
+                best = {slope, shape, mean_depth - slope * mean_model};
+            }
+        }
+        return best;
+    }
+
+    [[nodiscard]] LeastSquaresSolution solve() const {
+        const ResidualFunction function{
+            .residuals = force.size(),
+            .parameters = 3,
+            .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                for (Index i = 0; i < force.size(); ++i) {
+                    const reduced::Point point = reduced::depth(force[i], at[1]);
+                    residuals[i] = depth[i] - at[0] * point.value - at[2];
+                    if (jacobian) jacobian->row(i) << -point.value, -at[0] * point.by_shape, -1.0;
+                }
+            }};
+        return minimise(function, start());
+    }
+};
+
+/// Variance of δ − δ(F) [m²] from the noise of both channels and its covariance.
+Array1D depth_variances(const BranchData& data, const DepthProblem& problem, const Eigen::VectorXd& at, double force_unit,
+                        double depth_unit) {
+    Array1D variances(data.force.size());
+    for (Index i = 0; i < variances.size(); ++i) {
+        const double slope = at[0] * reduced::depth(problem.force[i], at[1]).by_force * depth_unit / force_unit;
+        variances[i] = data.displacement_noise * data.displacement_noise +
+                       slope * slope * data.force_noise * data.force_noise -
+                       2.0 * slope * data.force_displacement_covariance;
+    }
+    return variances;
+}
+
+}  // namespace
+
+JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies) {
+    require_data(data, bodies, {.displacement = true, .fewest = 4});
+    const double force_unit = force_scale(data);
+    const double origin = data.displacement[0];
+    const double depth_unit = data.displacement.maxCoeff() - data.displacement.minCoeff();
+    if (!(depth_unit > 0.0))
+        throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
+    const DepthProblem problem{.force = data.force / force_unit, .depth = (data.displacement - origin) / depth_unit};
+    const LeastSquaresSolution solution = problem.solve();
+    const double scale = solution.parameters[0];
+    if (!(scale > 0.0))
+        throw UndefinedDataError("the displacement falls as the force rises along the branch: this is no elastic contact; "
+                                 "check the signs of force and displacement");
+
+    const double length = std::sqrt(scale * depth_unit * bodies.radius);
+    const double shape = solution.parameters[1];
+    const double modulus = reduced::contact_modulus(length, force_unit, bodies.radius);
+    const double work_unit = reduced::work_of_adhesion(1.0, force_unit, bodies.radius);
+    const Eigen::Vector3d transform(-1.5 * modulus / scale, 2.0 * std::abs(shape) * work_unit, depth_unit);
+
+    JkrFit fit{.method = "force_displacement",
+               .converged = solution.converged,
+               .iterations = solution.iterations,
+               .residual_unit = "m"};
+    fit.covariance = transform.asDiagonal() * solution.covariance * transform.asDiagonal();
+    fit.contact_modulus = {modulus, std::sqrt(fit.covariance(0, 0))};
+    fit.work_of_adhesion = {reduced::work_of_adhesion(shape, force_unit, bodies.radius),
+                            square_standard_error(shape, std::sqrt(solution.covariance(1, 1)), work_unit)};
+    fit.contact_point = {origin + solution.parameters[2] * depth_unit, std::sqrt(fit.covariance(2, 2))};
+    fit.residuals = solution.residuals.array() * depth_unit;
+    fit.chi2_reduced =
+        reduced_chi2(fit.residuals, depth_variances(data, problem, solution.parameters, force_unit, depth_unit), 3);
+    complete(fit, bodies, depth_unit);
+    return fit;
+}
+
+}  // namespace setae::experiment

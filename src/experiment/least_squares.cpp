@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "least_squares.hpp"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+
+#include "setae/core/constants.hpp"
+
+namespace setae::experiment {
+namespace {
+
+class Residuals final : public ceres::CostFunction {
+public:
+    explicit Residuals(const ResidualFunction& function) : function_(function) {
+        set_num_residuals(static_cast<int>(function.residuals));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(function.parameters));
+    }
+
+    bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(parameters[0], function_.parameters);
+        Eigen::VectorXd values(function_.residuals);
+        Eigen::MatrixXd jacobian(function_.residuals, function_.parameters);
+        const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+        function_.evaluate(at, values, wanted ? &jacobian : nullptr);
+        if (!values.allFinite()) return false;
+        Eigen::Map<Eigen::VectorXd>(residuals, values.size()) = values;
+        if (wanted)
+            Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+                jacobians[0], jacobian.rows(), jacobian.cols()) = jacobian;
+        return true;
+    }
+
+private:
+    const ResidualFunction& function_;
+};
+
+Eigen::MatrixXd scaled_covariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals) {
+    const Eigen::Index parameters = jacobian.cols();
+    const Eigen::Index freedom = jacobian.rows() - parameters;
+    const Eigen::FullPivLU<Eigen::MatrixXd> normal(jacobian.transpose() * jacobian);
+    if (freedom <= 0 || !normal.isInvertible()) return Eigen::MatrixXd::Constant(parameters, parameters, undefined);
+    return normal.inverse() * (residuals.squaredNorm() / static_cast<double>(freedom));
+}
+
+}  // namespace
+
+LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::VectorXd& start) {
+    LeastSquaresSolution solution{.parameters = start};
+    ceres::Problem problem;
+    problem.AddResidualBlock(new Residuals(function), nullptr, solution.parameters.data());  // the problem owns it
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.logging_type = ceres::SILENT;
+    options.max_num_iterations = 200;
+    // noise-free data are to be recovered to 1e-8 and better
+    options.function_tolerance = 1e-15;
+    options.parameter_tolerance = 1e-14;
+    options.gradient_tolerance = 1e-16;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    solution.converged = summary.termination_type == ceres::CONVERGENCE;
+    solution.iterations = static_cast<int>(summary.iterations.size());
+    solution.residuals.resize(function.residuals);
+    Eigen::MatrixXd jacobian(function.residuals, function.parameters);
+    function.evaluate(solution.parameters, solution.residuals, &jacobian);
+    solution.covariance = scaled_covariance(jacobian, solution.residuals);
+    return solution;
+}
+
+LeastSquaresSolution solve_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& values) {
+    LeastSquaresSolution solution{.parameters = design.colPivHouseholderQr().solve(values), .converged = true};
+    solution.residuals = values - design * solution.parameters;
+    // columns of unit length keep the inverse well conditioned
+    const Eigen::VectorXd lengths = design.colwise().norm();
+    const Eigen::VectorXd inverse = lengths.cwiseInverse();
+    solution.covariance = inverse.asDiagonal() *
+                          scaled_covariance(design * inverse.asDiagonal(), solution.residuals) * inverse.asDiagonal();
+    return solution;
+}
+
+}  // namespace setae::experiment

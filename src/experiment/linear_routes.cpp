@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "fit_support.hpp"
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::experiment {
+
+JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies) {
+    require_data(data, bodies, {.contact_radius = true});
+    const Array1D root = data.contact_radius * data.contact_radius.sqrt();  // a^(3/2)
+    const Array1D abscissa = root / (std::sqrt(6.0 * pi) * bodies.radius);
+    const Array1D ordinate = data.force / (std::sqrt(6.0 * pi) * root);
+    Eigen::MatrixXd design(root.size(), 2);
+    design << abscissa, Array1D::Constant(root.size(), -1.0);
+    const LeastSquaresSolution solution = solve_linear(design, ordinate);
+    const double stiffness = solution.parameters[0];  // K
+    const double intercept = solution.parameters[1];  // √(KW), with the sign of W
+
+    JkrFit fit{.method = "linear_form",
+               .converged = stiffness > 0.0,
+               .contact_point = {undefined, undefined},
+               .residual_unit = "N/m^1.5"};
+    Eigen::Matrix2d transform;
+    transform << 0.75, 0.0,  //
+        -intercept * std::abs(intercept) / (stiffness * stiffness), 2.0 * std::abs(intercept) / stiffness;
+    fit.covariance = transform * solution.covariance * transform.transpose();
+    fit.contact_modulus = {0.75 * stiffness, std::sqrt(fit.covariance(0, 0))};
+    const double intercept_variance = solution.covariance(1, 1);
+    fit.work_of_adhesion = {intercept * std::abs(intercept) / stiffness,
+                            std::sqrt(fit.covariance(1, 1) + 2.0 * std::pow(intercept_variance / stiffness, 2))};
+    fit.residuals = solution.residuals.array();
+    // with y = F/√(6πa³), x ∝ a^(3/2): d(y − Kx)/da = −(3/2) (y + Kx)/a
+    const Array1D by_radius = 1.5 * (ordinate + stiffness * abscissa) / data.contact_radius;
+    const Array1D by_force = (std::sqrt(6.0 * pi) * root).inverse();
+    fit.chi2_reduced = reduced_chi2(fit.residuals, (by_radius * data.contact_radius_noise).square() +
+                                                       (by_force * data.force_noise).square(), 2);
+    complete(fit, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
+    return fit;
+}
+
+PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCounterBody& bodies) {
+    require_data(data, bodies, {.contact_radius = true, .displacement = true});
+    const double origin = data.displacement[0];
+    const Array1D approach = data.displacement - origin - data.contact_radius.square() / (3.0 * bodies.radius);
+    const Array1D ordinate = data.force / (2.0 * data.contact_radius);
+    Eigen::MatrixXd design(approach.size(), 2);
+    design << approach, Array1D::Constant(approach.size(), -1.0);
+    const LeastSquaresSolution solution = solve_linear(design, ordinate);
+    const double modulus = solution.parameters[0];
+    const double offset = solution.parameters[1] / modulus;
+    const Eigen::Vector2d offset_by(-offset / modulus, 1.0 / modulus);
+
+    PointwiseModulus result;
+    result.contact_modulus = {modulus, std::sqrt(solution.covariance(0, 0))};
+    result.youngs_modulus = youngs_modulus(result.contact_modulus, bodies);
+    result.contact_point = {origin + offset, std::sqrt(offset_by.dot(solution.covariance * offset_by))};
+    result.pointwise = (approach - offset == 0.0).select(undefined, ordinate / (approach - offset));
+    result.n = approach.size();
+    result.rms_residual = std::sqrt(solution.residuals.array().square().mean());
+    result.relative_residual = result.rms_residual / (ordinate.maxCoeff() - ordinate.minCoeff());
+    return result;
+}
+
+EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
+                                       double contact_point) {
+    const contact::SphereOnFlat sphere{.radius = radius, .contact_modulus = contact_modulus};
+    EnergyReleaseRate result{.contact_radius = data.contact_radius, .radius_measured = data.contact_radius.size() > 0};
+    const Index n = data.force.size();
+    if (!result.radius_measured) {
+        result.contact_radius.resize(n);
+        for (Index i = 0; i < n; ++i)
+            result.contact_radius[i] =
+                contact::jkr::contact_radius_at(data.force[i], data.displacement[i] - contact_point, sphere);
+    }
+    result.energy_release_rate.resize(n);
+    for (Index i = 0; i < n; ++i) {
+        const double a = result.contact_radius[i];
+        result.energy_release_rate[i] =
+            a > 0.0 ? contact::jkr::energy_release_rate_at_force(a, data.force[i], sphere) : undefined;
+    }
+    return result;
+}
+
+}  // namespace setae::experiment
