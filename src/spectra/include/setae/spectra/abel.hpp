@@ -26,10 +26,11 @@ namespace setae::spectra {
 [[nodiscard]] Array1D profile_from_isotropic(const ArrayView1D& nodes, const ArrayView1D& C_iso,
                                              const ArrayView1D& wavevector);
 
-/// C_iso at the nodes of C1D whose Abel integral is C1D, by multiplicative correction of eq. (11):
-/// C_iso ← C_iso · C1D/Abel(C_iso). Stopping after few rounds regularises: noise between neighbouring nodes grows with
-/// each. The last node cannot be reached (C1D vanishes at q_s) and keeps the power law of the two before it.
-/// @throws InvalidArgument as profile_from_isotropic, or for rounds < 0.
+/// C_iso at the wavevectors of C1D whose Abel integral is C1D, by multiplicative correction of eq. (11):
+/// C_iso ← C_iso · C1D/Abel(C_iso), rounds times. From the last wavevector to q_s the power law of the last two continues.
+/// Few rounds regularise: noise between neighbouring wavevectors grows with each.
+/// wavevector: increasing, below q_s = shortest_wavevector [1/m]. C1D > 0 [m³].
+/// @throws InvalidArgument as profile_from_isotropic, for a wavevector not below q_s, or for rounds < 0.
 [[nodiscard]] Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D,
                                              double shortest_wavevector, int rounds = 10);
 

@@ -38,8 +38,8 @@ struct BinnedSpectra {
 ///
 /// A steep spectrum makes the mean over a bin differ from C at its centre, most where a measurement has one mode in it
 /// (up to 10^(0.05·slope)). With slope_correction each C_k is first multiplied by (q_k/q_c)^(−p), p = dlnC/dlnq the
-/// local slope of the plain combination, by a line through its logarithm over half a decade on either side: exact for a
-/// power law. p is limited to −6 … 2.
+/// local slope of the plain combination, by a line through its logarithm over half a decade on either side, found in
+/// four rounds: within 1e-3 for a power law. p is limited to −6 … 2.
 /// @throws InvalidArgument if nothing lies in any band.
 [[nodiscard]] BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options = {});
 
@@ -50,8 +50,8 @@ struct CombinedSpectrum {
     Array1D standard_error;    ///< between measurements [m³]; NaN for one measurement
     Array1D count;             ///< measurements in the bin
     Array1D instrument_count;  ///< different instruments in the bin
-    double q_min = 0.0;        ///< [1/m], lowest end of any member's band
-    double q_max = 0.0;        ///< highest end
+    double q_min = 0.0;        ///< lowest wavevector used [1/m]; from BinnedSpectra the lowest bin's edge
+    double q_max = 0.0;        ///< highest likewise
     LogGrid grid;
     std::vector<Alert> alerts; ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
 };

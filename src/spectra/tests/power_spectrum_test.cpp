@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectra/power_spectrum.hpp"
+
+#include <algorithm>
+#include <complex>
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+#include "setae/core/errors.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::spectra;
+using tests::random_heights;
+using tests::random_map;
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Trend;
+
+/// (2/L) sum g C with half the weight for the Nyquist mode of an even number of points.
+double variance_of(const PowerSpectrum1D& spectrum, Index points) {
+    Array1D weight = Array1D::Ones(spectrum.C1D.size());
+    if (points % 2 == 0) weight[weight.size() - 1] = 0.5;
+    return 2.0 / spectrum.length * (weight * spectrum.C1D).sum();
+}
+
+double variance_of(const Array1D& values) { return (values - values.mean()).square().mean(); }
+
+LineScan sine(double amplitude, Index periods, Index n, double length) {
+    const auto heights = Array1D::NullaryExpr(n, [&](Index i) {
+        return amplitude * std::cos(2.0 * pi * static_cast<double>(periods * i) / static_cast<double>(n) + 0.3);
+    });
+    return {heights, length, true, {}};
+}
+
+TEST(PowerSpectrum, OfASineIsASquaredLengthOverFour) {
+    for (const double length : {1e-6, 3.0}) {
+        const auto spectrum = power_spectrum(sine(2.0, 5, 64, length));
+        EXPECT_NEAR(spectrum.C1D[4], 4.0 * length / 4.0, 1e-12 * length);
+        EXPECT_NEAR(spectrum.wavevector[4], 2.0 * pi * 5.0 / length, 1e-12 / length);
+        auto others = spectrum.C1D;
+        others[4] = 0.0;
+        EXPECT_LT(others.maxCoeff(), 1e-28 * length);
+    }
+}
+
+TEST(PowerSpectrum, OfASineUnderAHannWindowSharesTwoThirdsOneSixthOneSixth) {
+    auto scan = sine(2.0, 20, 64, 1.0);
+    scan.periodic = false;
+    const auto spectrum = power_spectrum(scan);
+    EXPECT_EQ(spectrum.window, "hann");
+    EXPECT_NEAR(spectrum.C1D[19], 2.0 / 3.0, 1e-12);
+    EXPECT_NEAR(spectrum.C1D[18], 1.0 / 6.0, 1e-12);
+    EXPECT_NEAR(spectrum.C1D[20], 1.0 / 6.0, 1e-12);
+    EXPECT_LT(spectrum.C1D[21], 1e-28);
+}
+
+TEST(PowerSpectrum, KeepsParsevalForEvenAndOddNumbersOfPoints) {
+    for (const Index n : {2, 3, 10, 11, 512, 999}) {
+        const auto heights = random_heights(n);
+        const auto spectrum = power_spectrum(LineScan{heights, 2.0, true, {}});
+        ASSERT_EQ(spectrum.C1D.size(), n / 2);
+        EXPECT_NEAR(variance_of(spectrum, n) / variance_of(heights), 1.0, 1e-12) << n;
+    }
+}
+
+TEST(PowerSpectrum, KeepsParsevalUnderAnyWindow) {
+    const Index n = 501;
+    const auto heights = random_heights(n);
+    for (const auto window : {Window::hann, Window::blackman_harris}) {
+        const auto spectrum = power_spectrum(LineScan{heights, 2.0, false, {}}, {.window = window});
+        const Array1D windowed = (heights - heights.mean()) * window_values(window, n);
+        EXPECT_NEAR(variance_of(spectrum, n) / variance_of(windowed), 1.0, 1e-12);
+    }
+}
+
+TEST(PowerSpectrum, OfAMapIsTheMeanOfItsLines) {
+    const HeightMap map{random_map(30, 21), {3.0, 2.1}, false, {}};
+    const auto spectrum = power_spectrum(map);
+    Array1D mean = Array1D::Zero(15), squares = mean;
+    for (Index j = 0; j < 21; ++j) {
+        const Array1D line = power_spectrum(LineScan{map.heights.col(j), 3.0, false, {}}).C1D;
+        mean += line / 21.0;
+        squares += line.square() / 21.0;
+    }
+    EXPECT_LT(((spectrum.C1D - mean) / mean).abs().maxCoeff(), 1e-12);
+    EXPECT_LT((spectrum.standard_error - ((squares - mean.square()) / 20.0).sqrt()).abs().maxCoeff(), 1e-12);
+    EXPECT_TRUE((spectrum.count == 21.0).all());
+}
+
+TEST(PowerSpectrum, OfAMapKeepsParseval) {
+    for (const Index n : {24, 25}) {
+        const HeightMap map{random_map(n, 17), {1.0, 1.0}, true, {}};
+        double variance = 0.0;
+        for (Index j = 0; j < 17; ++j) variance += variance_of(map.heights.col(j)) / 17.0;
+        EXPECT_NEAR(variance_of(power_spectrum(map), n) / variance, 1.0, 1e-12);
+    }
+}
+
+TEST(PowerSpectrum, DoesNotSeeTheTrendItRemoves) {
+    const Index n = 40;
+    const auto heights = random_heights(n);
+    const Array1D x = Array1D::LinSpaced(n, 0.0, 1.0);
+    const SpectrumOptions options{.trend = Trend::parabola};
+    const auto flat = power_spectrum(LineScan{heights, 1.0, false, {}}, options);
+    const auto bent = power_spectrum(LineScan{heights + 1e3 + 5.0 * x - 7.0 * x.square(), 1.0, false, {}}, options);
+    EXPECT_LT(((bent.C1D - flat.C1D) / flat.C1D).abs().maxCoeff(), 1e-9);
+    const HeightMap map{heights.replicate(1, 8), {1.0, 0.2}, false, {}};
+    const HeightMap tilted{(heights + 5.0 * x).replicate(1, 8), {1.0, 0.2}, false, {}};
+    const SpectrumOptions tilt{.trend = Trend::tilt};
+    EXPECT_LT(((power_spectrum(map, tilt).C1D - power_spectrum(tilted, tilt).C1D)).abs().maxCoeff(), 1e-12);
+}
+
+TEST(PowerSpectrum, AnOffsetOfAMillionTimesTheRoughnessChangesNothing) {
+    const auto heights = random_heights(256);
+    const auto base = power_spectrum(LineScan{heights, 1.0, false, {}});
+    const auto offset = power_spectrum(LineScan{heights + 1e6, 1.0, false, {}});
+    EXPECT_LT(((base.C1D - offset.C1D) / base.C1D.mean()).abs().maxCoeff(), 1e-8);
+}
+
+TEST(PowerSpectrum, GivesTheSameBytesForAnyNumberOfThreads) {
+    const HeightMap map{random_map(100, 90), {1.0, 1.0}, false, {}};
+    const auto one = power_spectrum(map, {.threads = {1}}), three = power_spectrum(map, {.threads = {3}});
+    EXPECT_TRUE((one.C1D == three.C1D).all());
+    EXPECT_TRUE((one.standard_error == three.standard_error).all());
+}
+
+TEST(PowerSpectrum, OfUndefinedHeightsIsRefused) {
+    HeightMap map{random_map(10, 10), {1.0, 1.0}, false, {}};
+    map.heights(3, 4) = undefined;
+    for (const auto trend : {Trend::none, Trend::mean, Trend::tilt})
+        EXPECT_THROW((void)power_spectrum(map, {.trend = trend}), UndefinedDataError);
+    LineScan scan{random_heights(10), 1.0, false, {}};
+    scan.heights[9] = undefined;
+    EXPECT_THROW((void)power_spectrum(scan), UndefinedDataError);
+    auto profile = tests::random_profile(10);
+    profile.heights[5] = undefined;
+    EXPECT_THROW((void)power_spectrum(profile), UndefinedDataError);
+}
+
+TEST(PowerSpectrum, OfAReentrantProfileIsRefused) {
+    auto profile = tests::random_profile(10);
+    std::swap(profile.positions[3], profile.positions[4]);
+    EXPECT_THROW((void)power_spectrum(profile), InvalidArgument);
+}
+
+TEST(PowerSpectrum, OfOnePointOrNoSizeIsRefused) {
+    EXPECT_THROW((void)power_spectrum(LineScan{random_heights(1), 1.0, false, {}}), InvalidArgument);
+    EXPECT_THROW((void)power_spectrum(LineScan{random_heights(5), 0.0, false, {}}), InvalidArgument);
+    EXPECT_THROW((void)power_spectrum(LineScan{random_heights(5), 1.0, false, {}}, {.window = Window::radial_hann}), InvalidArgument);
+}
+
+TEST(PowerSpectrum, ReliableBandRunsFromTheSizeToNyquist) {
+    const auto spectrum = power_spectrum(LineScan{random_heights(100), 2.0, false, {}});
+    EXPECT_NEAR(spectrum.q_min, pi, 1e-14);
+    EXPECT_NEAR(spectrum.q_max, 50.0 * pi, 1e-12);
+    EXPECT_EQ(within_band(spectrum).C1D.size(), 50);
+}
+
+TEST(PowerSpectrum, WithinBandKeepsWhatTheInstrumentResolves) {
+    LineScan scan{random_heights(100), 2.0, false, {}};
+    scan.metadata.instrument.resolution = 0.1;  // 2π/0.1 = mode 20
+    EXPECT_EQ(within_band(power_spectrum(scan)).C1D.size(), 20);
+}
+
+TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
+    const auto profile = tests::random_profile(400);
+    const auto corrected = power_spectrum(profile), segments = power_spectrum(profile, {.contour = ContourTreatment::segments});
+    ASSERT_EQ(corrected.alerts.size(), 1u);
+    EXPECT_EQ(corrected.alerts[0].code, "CONTOUR_STEPS");
+    EXPECT_TRUE(segments.alerts.empty());
+    EXPECT_TRUE((corrected.C1D > segments.C1D).all());
+    EXPECT_NEAR(corrected.C1D[0] / segments.C1D[0], 1.0, 1e-3);
+    EXPECT_GT(corrected.C1D[190] / segments.C1D[190], 2.0);
+}
+
+TEST(PowerSpectrum, OfAnyMeasurementIsThatOfItsKind) {
+    const LineScan scan{random_heights(20), 1.0, false, {}};
+    EXPECT_TRUE((power_spectrum(topography::Measurement(scan)).C1D == power_spectrum(scan).C1D).all());
+}
+
+}  // namespace
