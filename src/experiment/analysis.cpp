@@ -84,9 +84,10 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const LoopAnalysis& 
     return attempt([&] {
         const BranchData points =
             branch_data(loop, analysis.segments.before, range_selection(range, "last points before pull-off"), options);
-        const BranchAnalysis& loading = analysis.loading;
-        const double contact_point = loading.force_displacement ? loading.force_displacement->contact_point.value : undefined;
-        RetractionFit fit = fit_retraction(points, bodies.radius, loading.primary().contact_modulus, contact_point,
+        // creep and drift during the loop move the contact point: the unloading branch knows its own best
+        const bool known = analysis.unloading && analysis.unloading->force_displacement;
+        const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
+        RetractionFit fit = fit_retraction(points, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
                                            options.retraction_modulus_free);
         fit.first = range.first;
         fit.last = range.last;
@@ -104,7 +105,7 @@ LoopContext find_context(const Loop& loop, const LoopAnalysis& analysis, const L
     LoopContext context{.radius_measured = loop.contact_radius.size() > 0};
     context.largest_contact_radius =
         context.radius_measured
-            ? loop.contact_radius.segment(extent.first, extent.count()).isNaN().select(0.0, loop.contact_radius.segment(extent.first, extent.count())).maxCoeff()
+            ? loop.contact_radius.segment(extent.first, extent.count()).maxCoeff<Eigen::PropagateNumbers>()
             : contact::jkr::contact_radius_at_force(analysis.loading.range.force_last, lens);
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
@@ -122,25 +123,51 @@ Outcome<double> cycle_energy(const Loop& loop, const LoopAnalysis& analysis, Ind
     return Outcome<double>::missing("the release is not followed by a press that closes it");
 }
 
+/// A branch between reversals, refused where its modulus says that the contact edge did not move.
+Outcome<BranchAnalysis> analyse_partial(const Loop& loop, const LoopAnalysis& analysis, const IndexRange& range,
+                                        const std::string& name, const LensAndCounterBody& bodies,
+                                        const AnalysisOptions& options) {
+    Outcome<BranchAnalysis> branch = attempt(
+        [&] { return analyse_branch(loop, analysis.segments.before, range_selection(range, name), bodies, options); });
+    if (!branch) return branch;
+    const double first = analysis.loading.primary().contact_modulus.value;
+    const double ratio = branch->primary().contact_modulus.value / first;
+    const double limit = options.limits.pinned_modulus_ratio;
+    if (ratio < limit && ratio > 1.0 / limit) return branch;
+    return Outcome<BranchAnalysis>::missing(
+        fmt::format("{}: E* would be {:.2g} times that of first loading: the contact edge is pinned, this is no jkr branch",
+                    name, ratio));
+}
+
 CycleAnalysis analyse_cycle(const Loop& loop, const LoopAnalysis& analysis, Index index, const LensAndCounterBody& bodies,
                             const AnalysisOptions& options) {
     CycleAnalysis result{.cycle = analysis.segments.cycles[static_cast<std::size_t>(index)]};
+    const ContactSegments& contact = analysis.segments.contacts[static_cast<std::size_t>(result.cycle.contact)];
     result.energy = cycle_energy(loop, analysis, index);
     if (analysis.segments.cycles.size() == 1) {
         result.loading = analysis.loading;
         result.unloading = analysis.unloading;
         return result;
     }
-    const auto branch = [&](const IndexRange& range, const std::string& name) {
+    const auto whole = [&](const IndexRange& range, const std::string& name) {
         return attempt([&] {
             return analyse_branch(loop, analysis.segments.before, range_selection(range, name), bodies, options);
         });
     };
+    const auto partial = [&](const IndexRange& range, const std::string& name) {
+        return analyse_partial(loop, analysis, range, name, bodies, options);
+    };
+    const std::string loading_name = fmt::format("loading of cycle {}", index + 1);
+    const std::string unloading_name = fmt::format("unloading of cycle {}", index + 1);
     IndexRange loading = result.cycle.loading;
-    if (analysis.segments.contacts[static_cast<std::size_t>(result.cycle.contact)].cycles.front() == index)
+    if (contact.cycles.front() == index) {
         loading.first = std::min(loading.first + options.samples_dropped, loading.last);
-    result.loading = branch(loading, fmt::format("loading of cycle {}", index + 1));
-    result.unloading = branch(result.cycle.unloading, fmt::format("unloading of cycle {}", index + 1));
+        result.loading = whole(loading, loading_name);
+    } else {
+        result.loading = partial(loading, loading_name);
+    }
+    result.unloading = contact.cycles.back() == index ? whole(result.cycle.unloading, unloading_name)
+                                                      : partial(result.cycle.unloading, unloading_name);
     return result;
 }
 

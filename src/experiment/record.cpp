@@ -67,10 +67,11 @@ Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
     }
     const Baseline baseline = baseline_over(loop, {.first = 0, .last = count - 1});
     const double range = loop.force.maxCoeff() - loop.force.minCoeff();
-    constexpr double wander_limit = 0.05;
-    if (range > 0.0 && baseline.force_scatter > wander_limit * range && range > 12.0 * baseline.force_scatter)
+    constexpr double wander_limit = 0.05;  // of the force range
+    constexpr double wander_over_noise = 2.0;
+    if (baseline.force_scatter > wander_limit * range && baseline.force_scatter > wander_over_noise * baseline.force_noise)
         throw UndefinedDataError(
-            fmt::format("the first {} samples are no free flight: their force scatters by {:.3g} N, {:.0f} % of the whole "
+            fmt::format("the first {} samples are no free flight: their force wanders by {:.3g} N, {:.0f} % of the whole "
                         "range; shorten the baseline share or give the zero of force",
                         count, baseline.force_scatter, 100.0 * baseline.force_scatter / range));
     return baseline;

@@ -104,7 +104,7 @@ void find_separation(const Record& record, const Touch& touch, ContactSegments& 
 /// The stretch around the largest force in which it hardly changes, if it is longer than a turn takes.
 std::optional<IndexRange> find_hold(const Record& record, const ContactSegments& contact) {
     constexpr double level_share = 0.02;
-    constexpr double turns = 3.0;
+    constexpr double turns = 2.0;
     const Index peak = contact.loading.last;
     const double level = record.force[peak] - std::max(level_share * record.range, record.feature);
     IndexRange hold{.first = peak, .last = peak};

@@ -24,6 +24,7 @@ struct AlertLimits {
     double contact_point_share = 0.05;              ///< CONTACT_POINT_SPREAD: of the largest penetration
     double loop_sampling_share = 0.05;              ///< LOOP_UNDERSAMPLED: sampling error over energy
     double stiffness_ratio = 10.0;                  ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
+    double pinned_modulus_ratio = 1.5;              ///< of E* of a later press or release to that of first loading
     double work_spread = 0.2;                       ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
 };
 
@@ -80,7 +81,9 @@ struct LoopContext {
     double tabor_parameter = 0.0;            ///< with W and E* of loading
 };
 
-/// One press and release.
+/// One press and release. The first loading of a contact and the release that parts it are JKR branches; a partial
+/// release, and the press after it, are only where their E* agrees with that of first loading: where the contact edge is
+/// pinned, the contact answers with its stiffness at constant radius, and W would mean nothing.
 struct CycleAnalysis {
     Cycle cycle;
     Outcome<BranchAnalysis> loading;

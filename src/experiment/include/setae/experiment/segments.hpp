@@ -58,7 +58,7 @@ struct SegmentOptions {
     double baseline_share = 0.05;           ///< share of the record, from its start, taken as free flight
     std::optional<double> force_baseline;   ///< zero of force [N] where known; nothing is then read from the start
     double feature_factor = 6.0;            ///< a feature deeper than this many baseline scatters is real
-    double turning_share = 0.05;            ///< a reversal smaller than this share of the force range is noise
+    double turning_share = 0.01;            ///< a reversal smaller than this share of the force range is noise
 };
 
 /// Finds free flight, jump-in, loading, hold, unloading and pull-off of each contact, and the cycles within.
