@@ -174,12 +174,11 @@ std::vector<Channel> open_npy(const Source& source, const ReadOptions& options) 
     return {Channel{std::move(info), std::move(read)}};
 }
 
-void write_npy(const std::string& path, const ArrayView2D& values) {
-    const Array2D owned = values;  // contiguous, whatever the view's stride
-    write_whole_file(path, with_header(fmt::format("({}, {})", owned.rows(), owned.cols()), owned.data(), owned.size()));
+void write_npy(const std::string& path, const Array2D& values) {
+    write_whole_file(path, with_header(fmt::format("({}, {})", values.rows(), values.cols()), values.data(), values.size()));
 }
 
-void write_npy(const std::string& path, const ArrayView1D& values) {
+void write_npy(const std::string& path, const Array1D& values) {
     write_whole_file(path, with_header(fmt::format("({},)", values.size()), values.data(), values.size()));
 }
 

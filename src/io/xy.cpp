@@ -68,7 +68,8 @@ bool is_length(const std::string& text) {
     return text == "A" || (unit && unit->dimension == dimension::length);
 }
 
-/// A unit stated for one column holds for both (a measurement has one length unit), which an alert says.
+/// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a
+/// measurement has one length unit), with an alert.
 Units find_units(const Curve& curve, const ReadOptions& options, const Source& source) {
     Units units{curve.x.unit, curve.heights.unit, {}};
     for (const auto* unit : {&units.x, &units.heights})
@@ -78,12 +79,17 @@ Units find_units(const Curve& curve, const ReadOptions& options, const Source& s
         units.x = units.heights = required_unit(options, source);
         return units;
     }
-    if (units.x.empty() || units.heights.empty()) {
-        auto& missing = units.x.empty() ? units.x : units.heights;
+    const bool one_missing = units.x.empty() || units.heights.empty();
+    auto& missing = units.x.empty() ? units.x : units.heights;
+    if (one_missing && options.unit) {
+        missing = *options.unit;
+        return units;
+    }
+    if (one_missing) {
         const auto* column = units.x.empty() ? "x" : "heights";
         missing = units.x.empty() ? units.heights : units.x;
         units.alerts.push_back({"UNIT_ASSUMED", source.name, fmt::format("the header states no unit for {}; taken as {} as in the other column", column, missing),
-                                "compare the heights with what is known of the surface"});
+                                "compare the heights with what is known of the surface, or give --unit"});
     }
     if (options.unit && length_unit(*options.unit, source).factor != length_unit(units.heights, source).factor)
         units.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("unit {} given, but the file says {}, which was used", *options.unit, units.heights),
