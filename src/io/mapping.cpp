@@ -206,16 +206,24 @@ bool same_header(const RawTable::RawColumn& column, const std::string& wanted) {
     return !column.name.empty() && lowered(column.name) == lowered(cell.name) && (cell.unit.empty() || cell.unit == column.unit);
 }
 
-const RawTable::RawColumn& find_column(const RawTable& table, const MappedColumn& wanted, const std::string& path) {
+/// nullptr where the table lacks the column.
+const RawTable::RawColumn* find_column(const RawTable& table, const MappedColumn& wanted) {
     if (wanted.position) {
-        if (*wanted.position <= static_cast<Index>(table.columns.size())) return table.columns[static_cast<std::size_t>(*wanted.position - 1)];
-        throw FormatError(path, {}, fmt::format("no column {} for '{}', the file has {}: {}", *wanted.position, wanted.name,
-                                                table.columns.size(), listed_headers(table)));
+        const auto index = static_cast<std::size_t>(*wanted.position - 1);
+        return index < table.columns.size() ? &table.columns[index] : nullptr;
     }
     for (const auto& column : table.columns)
-        if (same_header(column, *wanted.header)) return column;
-    throw FormatError(path, {}, fmt::format("no column '{}' for '{}'; the file has {} columns: {}", *wanted.header, wanted.name,
-                                            table.columns.size(), listed_headers(table)));
+        if (same_header(column, *wanted.header)) return &column;
+    return nullptr;
+}
+
+void require_columns(const RawTable& table, const Mapping& mapping, const std::string& path) {
+    std::vector<std::string> missing;
+    for (const auto& column : mapping.columns)
+        if (!find_column(table, column)) missing.push_back(column.header ? fmt::format("'{}'", *column.header) : fmt::format("{}", *column.position));
+    if (missing.empty()) return;
+    throw FormatError(path, {}, fmt::format("no column {}; the file has {}: {}", fmt::join(missing, ", "),
+                                            table.columns.size() == 1 ? "one column" : fmt::format("{} columns", table.columns.size()), listed_headers(table)));
 }
 
 /// A column in SI and its dimension.
@@ -236,9 +244,10 @@ SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, co
 
 Table read_mapped_table(const std::string& path, const Mapping& mapping) {
     const auto raw = read_raw_table(file_source(path), mapping.file);
+    require_columns(raw, mapping, path);
     ExpressionInputs inputs;
     for (const auto& column : mapping.columns) {
-        const auto si = in_si(find_column(raw, column, path), column, path);
+        const auto si = in_si(*find_column(raw, column), column, path);
         inputs.columns.push_back({column.name, si.values, si.dimension});
     }
     inputs.constants = mapping.constants;
