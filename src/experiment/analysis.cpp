@@ -9,6 +9,7 @@
 #include "alerts.hpp"
 #include "attempt.hpp"
 #include "branch.hpp"
+#include "jump.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
@@ -50,9 +51,7 @@ Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segm
 /// −ΔF/Δδ of the largest step of the jump.
 double stiffness_of_jump(const Loop& loop, const IndexRange& jump) {
     if (loop.displacement.size() == 0) return undefined;
-    Index at = jump.first;
-    for (Index i = jump.first; i < jump.last; ++i)
-        if (loop.force[i + 1] - loop.force[i] > loop.force[at + 1] - loop.force[at]) at = i;
+    const Index at = largest_step(loop.force, jump);
     const double step = loop.displacement[at + 1] - loop.displacement[at];
     return step < 0.0 ? (loop.force[at + 1] - loop.force[at]) / -step : INFINITY;
 }

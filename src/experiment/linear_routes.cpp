@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fit_support.hpp"
+#include "jkr_force_terms.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
@@ -15,21 +16,19 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
     Eigen::MatrixXd design(root.size(), 2);
     design << abscissa, Array1D::Constant(root.size(), -1.0);
     const LeastSquaresSolution solution = solve_linear(design, ordinate);
-    const double stiffness = solution.parameters[0];  // K
-    const double intercept = solution.parameters[1];  // √(KW), with the sign of W
+    const double stiffness = solution.parameters[0];  // K; the second is √(KW), with the sign of W
 
     JkrFit fit{.method = "linear_form",
                .converged = stiffness > 0.0,
                .contact_point = {undefined, undefined},
                .residual_unit = "N/m^1.5"};
-    Eigen::Matrix2d transform;
-    transform << 0.75, 0.0,  //
-        -intercept * std::abs(intercept) / (stiffness * stiffness), 2.0 * std::abs(intercept) / stiffness;
-    fit.covariance = transform * solution.covariance * transform.transpose();
-    fit.contact_modulus = {0.75 * stiffness, std::sqrt(fit.covariance(0, 0))};
-    const double intercept_variance = solution.covariance(1, 1);
-    fit.work_of_adhesion = {intercept * std::abs(intercept) / stiffness,
-                            std::sqrt(fit.covariance(1, 1) + 2.0 * std::pow(intercept_variance / stiffness, 2))};
+    // K = 4E*/3, so c = √(KW) = √(4/3) √(E*W)
+    const Eigen::Vector2d scale(0.75, std::sqrt(0.75));
+    const WorkFromRoot work = work_from_root(scale.asDiagonal() * Eigen::Vector2d(solution.parameters),
+                                             scale.asDiagonal() * solution.covariance * scale.asDiagonal());
+    fit.covariance = work.covariance;
+    fit.contact_modulus = {0.75 * stiffness, std::sqrt(work.covariance(0, 0))};
+    fit.work_of_adhesion = work.work_of_adhesion;
     fit.residuals = solution.residuals.array();
     // with y = F/√(6πa³), x ∝ a^(3/2): d(y − Kx)/da = −(3/2) (y + Kx)/a
     const Array1D by_radius = 1.5 * (ordinate + stiffness * abscissa) / data.contact_radius;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "jump.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -53,9 +54,7 @@ double noise_error(const Array1D& force, const Array1D& displacement, const Inde
 /// Error of a jump: its ends lie somewhere within the sampling steps beside it, which sweeps the area spanned by jump and
 /// step; evenly distributed, hence √12.
 double jump_error(const Array1D& force, const Array1D& displacement, const IndexRange& jump) {
-    Index at = jump.first;
-    for (Index i = jump.first; i < jump.last; ++i)
-        if (std::abs(force[i + 1] - force[i]) > std::abs(force[at + 1] - force[at])) at = i;
+    const Index at = largest_step(force, jump);
     const auto area = [&](Index step) {
         if (step < 0 || step + 1 >= force.size()) return 0.0;
         return (force[at + 1] - force[at]) * (displacement[step + 1] - displacement[step]) -
@@ -68,19 +67,14 @@ double jump_error(const Array1D& force, const Array1D& displacement, const Index
 double discretisation_error(const Array1D& force, const Array1D& displacement, const ContactSegments& contact) {
     double error = 0.0;
     Index start = contact.extent.first;
-    const auto add = [&](Index end) {
+    const auto add_until = [&](Index end) {
         const IndexRange piece{.first = start, .last = end};
         error += (work(force, displacement, piece, 2) - work(force, displacement, piece)) / 3.0;
+        start = end + 1;
     };
-    if (contact.jump_in) {
-        add(contact.jump_in->first);
-        start = contact.jump_in->last;
-    }
-    if (contact.pull_off) {
-        add(contact.pull_off->first);
-        start = contact.pull_off->last;
-    }
-    add(contact.extent.last);
+    if (contact.jump_in) add_until(largest_step(force, *contact.jump_in));
+    if (contact.pull_off) add_until(largest_step(force, *contact.pull_off));
+    add_until(contact.extent.last);
     return std::abs(error);
 }
 

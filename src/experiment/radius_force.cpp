@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "effective_variance.hpp"
 #include "fit_support.hpp"
 #include "reduced_jkr.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/core/errors.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 struct RadiusProblem {
     Array1D force;
     Array1D radius;
-    Array1D weights;  ///< 1/σ, of any common scale
 
     [[nodiscard]] Eigen::VectorXd start() const {
         Eigen::Vector2d best(1.0, 0.0);
@@ -23,8 +22,8 @@ struct RadiusProblem {
         for (const double shape : candidates) {
             double xy = 0.0, xx = 0.0, yy = 0.0;
             for (Index i = 0; i < force.size(); ++i) {
-                const double x = reduced::radius(force[i], shape).value * weights[i];
-                const double y = radius[i] * weights[i];
+                const double x = reduced::radius(force[i], shape).value;
+                const double y = radius[i];
                 xy += x * y;
                 xx += x * x;
                 yy += y * y;
@@ -38,20 +37,20 @@ struct RadiusProblem {
         return best;
     }
 
-    [[nodiscard]] LeastSquaresSolution solve(const Eigen::VectorXd& from) const {
+    [[nodiscard]] LeastSquaresSolution solve() const {
         const ResidualFunction function{
             .residuals = force.size(),
             .parameters = 2,
             .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
                 for (Index i = 0; i < force.size(); ++i) {
                     const reduced::Point point = reduced::radius(force[i], at[1]);
-                    residuals[i] = (radius[i] - at[0] * point.value) * weights[i];
+                    residuals[i] = radius[i] - at[0] * point.value;
                     if (!jacobian) continue;
-                    (*jacobian)(i, 0) = -point.value * weights[i];
-                    (*jacobian)(i, 1) = -at[0] * point.by_shape * weights[i];
+                    (*jacobian)(i, 0) = -point.value;
+                    (*jacobian)(i, 1) = -at[0] * point.by_shape;
                 }
             }};
-        return minimise(function, from);
+        return minimise(function, start());
     }
 
     /// (da/dF)² σ_F² in the problem's units: the slope as a secant over ±σ_F, finite where a(F) is vertical.
@@ -67,62 +66,36 @@ struct RadiusProblem {
     }
 };
 
-/// Fits again with weights from the last solution until they settle.
-LeastSquaresSolution solve_with_both_errors(RadiusProblem& problem, double radius_noise, double force_noise) {
-    LeastSquaresSolution solution = problem.solve(problem.start());
-    constexpr int most_rounds = 50;
-    int iterations = solution.iterations;
-    bool settled = false;
-    for (int round = 0; round < most_rounds && !settled; ++round) {
-        problem.weights =
-            (problem.force_variances(solution.parameters, force_noise) + radius_noise * radius_noise).rsqrt();
-        const Eigen::VectorXd before = solution.parameters;
-        solution = problem.solve(before);
-        iterations += solution.iterations;
-        settled = (solution.parameters - before).norm() <= 1e-12 * before.norm();
-    }
-    solution.converged = solution.converged && settled;
-    solution.iterations = iterations;
-    return solution;
-}
-
 }  // namespace
 
 JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies, RadiusErrors errors) {
     require_data(data, bodies, {.contact_radius = true});
-    const bool both = errors == RadiusErrors::effective_variance;
-    if (both && !(data.force_noise > 0.0 && data.contact_radius_noise > 0.0))
-        throw InvalidArgument("effective variance needs the noise of force and of contact radius; give them or use radius_only");
+    if (errors == RadiusErrors::effective_variance) return fit_with_both_errors(data, bodies);
     const double force_unit = force_scale(data);
     const double length_unit = data.contact_radius.maxCoeff();
-    RadiusProblem problem{.force = data.force / force_unit,
-                          .radius = data.contact_radius / length_unit,
-                          .weights = Array1D::Ones(data.force.size())};
-    const double force_noise = data.force_noise / force_unit;
-    const double radius_noise = data.contact_radius_noise / length_unit;
-    const LeastSquaresSolution solution =
-        both ? solve_with_both_errors(problem, radius_noise, force_noise) : problem.solve(problem.start());
+    const RadiusProblem problem{.force = data.force / force_unit, .radius = data.contact_radius / length_unit};
+    const LeastSquaresSolution solution = problem.solve();
 
     const double length = solution.parameters[0] * length_unit;
     const double shape = solution.parameters[1];
     const double modulus = reduced::contact_modulus(length, force_unit, bodies.radius);
     const double work_unit = reduced::work_of_adhesion(1.0, force_unit, bodies.radius);
-    Eigen::Matrix2d transform = Eigen::Matrix2d::Zero();
-    transform(0, 0) = -3.0 * modulus / solution.parameters[0];
-    transform(1, 1) = 2.0 * std::abs(shape) * work_unit;
+    const Eigen::Vector2d transform(-3.0 * modulus / solution.parameters[0], 2.0 * std::abs(shape) * work_unit);
 
-    JkrFit fit{.method = both ? "radius_force_effective_variance" : "radius_force",
+    JkrFit fit{.method = "radius_force",
                .converged = solution.converged && solution.parameters[0] > 0.0,
                .iterations = solution.iterations,
                .contact_point = {undefined, undefined},
                .residual_unit = "m"};
-    fit.covariance = transform * solution.covariance * transform.transpose();
+    fit.covariance = transform.asDiagonal() * solution.covariance * transform.asDiagonal();
     fit.contact_modulus = {modulus, std::sqrt(fit.covariance(0, 0))};
     fit.work_of_adhesion = {reduced::work_of_adhesion(shape, force_unit, bodies.radius),
                             square_standard_error(shape, std::sqrt(solution.covariance(1, 1)), work_unit)};
-    fit.residuals = solution.residuals.array() / problem.weights * length_unit;
-    const Array1D variances = problem.force_variances(solution.parameters, force_noise) + radius_noise * radius_noise;
-    fit.chi2_reduced = reduced_chi2(fit.residuals / length_unit, variances, 2);
+    fit.residuals = solution.residuals.array() * length_unit;
+    const Array1D variances = problem.force_variances(solution.parameters, data.force_noise / force_unit) * length_unit *
+                                  length_unit +
+                              data.contact_radius_noise * data.contact_radius_noise;
+    fit.chi2_reduced = reduced_chi2(fit.residuals, variances, 2);
     complete(fit, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
     return fit;
 }

@@ -36,7 +36,7 @@ struct JkrFit {
     double correlation = 0.0;         ///< of E* and W
     Index n = 0;
     Array1D residuals;               ///< measured − fitted, in `residual_unit`
-    std::string residual_unit;       ///< "m", or "N/m^1.5" for the linear form
+    std::string residual_unit;       ///< "m"; "N" with effective variance, "N/m^1.5" for the linear form
     double rms_residual = 0.0;       ///< in `residual_unit`
     double relative_residual = 0.0;  ///< rms residual over the range of the fitted quantity
     double chi2_reduced = 0.0;       ///< NaN where the noise is unknown
@@ -45,14 +45,15 @@ struct JkrFit {
 /// Which errors the fit of a(F) allows for.
 enum class RadiusErrors {
     radius_only,         ///< ordinary least squares in a
-    effective_variance,  ///< each residual weighed by σ_a² + (da/dF)² σ_F²: a(F) is vertical where the contact parts
+    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a²: a(F) is vertical at pull-off
 };
 
 /// Eq. (1): contact radius against force, nonlinear least squares in a; unknown E* and W.
 ///
 ///   a³ = (3R/4E*) [F + 3πRW + √(6πRWF + (3πRW)²)]
 ///
-/// Forces below the fitted pull-off keep the radius at pull-off.
+/// Forces below the fitted pull-off keep the radius at pull-off. With W near 0 and noise of force, least squares in a alone
+/// is biased and too sure of itself; effective variance is not.
 /// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
 /// effective variance without the noise of both.
 /// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.

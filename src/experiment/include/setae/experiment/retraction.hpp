@@ -28,9 +28,9 @@ struct RetractionFit {
 /// W (and E* where it is left free) from points close to pull-off (S2).
 ///
 /// The residual is taken in force, F = 4E*a³/(3R) − √(8πE*W a³), which is the curve (S2) solved for F: there a(F) is
-/// vertical, and the problem becomes linear in √W. `contact_modulus` is that of the loading
-/// branch; `contact_point`, of the unloading branch, counts only where the radius was not measured. The standard error of
-/// W holds that of a fixed modulus, but not the contact point's.
+/// vertical, and the problem becomes linear in √W. `contact_modulus` is that of the loading branch;
+/// `contact_point`, of the unloading branch, counts only where the radius was not measured. The standard error of W holds
+/// that of a fixed modulus, but not the contact point's.
 /// @throws UndefinedDataError for fewer points than unknowns, or E* free without measured contact radius.
 [[nodiscard]] RetractionFit fit_retraction(const BranchData& last_points, double radius,
                                            const UncertainValue& contact_modulus, double contact_point,

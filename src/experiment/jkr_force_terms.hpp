@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::experiment {
+
+/// The two parts of F = E*·hertz − √(E*W)·adhesion, linear in E* and √(E*W).
+struct ForceTerms {
+    Array1D hertz;     ///< 4a³/(3R) [m²]
+    Array1D adhesion;  ///< √(8πa³) [m^1.5]
+};
+[[nodiscard]] ForceTerms force_terms(const Array1D& contact_radius, double radius);
+
+/// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of (E*, W).
+struct WorkFromRoot {
+    UncertainValue work_of_adhesion;
+    Eigen::Matrix2d covariance;
+};
+[[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::Matrix2d& covariance);
+
+}  // namespace setae::experiment

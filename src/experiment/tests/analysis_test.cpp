@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/experiment/analysis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "setae/core/errors.hpp"
+#include "setae/experiment/reference_loop.hpp"
+#include "synthetic_loop.hpp"
+
+namespace setae::experiment {
+namespace {
+
+using tests::rubber_on_diamond;
+using tests::SyntheticLoop;
+
+const SyntheticLoop rough{.retraction_work = 0.07, .samples = 800};
+
+bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
+    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+}
+
+/// Sampled retraction begins where the edge lets go: the pinned stretch is no equilibrium.
+Loop without_pinned_stretch(const SyntheticLoop& shape) {
+    const Loop loop = shape.make();
+    std::vector<Index> kept;
+    const Index first = 2 * shape.samples + 2, last = 3 * shape.samples;
+    for (Index i = 0; i < loop.force.size(); ++i)
+        if (i < first || i > last) kept.push_back(i);
+    return {.time = loop.time(kept), .force = loop.force(kept), .displacement = loop.displacement(kept), .contact_radius = loop.contact_radius(kept)};
+}
+
+TEST(Analysis, RecoversBothBranchesOfASyntheticLoop) {
+    const LoopAnalysis analysis = analyse(without_pinned_stretch(rough), rubber_on_diamond());
+    for (const auto* fit : {&*analysis.loading.radius_force, &*analysis.loading.linear_form, &*analysis.loading.force_displacement}) {
+        EXPECT_NEAR(fit->contact_modulus.value / 0.92e6, 1.0, 1e-8) << fit->method;
+        EXPECT_NEAR(fit->work_of_adhesion.value / 0.040, 1.0, 1e-8) << fit->method;
+    }
+    EXPECT_NEAR(analysis.loading.pointwise->contact_modulus.value / 0.92e6, 1.0, 1e-8);
+    EXPECT_EQ(analysis.loading.range.first, 804);
+    EXPECT_EQ(analysis.loading.range.n, 798);
+    EXPECT_EQ(analysis.loading.sensitivity.size(), 4u);
+    EXPECT_NEAR(analysis.retraction->work_of_adhesion.value / 0.070, 1.0, 1e-6);
+    EXPECT_EQ(analysis.retraction->n, 6);
+    // the smallest of the sampled forces lies within a step of the fold
+    EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / 0.070, 1.0, 1e-5);
+    EXPECT_NEAR(analysis.pull_off->work_of_adhesion_fixed_grips.value / analysis.pull_off->work_of_adhesion.value, 1.8, 1e-12);
+    EXPECT_NEAR(analysis.loop->energy / rough.loss(), 1.0, 1e-4);
+    EXPECT_NEAR(analysis.context.ideal_smooth_sphere_loss, contact::jkr::ideal_loop_loss(rough.approach).total, 1e-7 * rough.loss());
+    EXPECT_DOUBLE_EQ(analysis.context.largest_contact_radius, rough.largest_radius);
+    EXPECT_TRUE(analysis.context.radius_measured);
+    EXPECT_LT(analysis.loading.primary().relative_residual, 1e-8);
+    // the edge pinned at the start of the release is no part of a jkr curve, and that is said
+    EXPECT_TRUE(has_alert(analysis, "POOR_FIT"));
+    EXPECT_FALSE(has_alert(analyse(SyntheticLoop{.samples = 800}.make(), rubber_on_diamond()), "POOR_FIT"));
+}
+
+TEST(Analysis, NeedsNoContactRadius) {
+    Loop loop = without_pinned_stretch(rough);
+    loop.contact_radius = Array1D();
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
+    EXPECT_EQ(analysis.loading.primary().method, "force_displacement");
+    EXPECT_FALSE(analysis.loading.radius_force);
+    EXPECT_NE(analysis.loading.radius_force.reason.find("contact radius"), std::string::npos);
+    EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
+    EXPECT_NEAR(analysis.context.largest_contact_radius / rough.largest_radius, 1.0, 1e-7);
+    EXPECT_LT((analysis.loading.energy_release_rate.energy_release_rate / 0.040 - 1.0).abs().maxCoeff(), 1e-5);
+}
+
+TEST(Analysis, NeedsNoDisplacement) {
+    Loop loop = without_pinned_stretch(rough);
+    loop.displacement = Array1D();
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
+    EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
+    EXPECT_FALSE(analysis.loop);
+    EXPECT_NE(analysis.loop.reason.find("displacement"), std::string::npos);
+}
+
+TEST(Analysis, LeavesMissingFramesOut) {
+    Loop loop = without_pinned_stretch(rough);
+    loop.contact_radius[900] = undefined;
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
+    EXPECT_EQ(analysis.loading.range.n, 797);
+    EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
+}
+
+TEST(Analysis, TakesTheMachinesDeflectionOffTheStage) {
+    constexpr double stiffness = 250.0;
+    Loop loop = without_pinned_stretch(rough);
+    loop.displacement += loop.force / stiffness;
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond(), {.machine_stiffness = stiffness});
+    EXPECT_NEAR(analysis.loading.force_displacement->contact_modulus.value / 0.92e6, 1.0, 1e-8);
+    EXPECT_GT(std::abs(analyse(loop, rubber_on_diamond()).loading.force_displacement->contact_modulus.value / 0.92e6 - 1.0), 0.01);
+    EXPECT_THROW((void)analyse(loop, rubber_on_diamond(), {.machine_stiffness = 0.0}), InvalidArgument);
+}
+
+TEST(Analysis, FitsTheModulusOfTheRetractionOnRequest) {
+    const LoopAnalysis analysis = analyse(without_pinned_stretch(rough), rubber_on_diamond(), {.retraction_modulus_free = true});
+    EXPECT_NEAR(analysis.retraction->contact_modulus.value / 0.92e6, 1.0, 1e-6);
+    EXPECT_NEAR(analysis.retraction->work_of_adhesion.value / 0.070, 1.0, 1e-6);
+    EXPECT_TRUE(analysis.retraction->modulus_free);
+}
+
+TEST(Analysis, PutsEffectiveVarianceFirstOnRequest) {
+    std::mt19937_64 generator(2);
+    Loop loop = without_pinned_stretch(rough);
+    loop.force = tests::with_noise(loop.force, 1e-7, generator);
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond(), {.effective_variance = true, .contact_radius_noise = 1e-8});
+    EXPECT_EQ(analysis.loading.primary().method, "radius_force_effective_variance");
+    EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 0.01);
+}
+
+TEST(Analysis, OfALoadingAloneSaysWhyThereIsNoLoop) {
+    const Loop loop = rough.make();
+    const Index n = 1602;
+    const LoopAnalysis analysis = analyse({.force = loop.force.head(n), .displacement = loop.displacement.head(n), .contact_radius = loop.contact_radius.head(n)}, rubber_on_diamond());
+    EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
+    EXPECT_FALSE(analysis.unloading);
+    EXPECT_FALSE(analysis.pull_off);
+    EXPECT_FALSE(analysis.retraction);
+    EXPECT_FALSE(analysis.loop);
+    EXPECT_NE(analysis.loop.reason.find("no closed loop"), std::string::npos);
+    EXPECT_TRUE(has_alert(analysis, "NO_RETRACTION"));
+    EXPECT_THROW((void)evaluate_reference(analysis), UndefinedDataError);
+}
+
+TEST(Analysis, AlertsOfGeometryAndRange) {
+    LensAndCounterBody bodies = rubber_on_diamond();
+    bodies.lens_height = 600e-6;
+    bodies.layer_thickness = 500e-6;
+    AnalysisOptions options;
+    options.interaction_range = 1e-3;
+    options.limits.contact_radius_per_sphere_radius = 0.05;
+    const LoopAnalysis analysis = analyse(rough.make(), bodies, options, "spot 3");
+    for (const char* code : {"LENS_HEIGHT", "THIN_LAYER", "TABOR_RANGE", "LARGE_STRAIN"}) EXPECT_TRUE(has_alert(analysis, code)) << code;
+    EXPECT_EQ(analysis.alerts.front().subject, "spot 3");
+}
+
+TEST(Analysis, AlertsOfContactPointsApart) {
+    Loop loop = without_pinned_stretch(rough);
+    for (Index i = 1602; i < loop.displacement.size(); ++i) loop.displacement[i] -= 2e-6;
+    EXPECT_TRUE(has_alert(analyse(loop, rubber_on_diamond()), "CONTACT_POINT_SPREAD"));
+    EXPECT_FALSE(has_alert(analyse(without_pinned_stretch(rough), rubber_on_diamond()), "CONTACT_POINT_SPREAD"));
+}
+
+TEST(Analysis, AlertsOfACoarselySampledLoop) {
+    const SyntheticLoop coarse{.samples = 8};
+    EXPECT_TRUE(has_alert(analyse(coarse.make(), rubber_on_diamond()), "LOOP_UNDERSAMPLED"));
+    EXPECT_FALSE(has_alert(analyse(rough.make(), rubber_on_diamond()), "LOOP_UNDERSAMPLED"));
+}
+
+TEST(ReferenceLoop, OfASmoothSphereLosesItsJumpsOnly) {
+    std::mt19937_64 generator(4);
+    const SyntheticLoop smooth{.samples = 2000};
+    Loop loop = smooth.make();
+    loop.displacement = tests::with_noise(loop.displacement, 1e-10, generator);
+    const ReferenceLoop reference = evaluate_reference(analyse(loop, rubber_on_diamond()));
+    EXPECT_NEAR(reference.work_of_adhesion_loading.value / 0.040, 1.0, 1e-3);
+    EXPECT_NEAR(reference.work_of_adhesion_retraction.value / 0.040, 1.0, 1e-3);
+    EXPECT_NEAR(reference.excess_energy.value / reference.ideal_loss, 1.0, 1e-3);
+    EXPECT_LT(std::abs(reference.beyond_ideal), 1e-3 * reference.ideal_loss);
+    const Array1D ratio = loss_ratios(Array1D::Constant(1, 10.0 * smooth.loss()), {reference, reference});
+    EXPECT_NEAR(ratio[0], 10.0, 0.01);
+    EXPECT_EQ(change(reference, reference).excess_energy.value, 0.0);
+    EXPECT_THROW((void)loss_ratios(Array1D::Ones(1), {}), UndefinedDataError);
+}
+
+}  // namespace
+}  // namespace setae::experiment
