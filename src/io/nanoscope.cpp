@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -184,14 +185,17 @@ Block find_block(const Section& image, const std::string& name, const Source& so
     return block;
 }
 
+/// h(x, y) from rows stored from bottom to top, several rows at a time: a map turned row by row misses the cache at each value.
 template <class Integer>
 void fill(Array2D& heights, const std::string& data, double factor) {
+    constexpr Index together = 16;
     const auto nx = heights.rows(), ny = heights.cols();
-    for (Index j = 0; j < ny; ++j) {
-        const char* row = data.data() + static_cast<std::size_t>((ny - 1 - j) * nx) * sizeof(Integer);
+    for (Index first = 0; first < ny; first += together)
         for (Index i = 0; i < nx; ++i)
-            heights(i, j) = factor * load<Integer>(row + static_cast<std::size_t>(i) * sizeof(Integer), std::endian::little);
-    }
+            for (Index j = first; j < std::min(first + together, ny); ++j) {
+                const auto at = static_cast<std::size_t>((ny - 1 - j) * nx + i) * sizeof(Integer);
+                heights(i, j) = factor * load<Integer>(data.data() + at, std::endian::little);
+            }
 }
 
 topography::Measurement read_image(const Source& source, const Block& block, double factor, std::array<double, 2> size,
