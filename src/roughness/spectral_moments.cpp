@@ -105,6 +105,17 @@ SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
     return curve;
 }
 
+Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
+    const auto parts = pieces(curve);
+    Array1D values = Array1D::Constant(wavevector.size(), undefined);
+    for (Index i = 0; i < wavevector.size(); ++i) {
+        const double q = wavevector[i];
+        const auto piece = std::find_if(parts.begin(), parts.end(), [q](const PowerLaw& p) { return q <= p.right; });
+        if (piece != parts.end() && q >= piece->left) values[i] = piece->level * std::pow(q / piece->left, piece->exponent);
+    }
+    return values;
+}
+
 SpectralParameters spectral_parameters(const SpectrumCurve& curve, Conversion conversion) {
     Contribution sum;
     for (const auto& piece : pieces(curve)) sum += contribution(piece, curve, conversion);

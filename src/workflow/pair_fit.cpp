@@ -156,7 +156,8 @@ double PairPoint::prediction(double work) const {
 }
 
 double PairPoint::prediction_variance(double work) const {
-    return slope_variance * square(work - slope_centre) + offset_variance;
+    const double x = work - slope_centre;
+    return std::max(0.0, slope_variance * x * x - 2.0 * slope_offset_covariance * x + offset_variance);
 }
 
 WorkFit fit_work_of_adhesion(const Pairs& pairs) {

@@ -32,6 +32,9 @@ struct WavelengthLimits {
 /// @throws InvalidArgument where nothing is left, or longest <= shortest.
 [[nodiscard]] SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits);
 
+/// Values of the curve at wavevectors inside its band, NaN outside.
+[[nodiscard]] Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector);
+
 /// How two-dimensional parameters follow from C1D.
 enum class Conversion {
     exact,  ///< moment identities of isotropic surfaces: ∫ q^{n+1} C_iso dq = π k_n ∫ q^n C1D dq

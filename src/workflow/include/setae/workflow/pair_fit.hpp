@@ -22,8 +22,10 @@ struct PairPoint {
     double standard_error = 0.0;     ///< of the measured value; 0 where unknown
     double slope = 0.0;              ///< > 0
     double offset = 0.0;
-    double slope_variance = 0.0;     ///< variance of the prediction is slope_variance (W − slope_centre)² + offset_variance
+    /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) + offset_variance
+    double slope_variance = 0.0;
     double slope_centre = 0.0;
+    double slope_offset_covariance = 0.0;
     double offset_variance = 0.0;
     bool floored = true;             ///< predictions stop at 0
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/workflow/study_result.hpp"
+#include "surface_options.hpp"
+#include "verbs.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "E*       1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2\n"
+    "r        = A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
+    "U_el     U_el/A_app = (E*/8) int q C1D dq                                                [D19] (8)\n"
+    "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
+    "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
+    "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
+    "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n";
+
+struct Arguments {
+    Common common;
+    SurfaceOptions surface;
+    std::string youngs_modulus, work, surface_energy;
+    double poisson_ratio = 0.5;
+    std::string rough_modulus;
+    double rough_poisson_ratio = 0.0;
+};
+
+workflow::Study study_of(const Arguments& arguments) {
+    workflow::Study study;
+    study.analysis = arguments.surface.analysis();
+    study.surfaces = {arguments.surface.surface()};
+    study.counter_youngs_modulus = arguments.rough_modulus.empty() ? std::numeric_limits<double>::infinity() : parse_quantity(arguments.rough_modulus, dimension::pressure);
+    study.counter_poisson_ratio = arguments.rough_poisson_ratio;
+    study.work_of_adhesion = parse_uncertain_quantity(arguments.work, dimension::surface_energy);
+    workflow::ElastomerInput elastomer;
+    elastomer.name = "soft solid";
+    elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, dimension::pressure);
+    elastomer.poisson_ratio = arguments.poisson_ratio;
+    elastomer.surface_energy = parse_uncertain_quantity(arguments.surface_energy, dimension::surface_energy);
+    study.elastomers = {elastomer};
+    return study;
+}
+
+std::vector<Quantity> quantities(const workflow::StudyResult& result) {
+    using workflow::quantity;
+    const auto& pair = result.pairs.front();
+    auto list = workflow::surface_quantities(result.surfaces.front(), result.study.analysis.conversion);
+    list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
+    list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
+    const auto predicted = [&](const char* name, const std::optional<workflow::PredictedWork>& work, const char* source) {
+        auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", UncertainValue{work->work.raw, work->standard_error}, "J/m2");
+        raw.source = source;
+        list.push_back(raw);
+        list.push_back(quantity(std::string("work_of_adhesion_") + name + "_floored", "max(0, W_app)", work->work.floored, "J/m2"));
+    };
+    predicted("modified", pair.modified, "[D19] (7)");
+    predicted("persson_tosatti", pair.persson_tosatti, "[D19] (S13)");
+    predicted("without_area_change", pair.without_area_change, "[D19] (2)");
+    return list;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.common.explain) {
+        print(explanation);
+        return ExitCode::done;
+    }
+    if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
+        throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
+    const auto result = workflow::run_study(study_of(arguments), arguments.common.workers());
+    const auto code = report_failures(result.surfaces.front());
+    if (code == ExitCode::nothing_done) return code;
+    const auto& pair = result.pairs.front();
+    auto alerts = alerts_of(result.surfaces.front());
+    alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
+    if (!arguments.common.json) {
+        for (const auto& q : quantities(result)) print(as_line(q));
+        print(fmt::format("conforms: {}\n", pair.modified->work.conforms ? "yes by (7)" : "no by (7)"));
+        show(alerts);
+        return code;
+    }
+    workflow::Json json;
+    for (const auto& q : quantities(result)) json[q.quantity] = workflow::to_json(q);
+    json["conforms"] = pair.modified->work.conforms;
+    const auto& scales = *pair.scales;
+    json["scales"] = {{"wavevector", workflow::numbers(scales.wavevector)}, {"gained", workflow::numbers(scales.gained)}, {"stored", workflow::numbers(scales.stored)},
+                      {"stored_share", workflow::numbers(scales.stored_share)}, {"area_share", workflow::numbers(scales.area_share)},
+                      {"units", {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
+    json["alerts"] = workflow::to_json(alerts);
+    print_json(json);
+    return code;
+}
+
+}  // namespace
+
+void add_adhesion(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = program.add_subcommand("adhesion", "apparent work of adhesion of a soft solid on a measured surface");
+    arguments->surface.add_to(*verb);
+    verb->add_option("--E,--youngs-modulus", arguments->youngs_modulus, "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"");
+    verb->add_option("--nu,--poisson-ratio", arguments->poisson_ratio, "its Poisson ratio");
+    verb->add_option("--w,--work-of-adhesion", arguments->work, "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"");
+    verb->add_option("--gamma,--surface-energy", arguments->surface_energy, "surface energy of the soft solid");
+    verb->add_option("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid");
+    verb->add_option("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio");
+    add_common(*verb, arguments->common);
+    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace setae::cli

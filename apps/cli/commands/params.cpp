@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "surface_options.hpp"
+#include "verbs.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "Rq, Sq      root mean square of heights about their mean, unfiltered\n"
+    "Rdq, Sdq    root mean square of forward differences; maps: of |grad h|\n"
+    "Rddq        root mean square of second differences; maps: of half the Laplacian\n"
+    "A_true/A_app triangulated: area of the triangles through the heights                     [D19] (S3)\n"
+    "h_rms^2     = (1/pi) int C1D dq                                                            [J17]\n"
+    "h'_rms^2    = (2/pi) int q^2 C1D dq, isotropic surfaces                                    exact\n"
+    "h''_rms^2   = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian                             exact\n"
+    "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                                    [D19] (9)\n"
+    "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n";
+
+struct Arguments {
+    Common common;
+    SurfaceOptions surface;
+};
+
+/// Parameters of the heights of one measurement.
+std::vector<Quantity> real_space_quantities(const workflow::MeasurementResult& m) {
+    using workflow::quantity;
+    const auto& r = m.real_space;
+    const bool map = m.triangulated.has_value();
+    std::vector<Quantity> list;
+    const auto add = [&](Quantity q, const char* source) {
+        q.source = source;
+        q.n = static_cast<int>(r.defined);
+        if (q.value == q.value) list.push_back(std::move(q));
+    };
+    add(quantity("rms_height_real_space", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
+    if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
+    add(quantity("arithmetic_height", map ? "Sa" : "Ra", r.arithmetic_height, "m"), "heights, unfiltered");
+    if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
+    add(quantity("rms_slope_real_space", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
+    add(quantity("rms_curvature_real_space", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
+    if (m.triangulated) add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"), "triangles through the heights; [D19] (S3)");
+    if (m.slopes) {
+        add(quantity("slope_excess_kurtosis", "kurt - 3", UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"),
+            "slopes along x; 0 for Gaussian slopes");
+        add(quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"), "skewness and excess kurtosis are 0; jackknife over blocks");
+        add(quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"), "rms slopes of perpendicular directions");
+    }
+    return list;
+}
+
+/// Spectral parameters by the conversion asked for, and by the other one.
+std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface, roughness::Conversion conversion) {
+    auto list = workflow::surface_quantities(surface, conversion);
+    if (!surface.other_conversion) return list;
+    auto other = surface;
+    other.parameters = *surface.other_conversion;
+    other.spread = {};
+    const bool exact = conversion == roughness::Conversion::exact;
+    for (auto q : workflow::surface_quantities(other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact)) {
+        q.quantity += exact ? "_eq11" : "_exact";
+        list.push_back(std::move(q));
+    }
+    return list;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.common.explain) {
+        print(explanation);
+        return ExitCode::done;
+    }
+    const auto options = arguments.surface.analysis();
+    const auto surface = workflow::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
+    const auto code = report_failures(surface);
+    if (code == ExitCode::nothing_done) return code;
+    workflow::Json json = workflow::Json::array();
+    const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list) {
+        if (!arguments.common.json) print(file + (name.empty() || name == file ? "" : " (" + name + ")") + "\n");
+        for (const auto& q : list) {
+            if (!arguments.common.json) {
+                print("  " + as_line(q));
+                continue;
+            }
+            auto entry = workflow::to_json(q);
+            entry["file"] = file;
+            entry["measurement"] = name;
+            json.push_back(std::move(entry));
+        }
+    };
+    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) emit(m.file, m.name, real_space_quantities(m));
+    if (arguments.common.json) print_json(json);
+    show(alerts_of(surface));
+    return code;
+}
+
+}  // namespace
+
+void add_params(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = program.add_subcommand("params", "roughness parameters of files, from heights and from their combined spectrum");
+    arguments->surface.add_to(*verb);
+    add_common(*verb, arguments->common);
+    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace setae::cli

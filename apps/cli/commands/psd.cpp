@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+
+#include "setae/core/errors.hpp"
+#include "setae/io/netcdf.hpp"
+#include "setae/io/table_file.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/spectra/isotropic.hpp"
+#include "surface_options.hpp"
+#include "verbs.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "C1D(q) = |h(q)|^2/L [m3], h(q) = int h exp(-iqx) dx; two-sided, averaged over +-q; h_rms^2 = (1/pi) int_0^inf C1D dq   [J17]\n"
+    "C2D(q) = |h(q)|^2/A [m4]; C_iso its mean over the circle |q|; h_rms^2 = (1/2 pi) int q C_iso dq                        [J17]\n"
+    "one map: C_iso by transform; else C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)), q_s the end of the band                      [D19] (11)\n"
+    "one measurement: its own modes; several: arithmetic mean in bins of 0.1 decade, each in its reliable band              [D19]\n";
+
+struct Arguments {
+    Common common;
+    SurfaceOptions surface;
+    bool isotropic = false;
+    bool binned = false;
+    std::string output;
+};
+
+/// Columns of the spectrum, in the order of printing.
+Table spectrum(const workflow::SurfaceResult& surface, const Arguments& arguments) {
+    const auto& only = surface.measurements.front();
+    Table table;
+    table.metadata["normalisation"] = "two-sided, averaged over +-q: h_rms^2 = (1/pi) int C1D dq";
+    table.metadata["window"] = surface.measurements.size() == 1 ? only.spectrum.window : "of each measurement";
+    if (surface.measurements.size() == 1 && !arguments.binned && !arguments.isotropic) {
+        const auto own = spectra::within_band(only.spectrum);
+        table.columns = {{"wavevector", "1/m", own.wavevector}, {"C1D", "m3", own.C1D}, {"standard_error", "m3", own.standard_error}, {"count", "1", own.count}};
+        return table;
+    }
+    const auto& c = *surface.combined;
+    table.columns = {{"wavevector", "1/m", c.wavevector}, {"C1D", "m3", c.C1D}, {"standard_error", "m3", c.standard_error}, {"count", "1", c.count},
+                     {"instrument_count", "1", c.instrument_count}};
+    return table;
+}
+
+/// The measurement if it is one single map: then C_iso comes from its transform.
+std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input) {
+    if (input.measurements.size() != 1) return std::nullopt;
+    const auto members = workflow::prepared_measurements(input.measurements.front());
+    if (members.size() != 1) return std::nullopt;
+    const auto prepared = members.front()();
+    const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
+    return map ? std::optional(*map) : std::nullopt;
+}
+
+void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Arguments& arguments) {
+    const auto options = arguments.surface.analysis();
+    const auto& q = table.at("wavevector");
+    if (const auto map = single_map(input)) {
+        spectra::SpectrumOptions spectrum;
+        spectrum.window = options.window;
+        spectrum.threads = arguments.common.workers();
+        const auto iso = spectra::isotropic_power_spectrum(*map, spectrum);
+        // its values belong to the mean |q| of each bin; the table has the bins' centres
+        const roughness::SpectrumCurve curve{iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
+        table.columns.push_back({"C_iso", "m4", roughness::values_at(curve, q)});
+        table.metadata["C_iso"] = "radial mean of the two-dimensional transform, window " + iso.window;
+        return;
+    }
+    const double end = q[q.size() - 1] * std::pow(10.0, 0.05);
+    table.columns.push_back({"C_iso", "m4", spectra::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
+    table.metadata["C_iso"] = "[D19] (11) from C1D";
+}
+
+workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surface) {
+    workflow::Json json, units;
+    for (const auto& column : table.columns) {
+        json[column.name] = workflow::numbers(column.values);
+        units[column.name] = column.unit;
+    }
+    json["units"] = units;
+    for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
+    json["band"] = {{"lower", surface.curve.band.lower}, {"upper", surface.curve.band.upper}, {"unit", "1/m"}};
+    json["measurements"] = workflow::Json::array();
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}});
+    json["alerts"] = workflow::to_json(alerts_of(surface));
+    return json;
+}
+
+void print_columns(const Table& table) {
+    std::string text;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) text += (i > 0 ? "," : "") + table.columns[i].name + " [" + table.columns[i].unit + "]";
+    text += '\n';
+    for (Index row = 0; row < table.rows(); ++row)
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const double value = table.columns[i].values[row];
+            text += (std::isnan(value) ? "" : workflow::Json(value).dump()) + (i + 1 < table.columns.size() ? "," : "\n");
+        }
+    print(text);
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.common.explain) {
+        print(explanation);
+        return ExitCode::done;
+    }
+    const auto input = arguments.surface.surface();
+    auto options = arguments.surface.analysis();
+    options.bootstrap_resamples = 0;
+    const auto surface = workflow::analyse_surface(input, options, arguments.common.workers());
+    const auto code = report_failures(surface);
+    if (code == ExitCode::nothing_done) return code;
+    auto table = spectrum(surface, arguments);
+    if (arguments.isotropic) add_isotropic(table, input, arguments);
+    if (!arguments.output.empty()) {
+        if (arguments.output.ends_with(".nc")) io::write_netcdf(arguments.output, table);
+        else if (arguments.output.ends_with(".csv")) io::write_csv(arguments.output, table);
+        else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
+    }
+    if (arguments.common.json) print_json(as_json(table, surface));
+    else if (arguments.output.empty()) print_columns(table);
+    if (!arguments.common.json) show(alerts_of(surface));
+    return code;
+}
+
+}  // namespace
+
+void add_psd(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = program.add_subcommand("psd", "power spectral density of one measurement, or combined from several");
+    arguments->surface.add_to(*verb);
+    verb->add_flag("--iso", arguments->isotropic, "also C_iso, on the combined grid");
+    verb->add_flag("--binned", arguments->binned, "one measurement on the combined grid too");
+    verb->add_option("-o,--output", arguments->output, "write OUT.csv or OUT.nc");
+    add_common(*verb, arguments->common);
+    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace setae::cli

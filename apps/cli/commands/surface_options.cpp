@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_options.hpp"
+
+#include <algorithm>
+
+namespace setae::cli {
+
+void SurfaceOptions::add_to(CLI::App& verb) {
+    verb.add_option("files", files, "measurements of one surface: files or containers");
+    file.add_to(verb);
+    verb.add_option("--instrument", instrument, "stylus, afm, tem or optical")->check(CLI::IsMember({"stylus", "afm", "tem", "optical"}));
+    verb.add_option("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
+    verb.add_option("--resolution", resolution, "shortest wavelength the instrument shows");
+    verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default by instrument");
+    verb.add_option("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
+    verb.add_option("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
+    verb.add_option("--window", window, "automatic, none, hann, blackman_harris");
+    verb.add_option("--contours", contours, "sinc_corrected or segments")->check(CLI::IsMember({"sinc_corrected", "segments"}));
+    verb.add_option("--conversion", conversion, "exact or eq11")->check(CLI::IsMember({"exact", "eq11"}));
+    verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")->check(CLI::Range(0, 1000000));
+}
+
+workflow::SurfaceInput SurfaceOptions::surface() const {
+    const auto read = file.read_options();
+    workflow::SurfaceInput surface;
+    surface.name = "surface";
+    for (const auto& path : files) {
+        workflow::MeasurementInput input;
+        input.file = path;
+        input.channel = file.channel;
+        input.instrument = instrument;
+        if (!tip_radius.empty()) input.tip_radius = parse_uncertain_quantity(tip_radius, dimension::length);
+        if (!resolution.empty()) input.resolution = parse_quantity(resolution, dimension::length);
+        if (!trend.empty()) input.trend = topography::trend_from_name(trend);
+        input.unit = read.unit;
+        input.size = read.size;
+        surface.measurements.push_back(std::move(input));
+    }
+    return surface;
+}
+
+workflow::AnalysisOptions SurfaceOptions::analysis() const {
+    workflow::AnalysisOptions options;
+    if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
+    if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);
+    if (!window.empty()) options.window = spectra::window_from_name(window);
+    if (contours == "segments") options.contours = spectra::ContourTreatment::segments;
+    if (conversion == "eq11") options.conversion = roughness::Conversion::eq11;
+    options.bootstrap_resamples = resamples;
+    return options;
+}
+
+ExitCode report_failures(const workflow::SurfaceResult& surface) {
+    const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); });
+    for (const auto& m : surface.measurements)
+        if (m.failed()) complain(m.error);
+    if (surface.failed()) {
+        complain(surface.error);
+        return ExitCode::nothing_done;
+    }
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+std::vector<Alert> alerts_of(const workflow::SurfaceResult& surface) {
+    auto alerts = surface.alerts;
+    for (const auto& m : surface.measurements) alerts.insert(alerts.end(), m.alerts.begin(), m.alerts.end());
+    return alerts;
+}
+
+}  // namespace setae::cli

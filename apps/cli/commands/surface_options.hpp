@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session.hpp"
+#include "setae/workflow/surface_analysis.hpp"
+
+namespace setae::cli {
+
+/// Options of the verbs that analyse files as measurements of one surface.
+struct SurfaceOptions {
+    FileOptions file;
+    std::vector<std::string> files;
+    std::string instrument, tip_radius, resolution, trend, longest, shortest, window, contours, conversion;
+    int resamples = 200;
+
+    void add_to(CLI::App& verb);
+    /// @throws InvalidArgument for a malformed option.
+    [[nodiscard]] workflow::SurfaceInput surface() const;
+    [[nodiscard]] workflow::AnalysisOptions analysis() const;
+};
+
+/// Prints what failed; done, some failed or nothing done.
+[[nodiscard]] ExitCode report_failures(const workflow::SurfaceResult& surface);
+
+/// All alerts of a surface and its measurements.
+[[nodiscard]] std::vector<Alert> alerts_of(const workflow::SurfaceResult& surface);
+
+}  // namespace setae::cli

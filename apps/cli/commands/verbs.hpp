@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session.hpp"
+
+namespace setae::cli {
+
+/// Each adds its verb to the program and sets `action` when the verb was named.
+void add_info(CLI::App& program, Action& action);
+void add_formats(CLI::App& program, Action& action);
+void add_convert(CLI::App& program, Action& action);
+void add_psd(CLI::App& program, Action& action);
+void add_params(CLI::App& program, Action& action);
+void add_adhesion(CLI::App& program, Action& action);
+void add_jkr(CLI::App& program, Action& action);
+void add_study(CLI::App& program, Action& action);
+
+}  // namespace setae::cli

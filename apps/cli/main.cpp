@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <exception>
+
+#include "commands/verbs.hpp"
+#include "setae/core/errors.hpp"
+
+int main(int argc, char** argv) {
+    using namespace setae::cli;
+    CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
+    program.set_version_flag("--version", "setae " SETAE_VERSION);
+    program.require_subcommand(1);
+    program.footer("Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
+    Action action;
+    add_info(program, action);
+    add_formats(program, action);
+    add_convert(program, action);
+    add_psd(program, action);
+    add_params(program, action);
+    add_adhesion(program, action);
+    add_jkr(program, action);
+    add_study(program, action);
+    try {
+        program.parse(argc, argv);
+        return static_cast<int>(action());
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::nothing_done);
+    } catch (const setae::Error& error) {
+        complain(error.what());
+    } catch (const std::exception& error) {
+        complain(std::string("internal error: ") + error.what());
+    }
+    return static_cast<int>(ExitCode::nothing_done);
+}

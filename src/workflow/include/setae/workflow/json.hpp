@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/core/quantity.hpp"
+#include "setae/core/units.hpp"
+#include "setae/experiment/analysis.hpp"
+#include "setae/workflow/study_result.hpp"
+
+namespace setae::workflow {
+
+/// Keys keep the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval", "band", "n", "source",
+/// "alerts". SI; NaN is null; infinity is the text "infinity" or "-infinity".
+[[nodiscard]] Json to_json(const Quantity& quantity);
+[[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
+
+/// NaN to null, infinity to text.
+[[nodiscard]] Json number(double value);
+[[nodiscard]] Json numbers(const ArrayView1D& values);
+
+/// A quantity in one line.
+[[nodiscard]] Quantity quantity(std::string name, std::string symbol, double value, std::string unit);
+/// A standard error of 0 or NaN counts as unknown.
+[[nodiscard]] Quantity quantity(std::string name, std::string symbol, const UncertainValue& value, std::string unit);
+
+/// All of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with "…_reason"
+/// beside it where a part is missing.
+[[nodiscard]] Json to_json(const experiment::LoopAnalysis& analysis);
+
+/// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
+/// "alerts". No clock time, so that the same input gives the same bytes.
+[[nodiscard]] Json to_json(const StudyResult& result);
+
+/// Parameters of a surface as quantities, with their uncertainties and band.
+[[nodiscard]] std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion);
+
+}  // namespace setae::workflow

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/scale_balance.hpp"
+#include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/experiment/analysis.hpp"
+#include "setae/experiment/reference_loop.hpp"
+#include "setae/workflow/pair_fit.hpp"
+#include "setae/workflow/study.hpp"
+#include "setae/workflow/surface_analysis.hpp"
+
+namespace setae::workflow {
+
+/// One loop file of a study, or why it failed.
+struct ExperimentResult {
+    ExperimentInput input;
+    std::string error;
+    std::optional<experiment::LoopAnalysis> analysis;
+    std::vector<Alert> alerts;
+
+    [[nodiscard]] bool failed() const { return !error.empty(); }
+};
+
+/// An elastomer with the modulus the study uses and a check of plausibility.
+struct ElastomerResult {
+    ElastomerInput input;
+    UncertainValue youngs_modulus;   ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
+    bool modulus_from_loops = false;
+    UncertainValue contact_modulus;  ///< E* against the rough solid [Pa]
+    std::optional<double> network_modulus;  ///< ρRT/M_c [Pa]
+    std::vector<Alert> alerts;
+};
+
+/// One balance evaluated for a pair.
+struct PredictedWork {
+    adhesion::ApparentWork work;
+    double standard_error = 0.0;  ///< of the raw value, all sources together; NaN where none is known
+};
+
+/// What each uncertain input adds to the standard error of a pair's prediction by (7) [J/m²].
+struct PredictionBudget {
+    double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
+};
+
+/// One surface × elastomer pair: what was measured on it and what roughness predicts.
+struct PairResult {
+    std::string surface;
+    std::string elastomer;
+    std::optional<UncertainValue> approach;    ///< W_app of loading [J/m²]
+    std::optional<UncertainValue> pull_off;    ///< W by (S1) [J/m²]
+    std::optional<UncertainValue> retraction;  ///< W by (S2) [J/m²]
+    std::optional<UncertainValue> loss;        ///< E_loss [J]
+    std::optional<double> contact_area;        ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;          ///< of a smooth sphere with this W and E* [J]
+    int experiments = 0;                       ///< loops behind the measured values; 0 for published ones
+
+    double area_ratio = 1.0;
+    UncertainValue stored_energy;              ///< U_el/A_app [J/m²]
+    std::optional<PredictedWork> modified;             ///< (7)
+    std::optional<PredictedWork> persson_tosatti;      ///< (S13)
+    std::optional<PredictedWork> without_area_change;  ///< (2)
+    std::optional<PredictionBudget> budget;            ///< of `modified`
+    std::optional<adhesion::ScaleBalance> scales;
+    std::vector<Alert> alerts;
+};
+
+/// A smooth reference: from loops, or published.
+struct ReferenceResult {
+    std::string elastomer;
+    std::string stage;
+    UncertainValue approach, retraction;       ///< W of both branches [J/m²]
+    std::optional<UncertainValue> excess_energy;  ///< [J]
+    std::optional<double> ideal_loss;             ///< [J]
+    std::optional<double> loss_ratio;             ///< mean rough loss on this elastomer over the excess energy
+};
+
+/// W of both branches and excess energy after the rough loops minus before.
+struct ReferenceDrift {
+    std::string elastomer;
+    experiment::ReferenceChange change;
+};
+
+template <class T>
+using Outcome = experiment::Outcome<T>;
+
+/// E_loss against A_true = r π a_max², the four ways of THEORY §10.
+struct LoopFits {
+    WorkFit through_origin;
+    std::optional<WorkFit> through_origin_without_ideal_loss;  ///< the smooth sphere's own loss subtracted
+    std::optional<LineFit> with_intercept;
+    std::optional<LineFit> with_intercept_without_ideal_loss;
+};
+
+/// W_int with every spectrum cut at one shortest wavelength.
+struct CutoffPoint {
+    double shortest_wavelength = 0.0;  ///< [m]
+    WorkFit modified, persson_tosatti;
+    std::vector<roughness::SpectralParameters> surfaces;  ///< in the order of StudyResult::surfaces
+};
+
+struct StudyResult {
+    Study study;
+    std::vector<SurfaceResult> surfaces;
+    std::vector<ElastomerResult> elastomers;
+    std::vector<ExperimentResult> experiments;
+    std::vector<PairResult> pairs;
+    std::vector<ReferenceResult> references;
+    std::vector<ReferenceDrift> reference_drifts;
+    Outcome<double> work_of_adhesion;  ///< W_int of the predictions [J/m²]
+    std::string work_of_adhesion_source;
+    Outcome<WorkFit> modified;
+    Outcome<WorkFit> persson_tosatti;
+    Outcome<WorkFit> without_area_change;
+    Outcome<LoopFits> loop;
+    Outcome<FreeEnergyFit> free_energies;
+    std::vector<CutoffPoint> cutoff_scan;
+    std::vector<Alert> alerts;
+
+    [[nodiscard]] int failures() const;   ///< measurements, surfaces and experiments that failed
+    [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not
+    /// @throws InternalError for a name that is not in the study (both).
+    [[nodiscard]] const SurfaceResult& surface(const std::string& name) const;
+    [[nodiscard]] const ElastomerResult& elastomer(const std::string& name) const;
+};
+
+/// Runs a study. Failures of single items stand in the result and do not stop the rest.
+/// The result does not depend on the number of threads.
+[[nodiscard]] StudyResult run_study(Study study, parallel::Threads threads = {});
+
+}  // namespace setae::workflow

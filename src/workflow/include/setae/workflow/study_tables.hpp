@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/workflow/study_result.hpp"
+#include "setae/workflow/tidy_table.hpp"
+
+namespace setae::workflow {
+
+/// One row a surface and parameter, SI.
+[[nodiscard]] TidyTable surface_table(const StudyResult& result);
+/// One row a pair: measured and predicted values, SI.
+[[nodiscard]] TidyTable pair_table(const StudyResult& result);
+/// One row a fit and variant, SI, with the reported value beside it where there is one.
+[[nodiscard]] TidyTable fit_table(const StudyResult& result);
+/// One row a measurement: file, what was done, band, parameters or the error.
+[[nodiscard]] TidyTable measurement_table(const StudyResult& result);
+/// One row an alert, of everything in the study.
+[[nodiscard]] TidyTable alert_table(const StudyResult& result);
+/// One row a surface and wavevector: cumulative rms parameters and stored energy.
+[[nodiscard]] TidyTable cumulative_table(const StudyResult& result);
+/// W_int against the short cutoff.
+[[nodiscard]] TidyTable cutoff_table(const StudyResult& result);
+
+/// The summary a terminal shows, in the units of the field.
+[[nodiscard]] std::string summary(const StudyResult& result);
+
+/// Writes study.json, the tables as CSV and each surface's spectrum as NetCDF and CSV into study.output, which is made
+/// where missing. Returns the names of the files, each written as a whole.
+/// @throws FileError.
+std::vector<std::string> write_results(const StudyResult& result);
+
+}  // namespace setae::workflow

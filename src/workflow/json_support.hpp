@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/workflow/json.hpp"
+
+namespace setae::workflow {
+
+/// Adds a quantity under its own name.
+inline void add(Json& json, const Quantity& q) { json[q.quantity] = to_json(q); }
+
+/// Adds a part, or null and the reason beside it.
+template <class T, class Convert>
+void add_outcome(Json& json, const std::string& key, const experiment::Outcome<T>& outcome, Convert convert) {
+    json[key] = outcome ? convert(*outcome) : Json(nullptr);
+    if (!outcome) json[key + "_reason"] = outcome.reason;
+}
+
+}  // namespace setae::workflow

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "statistics.hpp"
+
+namespace setae::workflow {
+namespace {
+
+using roughness::SpectralParameters;
+
+const PublishedPair* published_of(const Study& study, const PairResult& pair) {
+    for (const auto& p : study.published)
+        if (p.surface == pair.surface && p.elastomer == pair.elastomer) return &p;
+    return nullptr;
+}
+
+/// Values of all loops on a pair, by quantity.
+struct LoopValues {
+    std::vector<UncertainValue> approach, pull_off, retraction, loss;
+    std::vector<double> area, ideal_loss;
+};
+
+LoopValues loops_on(const StudyResult& result, const PairResult& pair) {
+    LoopValues values;
+    for (const auto& e : result.experiments) {
+        if (!e.analysis || e.input.reference || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer) continue;
+        const auto& loop = *e.analysis;
+        values.approach.push_back(loop.loading.primary().work_of_adhesion);
+        if (loop.pull_off) values.pull_off.push_back(loop.pull_off->work_of_adhesion);
+        if (loop.retraction) values.retraction.push_back(loop.retraction->work_of_adhesion);
+        if (loop.loop) values.loss.push_back({loop.loop->energy, loop.loop->standard_error.total});
+        values.area.push_back(loop.context.largest_contact_area);
+        values.ideal_loss.push_back(loop.context.ideal_smooth_sphere_loss);
+    }
+    return values;
+}
+
+void take_published(PairResult& pair, const PublishedPair& published) {
+    pair.approach = published.approach;
+    pair.pull_off = published.pull_off;
+    pair.retraction = published.retraction;
+    pair.loss = published.loss;
+    if (published.contact_radius) pair.contact_area = pi * *published.contact_radius * *published.contact_radius;
+}
+
+void take_loops(PairResult& pair, const LoopValues& values) {
+    if (values.approach.empty()) return;
+    pair.experiments = static_cast<int>(values.approach.size());
+    pair.approach = mean_of(values.approach);
+    if (!values.pull_off.empty()) pair.pull_off = mean_of(values.pull_off);
+    if (!values.retraction.empty()) pair.retraction = mean_of(values.retraction);
+    if (!values.loss.empty()) pair.loss = mean_of(values.loss);
+    pair.contact_area = mean_of(values.area);
+    pair.ideal_loss = mean_of(values.ideal_loss);
+}
+
+/// Balances of one pair as lines in W_int, with the covariances their uncertain inputs give them.
+class Balances {
+public:
+    Balances(const SurfaceResult& surface, const ElastomerResult& elastomer, const SpectralParameters& parameters)
+        : surface_(surface), elastomer_(elastomer), parameters_(parameters) {}
+
+    [[nodiscard]] PairPoint modified() const { return point(roughness::gaussian_area_ratio, elastomer_.input.surface_energy); }
+    [[nodiscard]] PairPoint persson_tosatti() const { return point(roughness::small_slope_area_ratio, {}); }
+    [[nodiscard]] PairPoint without_area_change() const { return point(roughness::gaussian_area_ratio, {}); }
+    [[nodiscard]] double stored_energy() const { return elastomer_.contact_modulus.value * parameters_.elastic_energy_per_modulus; }
+
+private:
+    using AreaRatio = double (*)(double);
+
+    /// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
+    [[nodiscard]] PairPoint point(AreaRatio area_ratio, const UncertainValue& surface_energy) const {
+        const double r = area_ratio(parameters_.rms_slope), u = parameters_.elastic_energy_per_modulus;
+        const auto& modulus = elastomer_.contact_modulus;
+        const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p.rms_slope); };
+        const auto energy = [&modulus](const SpectralParameters& p) { return modulus.value * p.elastic_energy_per_modulus; };
+        PairPoint pair;
+        pair.surface = surface_.name;
+        pair.elastomer = elastomer_.input.name;
+        pair.slope = r;
+        pair.offset = surface_energy.value * (r - 1.0) + modulus.value * u;
+        pair.slope_centre = surface_energy.value;
+        pair.slope_variance = surface_.spread.covariance(ratio, ratio);
+        pair.slope_offset_covariance = surface_.spread.covariance(ratio, energy);
+        pair.offset_variance = surface_.spread.covariance(energy, energy) + std::pow(u * modulus.standard_error, 2) +
+                               std::pow((r - 1.0) * surface_energy.standard_error, 2);
+        return pair;
+    }
+
+    const SurfaceResult& surface_;
+    const ElastomerResult& elastomer_;
+    const SpectralParameters& parameters_;
+};
+
+/// Why a pair cannot be predicted, or empty.
+std::string obstacle(const SurfaceResult& surface, const ElastomerResult& elastomer) {
+    if (surface.failed()) return fmt::format("surface '{}' failed", surface.name);
+    if (!(elastomer.contact_modulus.value > 0.0)) return fmt::format("no modulus of elastomer '{}'", elastomer.input.name);
+    return {};
+}
+
+using Balance = PairPoint (Balances::*)() const;
+using ParametersOf = std::function<const SpectralParameters&(std::size_t surface)>;
+
+/// Points of all pairs with a measured approach, for one balance.
+std::vector<PairPoint> points(const StudyResult& result, Balance balance, const ParametersOf& parameters_of) {
+    std::vector<PairPoint> found;
+    for (const auto& pair : result.pairs) {
+        if (!pair.approach) continue;
+        const auto& surface = result.surface(pair.surface);
+        const auto& elastomer = result.elastomer(pair.elastomer);
+        if (!obstacle(surface, elastomer).empty()) continue;
+        const auto index = static_cast<std::size_t>(&surface - result.surfaces.data());
+        auto point = (Balances(surface, elastomer, parameters_of(index)).*balance)();
+        point.measured = std::max(0.0, pair.approach->value);
+        point.standard_error = pair.approach->standard_error;
+        found.push_back(std::move(point));
+    }
+    return found;
+}
+
+Outcome<WorkFit> fit_approach(const StudyResult& result, Balance balance) {
+    const auto found = points(result, balance, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].parameters; });
+    if (found.size() < 2)
+        return Outcome<WorkFit>::missing(fmt::format("{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2", found.size()));
+    return fit_work_of_adhesion(found);
+}
+
+Outcome<LoopFits> fit_loops(const StudyResult& result) {
+    std::vector<PairPoint> whole, reduced;
+    for (const auto& pair : result.pairs) {
+        const auto& surface = result.surface(pair.surface);
+        if (!pair.loss || !pair.contact_area || surface.failed()) continue;
+        PairPoint point;
+        point.surface = pair.surface;
+        point.elastomer = pair.elastomer;
+        point.measured = pair.loss->value;
+        point.standard_error = pair.loss->standard_error;
+        point.slope = surface.area_ratio() * *pair.contact_area;
+        point.slope_variance = std::pow(*pair.contact_area * surface.spread.standard_error([](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }), 2);
+        if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
+        point.floored = false;
+        whole.push_back(point);
+        if (!pair.ideal_loss) continue;
+        point.measured -= *pair.ideal_loss;
+        reduced.push_back(point);
+    }
+    if (whole.size() < 2)
+        return Outcome<LoopFits>::missing(fmt::format("{} pairs have a loop energy and a contact radius, a fit needs at least 2", whole.size()));
+    const auto line = [](const std::vector<PairPoint>& points) -> std::optional<LineFit> {
+        std::vector<double> area, energy;
+        for (const auto& p : points) {
+            area.push_back(p.slope);
+            energy.push_back(p.measured);
+        }
+        if (points.size() < 3 || *std::max_element(area.begin(), area.end()) == *std::min_element(area.begin(), area.end())) return std::nullopt;
+        return fit_line(area, energy);
+    };
+    LoopFits fits;
+    fits.through_origin = fit_work_of_adhesion(whole);
+    fits.with_intercept = line(whole);
+    if (reduced.size() >= 2) fits.through_origin_without_ideal_loss = fit_work_of_adhesion(reduced);
+    fits.with_intercept_without_ideal_loss = line(reduced);
+    return fits;
+}
+
+Outcome<FreeEnergyFit> fit_free(const StudyResult& result) {
+    std::vector<FreeEnergyPoint> found;
+    for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].parameters; })) {
+        const auto& elastomer = result.elastomer(p.elastomer);
+        found.push_back({p.surface, p.measured, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0), elastomer.contact_modulus.value});
+    }
+    if (found.size() < 2) return Outcome<FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
+    return fit_with_free_energies(found);
+}
+
+std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
+    std::vector<CutoffPoint> scan;
+    for (const double shortest : result.study.analysis.cutoff_scan) {
+        CutoffPoint point;
+        point.shortest_wavelength = shortest;
+        for (const auto& surface : result.surfaces)
+            point.surfaces.push_back(surface.failed() ? SpectralParameters{} : parameters_within(surface, {.shortest = shortest}, result.study.analysis.conversion));
+        const auto of_cut = [&](std::size_t i) -> const SpectralParameters& { return point.surfaces[i]; };
+        point.modified = fit_work_of_adhesion(points(result, &Balances::modified, of_cut));
+        point.persson_tosatti = fit_work_of_adhesion(points(result, &Balances::persson_tosatti, of_cut));
+        scan.push_back(std::move(point));
+    }
+    return scan;
+}
+
+PredictedWork predicted(const PairPoint& point, const UncertainValue& work, bool known_spread) {
+    const double raw = point.slope * work.value - point.offset;
+    const double variance = point.prediction_variance(work.value) + std::pow(point.slope * work.standard_error, 2);
+    return {{raw, std::max(0.0, raw), raw > 0.0}, known_spread ? std::sqrt(variance) : undefined};
+}
+
+PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
+    const double r = point.slope;
+    const double modulus = surface.parameters.elastic_energy_per_modulus * elastomer.contact_modulus.standard_error;
+    const double surface_energy = (r - 1.0) * elastomer.input.surface_energy.standard_error;
+    const double spectrum2 = point.prediction_variance(work.value) - modulus * modulus - surface_energy * surface_energy;
+    return {std::sqrt(std::max(0.0, spectrum2)), modulus, surface_energy, r * work.standard_error};
+}
+
+void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
+    const Balances balances(surface, elastomer, surface.parameters);
+    const bool known_spread = !surface.spread.replicas.empty() || !surface.spread.sources.empty();
+    const auto modified = balances.modified();
+    pair.modified = predicted(modified, work, known_spread);
+    pair.persson_tosatti = predicted(balances.persson_tosatti(), work, known_spread);
+    pair.without_area_change = predicted(balances.without_area_change(), work, known_spread);
+    pair.budget = budget(modified, surface, elastomer, work);
+    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.curve), elastomer.contact_modulus.value, work.value, elastomer.input.surface_energy.value);
+    const auto subject = pair.surface + " × " + pair.elastomer;
+    if (!pair.modified->work.conforms)
+        pair.alerts.push_back({"WILL_NOT_CONFORM", subject, fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),
+                               "conformal contact is not predicted; area and energy of full contact do not apply"});
+    if (const auto& band = pair.scales->bridging)
+        pair.alerts.push_back({"CONFORMAL_INVALID", subject,
+                               fmt::format("the roughness above q stores more than it gains for q between {:.3g} and {:.3g} 1/m (wavelengths {:.3g} to {:.3g} m)",
+                                           band->lower, band->upper, 2.0 * pi / band->upper, 2.0 * pi / band->lower),
+                               "the solid would rather bridge these wavelengths than conform"});
+}
+
+}  // namespace
+
+std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion) {
+    if (!elastomer.input.sphere_radius || !(elastomer.contact_modulus.value > 0.0)) return std::nullopt;
+    if (!(work_of_adhesion > 0.0)) return 0.0;
+    return contact::jkr::ideal_loop_loss({*elastomer.input.sphere_radius, elastomer.contact_modulus.value, work_of_adhesion}).total;
+}
+
+std::vector<PairResult> measured_pairs(const StudyResult& result) {
+    std::vector<PairResult> pairs;
+    for (const auto& surface : result.surfaces)
+        for (const auto& elastomer : result.elastomers) {
+            PairResult pair;
+            pair.surface = surface.name;
+            pair.elastomer = elastomer.input.name;
+            if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
+            take_loops(pair, loops_on(result, pair));
+            if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
+            pairs.push_back(std::move(pair));
+        }
+    return pairs;
+}
+
+void fit_pairs(StudyResult& result) {
+    result.modified = fit_approach(result, &Balances::modified);
+    result.persson_tosatti = fit_approach(result, &Balances::persson_tosatti);
+    result.without_area_change = fit_approach(result, &Balances::without_area_change);
+    result.loop = fit_loops(result);
+    result.free_energies = fit_free(result);
+    if (result.modified) result.cutoff_scan = scan_cutoffs(result);
+}
+
+void predict_pairs(StudyResult& result) {
+    UncertainValue work;
+    if (result.study.work_of_adhesion) {
+        work = *result.study.work_of_adhesion;
+        result.work_of_adhesion_source = "given in the study";
+    } else if (result.modified) {
+        work = {result.modified->work_of_adhesion, result.modified->clustered_standard_error};
+        result.work_of_adhesion_source = "fit of (7) to the measured pairs";
+    } else {
+        result.work_of_adhesion = Outcome<double>::missing("no work_of_adhesion in the study, and no fit: " + result.modified.reason);
+        return;
+    }
+    result.work_of_adhesion = work.value;
+    for (auto& pair : result.pairs) {
+        const auto& surface = result.surface(pair.surface);
+        const auto& elastomer = result.elastomer(pair.elastomer);
+        if (!obstacle(surface, elastomer).empty()) continue;
+        pair.area_ratio = surface.area_ratio();
+        const double modulus = elastomer.contact_modulus.value;
+        const double energy = surface.parameters.elastic_energy_per_modulus;
+        const auto spread = surface.spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
+        pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * elastomer.contact_modulus.standard_error)};
+        predict(pair, surface, elastomer, work);
+    }
+}
+
+}  // namespace setae::workflow

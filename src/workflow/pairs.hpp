@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "setae/workflow/study_result.hpp"
+
+namespace setae::workflow {
+
+/// Every surface × elastomer pair with its measured values, from loops or published tables.
+[[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
+
+/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; nothing where radius or modulus is unknown.
+[[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
+
+/// Smooth references and their change between "before" and "after".
+void evaluate_references(StudyResult& result);
+
+/// Fits of W_int over all pairs, and the scan of the short cutoff.
+void fit_pairs(StudyResult& result);
+
+/// Predictions of every pair at the study's W_int.
+void predict_pairs(StudyResult& result);
+
+}  // namespace setae::workflow

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pairs.hpp"
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/experiment/rubber.hpp"
+#include "setae/io/mapping.hpp"
+#include "setae/io/table_file.hpp"
+#include "setae/workflow/study_result.hpp"
+#include "statistics.hpp"
+
+namespace setae::workflow {
+namespace {
+
+ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study) {
+    ExperimentResult result;
+    result.input = input;
+    try {
+        const auto& elastomer = *study.elastomer(input.elastomer);
+        const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
+        if (!radius) throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'", input.file, elastomer.name));
+        experiment::LensAndCounterBody bodies;
+        bodies.radius = *radius;
+        bodies.lens_poisson_ratio = elastomer.poisson_ratio;
+        bodies.counter_youngs_modulus = study.counter_youngs_modulus;
+        bodies.counter_poisson_ratio = study.counter_poisson_ratio;
+        bodies.lens_height = elastomer.sphere_height;
+        const auto table = input.mapping ? io::read_mapped_table(input.file, io::read_mapping(*input.mapping)) : io::read_loop_table(input.file);
+        result.analysis = experiment::analyse(experiment::loop_from_table(table), bodies, {}, input.file);
+        result.alerts = result.analysis->alerts;
+    } catch (const Error& error) {
+        result.error = error.what();
+    }
+    return result;
+}
+
+void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
+    elastomer.youngs_modulus = elastomer.input.youngs_modulus;
+    if (!(elastomer.youngs_modulus.value > 0.0)) {
+        std::vector<UncertainValue> from_loops;
+        for (const auto& e : result.experiments)
+            if (e.analysis && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
+        if (from_loops.empty()) return;
+        elastomer.youngs_modulus = mean_of(from_loops);
+        elastomer.modulus_from_loops = true;
+    }
+    const contact::ElasticSolid rough{result.study.counter_youngs_modulus, result.study.counter_poisson_ratio};
+    const auto against_rough = [&](double modulus) { return contact::contact_modulus({modulus, elastomer.input.poisson_ratio}, rough); };
+    const auto& E = elastomer.youngs_modulus;
+    elastomer.contact_modulus.value = against_rough(E.value);
+    // linear propagation by a central difference over the ± itself
+    if (E.standard_error > 0.0)
+        elastomer.contact_modulus.standard_error = 0.5 * (against_rough(E.value + E.standard_error) - against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
+}
+
+void check_plausibility(ElastomerResult& elastomer) {
+    if (!elastomer.input.crosslink_molar_mass || !(elastomer.youngs_modulus.value > 0.0)) return;
+    elastomer.network_modulus = experiment::rubber_modulus(elastomer.input.density, elastomer.input.temperature, *elastomer.input.crosslink_molar_mass);
+    const double ratio = elastomer.youngs_modulus.value / *elastomer.network_modulus;
+    constexpr double largest_ratio = 30.0;  // entanglements raise E of lightly linked networks, E = 3G alone gives 3
+    if (ratio > 1.0 / largest_ratio && ratio < largest_ratio) return;
+    elastomer.alerts.push_back({"MODULUS_IMPLAUSIBLE", elastomer.input.name,
+                                fmt::format("E = {:.3g} Pa is {:.2g} times rho R T/M_c = {:.3g} Pa", elastomer.youngs_modulus.value, ratio, *elastomer.network_modulus),
+                                "check the unit of the modulus and of the molar mass between crosslinks"});
+}
+
+}  // namespace
+
+int StudyResult::failures() const {
+    int count = 0;
+    for (const auto& s : surfaces) {
+        count += s.failed() ? 1 : 0;
+        for (const auto& m : s.measurements) count += m.failed() ? 1 : 0;
+    }
+    for (const auto& e : experiments) count += e.failed() ? 1 : 0;
+    return count;
+}
+
+int StudyResult::successes() const {
+    const auto fine = [](const auto& item) { return !item.failed(); };
+    return static_cast<int>(std::count_if(surfaces.begin(), surfaces.end(), fine) + std::count_if(experiments.begin(), experiments.end(), fine));
+}
+
+const SurfaceResult& StudyResult::surface(const std::string& name) const {
+    for (const auto& surface : surfaces)
+        if (surface.name == name) return surface;
+    throw InternalError(fmt::format("surface '{}' is not in the study", name));
+}
+
+const ElastomerResult& StudyResult::elastomer(const std::string& name) const {
+    for (const auto& elastomer : elastomers)
+        if (elastomer.input.name == name) return elastomer;
+    throw InternalError(fmt::format("elastomer '{}' is not in the study", name));
+}
+
+StudyResult run_study(Study study, parallel::Threads threads) {
+    StudyResult result;
+    result.study = std::move(study);
+    const auto& inputs = result.study;
+    for (const auto& surface : inputs.surfaces) result.surfaces.push_back(analyse_surface(surface, inputs.analysis, threads));
+    result.experiments.resize(inputs.experiments.size());
+    parallel::for_each_index(inputs.experiments.size(), threads,
+                             [&](std::size_t i) { result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs); });
+    for (const auto& input : inputs.elastomers) {
+        ElastomerResult elastomer;
+        elastomer.input = input;
+        set_modulus(elastomer, result);
+        check_plausibility(elastomer);
+        result.elastomers.push_back(std::move(elastomer));
+    }
+    result.pairs = measured_pairs(result);
+    evaluate_references(result);
+    fit_pairs(result);
+    predict_pairs(result);
+    return result;
+}
+
+}  // namespace setae::workflow

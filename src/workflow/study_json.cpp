@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "json_support.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::workflow {
+namespace {
+
+using roughness::SpectralParameters;
+
+constexpr const char* exact_source = "moments of C1D or C_iso, exact for isotropic surfaces; THEORY 4.1";
+constexpr const char* eq11_source = "moments of C1D by [D19] (11)";
+
+Quantity named(const char* name, const char* symbol, double value, const char* unit, std::string source) {
+    auto q = quantity(name, symbol, value, unit);
+    q.source = std::move(source);
+    return q;
+}
+
+Json estimate_json(const WorkEstimate& estimate, const char* unit_of_scatter) {
+    Json json;
+    add(json, quantity("work_of_adhesion", "W_int", UncertainValue{estimate.value, estimate.standard_error}, "J/m2"));
+    add(json, quantity("chi_squared", "chi2", estimate.chi_squared, "1"));
+    add(json, quantity("extra_scatter", "tau", estimate.extra_scatter, unit_of_scatter));
+    return json;
+}
+
+Json fit_json(const WorkFit& fit, const char* source, const char* unit) {
+    Json json;
+    auto work = quantity("work_of_adhesion", "W_int", UncertainValue{fit.work_of_adhesion, fit.standard_error}, "J/m2");
+    work.n = fit.n;
+    work.interval = fit.interval;
+    work.source = source;
+    add(json, work);
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    add(json, quantity("clustered_standard_error", "SE", fit.clustered_standard_error, "J/m2"));
+    add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
+    json["n"] = fit.n;
+    json["degrees_of_freedom"] = fit.degrees_of_freedom;
+    json["weighted"] = fit.weighted ? estimate_json(*fit.weighted, unit) : Json(nullptr);
+    json["with_extra_scatter"] = fit.with_extra_scatter ? estimate_json(*fit.with_extra_scatter, unit) : Json(nullptr);
+    json["errors_in_both"] = fit.errors_in_both ? estimate_json(*fit.errors_in_both, unit) : Json(nullptr);
+    json["predicted"] = fit.predicted;
+    json["residual"] = fit.residual;
+    json["unit_of_predicted"] = unit;
+    return json;
+}
+
+Json line_json(const std::optional<LineFit>& fit) {
+    if (!fit) return nullptr;
+    Json json;
+    add(json, quantity("work_of_adhesion", "W_int", UncertainValue{fit->slope, fit->slope_standard_error}, "J/m2"));
+    add(json, quantity("intercept", "E_0", UncertainValue{fit->intercept, fit->intercept_standard_error}, "J"));
+    add(json, quantity("r_squared", "R2", fit->r_squared, "1"));
+    json["n"] = fit->n;
+    return json;
+}
+
+Json loop_fits_json(const LoopFits& fits) {
+    auto json = fit_json(fits.through_origin, "E_loss = W_int A_true; [D19] (10)", "J");
+    json["with_intercept"] = line_json(fits.with_intercept);
+    json["without_ideal_loss"] = fits.through_origin_without_ideal_loss
+                                     ? fit_json(*fits.through_origin_without_ideal_loss, "E_loss minus the loss of the smooth sphere = W_int A_true", "J")
+                                     : Json(nullptr);
+    json["without_ideal_loss_with_intercept"] = line_json(fits.with_intercept_without_ideal_loss);
+    return json;
+}
+
+Json free_json(const FreeEnergyFit& fit) {
+    Json json;
+    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
+    work.source = "(7) with U_el/(A E*) free for each surface: no power spectrum can do better";
+    add(json, work);
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    for (const auto& [surface, energy] : fit.energy_per_modulus)
+        json["elastic_energy_per_modulus"][surface] = to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
+    return json;
+}
+
+Json fits_json(const StudyResult& result) {
+    Json json;
+    add_outcome(json, "modified", result.modified, [](const WorkFit& fit) { return fit_json(fit, "[D19] (7), floored at 0", "J/m2"); });
+    add_outcome(json, "persson_tosatti", result.persson_tosatti, [](const WorkFit& fit) { return fit_json(fit, "[D19] (S13), floored at 0", "J/m2"); });
+    add_outcome(json, "without_area_change", result.without_area_change, [](const WorkFit& fit) { return fit_json(fit, "[D19] (2), floored at 0", "J/m2"); });
+    add_outcome(json, "loop", result.loop, loop_fits_json);
+    add_outcome(json, "free_energies", result.free_energies, free_json);
+    return json;
+}
+
+Json measurement_json(const MeasurementResult& m) {
+    Json json{{"file", m.file}, {"name", m.name}};
+    if (m.failed()) {
+        json["error"] = m.error;
+        return json;
+    }
+    const auto& instrument = m.spectrum.metadata.instrument;
+    json["instrument"] = instrument.type.empty() ? instrument.name : instrument.type;
+    json["format"] = m.spectrum.metadata.format;
+    json["trend_removed"] = topography::name(m.trend);
+    json["window"] = m.spectrum.window;
+    json["band"] = {{"lower", number(m.spectrum.q_min)}, {"upper", number(m.spectrum.q_max)}, {"unit", "1/m"}};
+    const auto& r = m.real_space;
+    add(json, named("rms_height", "Rq", r.rms_height, "m", "heights, unfiltered"));
+    add(json, named("rms_slope", "Rdq", r.rms_slope, "1", "differences of heights"));
+    add(json, named("rms_curvature", "Rddq", r.rms_curvature, "1/m", "second differences of heights"));
+    if (m.triangulated) add(json, named("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1", "triangles through the heights; [D19] (S3)"));
+    if (m.slopes) {
+        add(json, quantity("slope_excess_kurtosis", "kurt - 3",
+                           UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"));
+        add(json, quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"));
+        add(json, quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"));
+    }
+    json["alerts"] = to_json(m.alerts);
+    return json;
+}
+
+Json surface_json(const SurfaceResult& surface, const AnalysisOptions& options) {
+    Json json;
+    if (surface.failed()) {
+        json["error"] = surface.error;
+    } else {
+        for (const auto& q : surface_quantities(surface, options.conversion)) add(json, q);
+        json["conversion"] = options.conversion == roughness::Conversion::exact ? "exact" : "eq11";
+        if (surface.other_conversion) {
+            Json other;
+            const auto& p = *surface.other_conversion;
+            const char* source = options.conversion == roughness::Conversion::exact ? eq11_source : exact_source;
+            add(other, named("rms_height", "h_rms", p.rms_height, "m", source));
+            add(other, named("rms_slope", "h'_rms", p.rms_slope, "1", source));
+            add(other, named("rms_curvature", "h''_rms", p.rms_curvature, "1/m", source));
+            add(other, named("elastic_energy_per_modulus", "U_el/(A E*)", p.elastic_energy_per_modulus, "m", source));
+            json["other_conversion"] = other;
+        }
+        add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut",
+                        1.0 - surface.parameters.elastic_energy_per_modulus / surface.uncut_energy_per_modulus, "1",
+                        "share of the stored energy outside longest_wavelength … shortest_wavelength"));
+        json["reconstructed"] = surface.reconstructed;
+        json["n_measurements"] = surface.measurements.size();
+    }
+    Json measurements = Json::array();
+    for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
+    json["measurements"] = measurements;
+    json["alerts"] = to_json(surface.alerts);
+    return json;
+}
+
+Json elastomer_json(const ElastomerResult& elastomer) {
+    Json json;
+    auto modulus = quantity("youngs_modulus", "E", elastomer.youngs_modulus, "Pa");
+    modulus.source = elastomer.modulus_from_loops ? "mean of the loops on it" : "given";
+    add(json, modulus);
+    add(json, quantity("contact_modulus", "E*", elastomer.contact_modulus, "Pa"));
+    add(json, quantity("surface_energy", "gamma_1", elastomer.input.surface_energy, "J/m2"));
+    if (elastomer.network_modulus) add(json, named("network_modulus", "rho R T/M_c", *elastomer.network_modulus, "Pa", "plausibility, not a measurement"));
+    json["alerts"] = to_json(elastomer.alerts);
+    return json;
+}
+
+Json predicted_json(const PredictedWork& predicted, const char* source) {
+    auto q = quantity("work_of_adhesion", "W_app", UncertainValue{predicted.work.raw, predicted.standard_error}, "J/m2");
+    q.source = source;
+    Json json;
+    add(json, q);
+    add(json, named("work_of_adhesion_floored", "max(0, W_app)", predicted.work.floored, "J/m2", source));
+    json["conforms"] = predicted.work.conforms;
+    return json;
+}
+
+/// Wavelength at which the cumulative share first reaches one half.
+double half_wavelength(const adhesion::ScaleBalance& scales) {
+    for (Index i = 0; i < scales.wavevector.size(); ++i)
+        if (scales.stored_share[i] >= 0.5) return 2.0 * pi / scales.wavevector[i];
+    return undefined;
+}
+
+Json pair_json(const PairResult& pair) {
+    Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
+    Json measured;
+    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<UncertainValue>& value, const char* unit) {
+        measured[name] = value ? to_json(quantity(name, symbol, *value, unit)) : Json(nullptr);
+    };
+    add_measured("work_of_adhesion_approach", "W_app", pair.approach, "J/m2");
+    add_measured("work_of_adhesion_pull_off", "W_po", pair.pull_off, "J/m2");
+    add_measured("work_of_adhesion_retraction", "W_ret", pair.retraction, "J/m2");
+    add_measured("energy_loss", "E_loss", pair.loss, "J");
+    measured["contact_area"] = pair.contact_area ? to_json(quantity("contact_area", "pi a_max^2", *pair.contact_area, "m2")) : Json(nullptr);
+    measured["ideal_smooth_sphere_loss"] = pair.ideal_loss ? to_json(quantity("ideal_smooth_sphere_loss", "E_ideal", *pair.ideal_loss, "J")) : Json(nullptr);
+    json["measured"] = measured;
+    if (pair.modified) {
+        add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
+        add(json, quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
+        json["modified"] = predicted_json(*pair.modified, "[D19] (7)");
+        json["modified"]["standard_error_budget"] = {{"spectrum", number(pair.budget->spectrum)},
+                                                     {"modulus", number(pair.budget->modulus)},
+                                                     {"surface_energy", number(pair.budget->surface_energy)},
+                                                     {"work_of_adhesion", number(pair.budget->work_of_adhesion)},
+                                                     {"unit", "J/m2"}};
+        json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
+        json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
+        if (pair.approach) add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored, "J/m2", "measured minus predicted"));
+        add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m", "longer wavelengths store half of U_el"));
+        json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)}, {"upper", number(pair.scales->bridging->upper)}, {"unit", "1/m"}}
+                                                 : Json(nullptr);
+    }
+    json["alerts"] = to_json(pair.alerts);
+    return json;
+}
+
+Json reference_json(const ReferenceResult& reference) {
+    Json json{{"elastomer", reference.elastomer}, {"stage", reference.stage}};
+    add(json, quantity("work_of_adhesion_approach", "W_app", reference.approach, "J/m2"));
+    add(json, quantity("work_of_adhesion_retraction", "W_ret", reference.retraction, "J/m2"));
+    if (reference.excess_energy) add(json, quantity("excess_energy", "E_excess", *reference.excess_energy, "J"));
+    if (reference.ideal_loss) add(json, quantity("ideal_smooth_sphere_loss", "E_ideal", *reference.ideal_loss, "J"));
+    if (reference.loss_ratio) add(json, quantity("loss_ratio", "E_loss/E_excess", *reference.loss_ratio, "1"));
+    return json;
+}
+
+Json drift_json(const ReferenceDrift& drift) {
+    Json json{{"elastomer", drift.elastomer}};
+    add(json, quantity("work_of_adhesion_approach_change", "dW_app", drift.change.work_of_adhesion_loading, "J/m2"));
+    add(json, quantity("work_of_adhesion_retraction_change", "dW_ret", drift.change.work_of_adhesion_retraction, "J/m2"));
+    add(json, quantity("excess_energy_change", "dE_excess", drift.change.excess_energy, "J"));
+    return json;
+}
+
+Json cutoff_json(const CutoffPoint& point, const StudyResult& result) {
+    Json json;
+    add(json, quantity("shortest_wavelength", "lambda_s", point.shortest_wavelength, "m"));
+    const auto fit = [](const WorkFit& f) {
+        Json inner;
+        add(inner, quantity("work_of_adhesion", "W_int", UncertainValue{f.work_of_adhesion, f.standard_error}, "J/m2"));
+        add(inner, quantity("r_squared", "R2", f.r_squared, "1"));
+        return inner;
+    };
+    json["modified"] = fit(point.modified);
+    json["persson_tosatti"] = fit(point.persson_tosatti);
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
+        Json surface;
+        add(surface, quantity("rms_slope", "h'_rms", point.surfaces[i].rms_slope, "1"));
+        add(surface, quantity("elastic_energy_per_modulus", "U_el/(A E*)", point.surfaces[i].elastic_energy_per_modulus, "m"));
+        json["surfaces"][result.surfaces[i].name] = surface;
+    }
+    return json;
+}
+
+const WorkFit* fit_of(const StudyResult& result, const std::string& fit) {
+    if (fit == "modified" && result.modified) return &*result.modified;
+    if (fit == "persson_tosatti" && result.persson_tosatti) return &*result.persson_tosatti;
+    if (fit == "loop" && result.loop) return &result.loop->through_origin;
+    return nullptr;
+}
+
+Json reported_json(const ReportedValue& reported, const StudyResult& result) {
+    const auto* fit = fit_of(result, reported.fit);
+    const bool work = reported.quantity == "work_of_adhesion";
+    const char* unit = work ? "J/m2" : "1";
+    auto theirs = quantity(reported.quantity, work ? "W_int" : "R2", reported.value, unit);
+    theirs.source = reported.source;
+    return {{"fit", reported.fit},
+            {"reported", to_json(theirs)},
+            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2", work ? fit->work_of_adhesion : fit->r_squared, unit)) : Json(nullptr)}};
+}
+
+}  // namespace
+
+std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion) {
+    const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;
+    const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from, const ParameterSpread::Function& f) {
+        auto q = named(name, symbol, f(surface.parameters), unit, from);
+        const double error = surface.spread.standard_error(f);
+        if (error == error) q.standard_error = error;
+        q.interval = surface.spread.interval(f);
+        q.band = surface.curve.band;
+        if (!surface.measurements.empty())
+            q.n = static_cast<int>(std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); }));
+        return q;
+    };
+    return {make("rms_height", "h_rms", "m", source, [](const SpectralParameters& p) { return p.rms_height; }),
+            make("rms_slope", "h'_rms", "1", source, [](const SpectralParameters& p) { return p.rms_slope; }),
+            make("rms_curvature", "h''_rms", "1/m", source, [](const SpectralParameters& p) { return p.rms_curvature; }),
+            make("true_area_ratio", "A_true/A_app", "1", "Gaussian isotropic slopes; [D19] (9)",
+                 [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }),
+            make("true_area_ratio_small_slope", "1 + h'^2/2", "1", "small slopes; [D19] (S4)",
+                 [](const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }),
+            make("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", source, [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; })};
+}
+
+Json to_json(const StudyResult& result) {
+    const auto& study = result.study;
+    Json json{{"title", study.title}, {"description", study.description}};
+    json["work_of_adhesion"] = nullptr;
+    if (result.work_of_adhesion) {
+        auto work = quantity("work_of_adhesion", "W_int", *result.work_of_adhesion, "J/m2");
+        work.source = result.work_of_adhesion_source;
+        json["work_of_adhesion"] = to_json(work);
+    } else {
+        json["work_of_adhesion_reason"] = result.work_of_adhesion.reason;
+    }
+    json["fits"] = fits_json(result);
+    json["surfaces"] = Json::object();
+    for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
+    json["elastomers"] = Json::object();
+    for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
+    json["pairs"] = Json::array();
+    for (const auto& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
+    json["experiments"] = Json::array();
+    for (const auto& e : result.experiments) {
+        Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};
+        if (e.failed()) entry["error"] = e.error;
+        entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
+        json["experiments"].push_back(entry);
+    }
+    json["references"] = Json::array();
+    for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
+    json["reference_changes"] = Json::array();
+    for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
+    json["cutoff_scan"] = Json::array();
+    for (const auto& point : result.cutoff_scan) json["cutoff_scan"].push_back(cutoff_json(point, result));
+    json["reported"] = Json::array();
+    for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
+    json["alerts"] = to_json(result.alerts);
+    return json;
+}
+
+}  // namespace setae::workflow

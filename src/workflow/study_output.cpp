@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/io/netcdf.hpp"
+#include "setae/io/table_file.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/workflow/json.hpp"
+#include "setae/workflow/study_tables.hpp"
+
+namespace setae::workflow {
+namespace {
+
+std::string with_error(double value, double error, int decimals) {
+    if (std::isnan(value)) return "–";
+    if (!(error > 0.0)) return fmt::format("{:.{}f}", value, decimals);
+    return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
+}
+
+TidyTable surfaces_for_reading(const StudyResult& result) {
+    TidyTable table{"Surfaces", {"surface", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n"}, {}};
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) {
+            table.rows.push_back({surface.name, "failed: " + surface.error, "", "", "", "", ""});
+            continue;
+        }
+        const auto q = surface_quantities(surface, result.study.analysis.conversion);
+        const auto cell = [&](std::size_t i, double factor, int decimals) {
+            return with_error(factor * q[i].value, factor * q[i].standard_error.value_or(0.0), decimals);
+        };
+        table.rows.push_back({surface.name, cell(0, 1e9, 2), cell(1, 1.0, 3), cell(2, 1e-9, 3), cell(3, 1.0, 4), cell(5, 1e9, 3),
+                              surface.reconstructed ? "moments" : surface.measurements.empty() ? "PSD" : fmt::format("{}", q[0].n.value_or(0))});
+    }
+    return table;
+}
+
+TidyTable pairs_for_reading(const StudyResult& result) {
+    TidyTable table{"Work of adhesion on approach [mJ/m²]", {"surface", "elastomer", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""}, {}};
+    for (const auto& p : result.pairs) {
+        if (!p.modified && !p.approach) continue;
+        const double measured = p.approach ? 1e3 * p.approach->value : undefined;
+        const auto predicted = [&](const std::optional<PredictedWork>& w) { return w ? 1e3 * w->work.floored : undefined; };
+        const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;
+        std::string note;
+        if (p.modified && !p.modified->work.conforms) note = "will not conform";
+        else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
+        table.rows.push_back({p.surface, p.elastomer, fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
+                              with_error(measured, p.approach ? 1e3 * p.approach->standard_error : 0.0, 2),
+                              with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->standard_error : 0.0, 2), with_error(raw, 0.0, 2),
+                              with_error(predicted(p.persson_tosatti), 0.0, 2), with_error(measured - predicted(p.modified), 0.0, 2), note});
+    }
+    return table;
+}
+
+TidyTable fits_for_reading(const StudyResult& result) {
+    TidyTable table{"Intrinsic work of adhesion from all pairs", {"fit", "variant", "W_int [mJ/m²]", "R²", "χ²", "n", "reported W_int", "reported R²"}, {}};
+    const auto rows = fit_table(result);
+    for (const auto& row : rows.rows) {
+        const auto at = [&row](std::size_t i) { return std::get<double>(row[i]); };
+        table.rows.push_back({row[0], row[1], with_error(1e3 * at(2), 1e3 * at(3), 2), with_error(at(4), 0.0, 3), with_error(at(5), 0.0, 1),
+                              fmt::format("{:.0f}", at(7)), with_error(1e3 * at(8), 1e3 * at(9), 1), with_error(at(10), 0.0, 2)});
+    }
+    return table;
+}
+
+TidyTable references_for_reading(const StudyResult& result) {
+    TidyTable table{"Smooth references", {"elastomer", "stage", "W loading [mJ/m²]", "W retraction [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"}, {}};
+    for (const auto& r : result.references)
+        table.rows.push_back({r.elastomer, r.stage, with_error(1e3 * r.approach.value, 1e3 * r.approach.standard_error, 1),
+                              with_error(1e3 * r.retraction.value, 1e3 * r.retraction.standard_error, 1),
+                              r.excess_energy ? with_error(1e9 * r.excess_energy->value, 1e9 * r.excess_energy->standard_error, 2) : "–",
+                              with_error(1e9 * r.ideal_loss.value_or(undefined), 0.0, 2)});
+    return table;
+}
+
+TidyTable experiments_for_reading(const StudyResult& result) {
+    TidyTable table{"Loops", {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W pull-off [mJ/m²]", "W retraction [mJ/m²]", "E_loss [nJ]", ""}, {}};
+    for (const auto& e : result.experiments) {
+        const auto file = std::filesystem::path(e.input.file).filename().string();
+        if (e.failed()) {
+            table.rows.push_back({file, e.input.surface, e.input.elastomer, "", "", "", "", "", "failed"});
+            continue;
+        }
+        const auto& a = *e.analysis;
+        const auto cell = [](const UncertainValue& v, double factor, int decimals) { return with_error(factor * v.value, factor * v.standard_error, decimals); };
+        table.rows.push_back({file, e.input.reference ? "(reference)" : e.input.surface, e.input.elastomer, cell(a.loading.primary().contact_modulus, 1e-6, 3),
+                              cell(a.loading.primary().work_of_adhesion, 1e3, 2), a.pull_off ? cell(a.pull_off->work_of_adhesion, 1e3, 2) : "–",
+                              a.retraction ? cell(a.retraction->work_of_adhesion, 1e3, 2) : "–",
+                              a.loop ? with_error(1e9 * a.loop->energy, 1e9 * a.loop->standard_error.total, 4) : "–",
+                              e.alerts.empty() ? "" : fmt::format("{} alerts", e.alerts.size())});
+    }
+    return table;
+}
+
+/// The curve as the study used it, with what the combination knows of each bin.
+Table spectrum_table(const SurfaceResult& surface) {
+    Table table;
+    table.metadata["surface"] = surface.name;
+    table.metadata["source"] = surface.reconstructed ? "self-affine reconstruction from published moments" : surface.combined ? "combined measurements" : "given power spectrum";
+    table.metadata["normalisation"] = "C1D = |h(q)|^2/L two-sided, averaged over +-q: h_rms^2 = (1/pi) int C1D dq; C_iso: h_rms^2 = (1/2 pi) int q C_iso dq";
+    if (surface.combined) {
+        const auto& c = *surface.combined;
+        table.columns = {{"wavevector", "1/m", c.wavevector}, {"C1D", "m3", c.C1D}, {"standard_error", "m3", c.standard_error}, {"count", "1", c.count},
+                         {"instrument_count", "1", c.instrument_count}, {"C_iso", "m4", spectra::isotropic_from_profile_eq11(c.wavevector, c.C1D, INFINITY)}};
+    } else if (surface.curve.density == roughness::Density::C_iso) {
+        // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
+        const auto& curve = surface.curve;
+        const auto n = static_cast<Index>(std::ceil(10.0 * std::log10(curve.band.upper / curve.band.lower)));
+        const Array1D q = curve.band.lower * (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (std::log(10.0) / 10.0)).exp();
+        table.columns = {{"wavevector", "1/m", q},
+                         {"C_iso", "m4", roughness::values_at(curve, q)},
+                         {"C1D", "m3", spectra::profile_from_isotropic(curve.wavevector, curve.values, q)}};
+    } else {
+        table.columns = {{"wavevector", "1/m", surface.curve.wavevector}, {"C1D", "m3", surface.curve.values}};
+    }
+    return table;
+}
+
+/// A surface's name as part of a file name.
+std::string as_file_name(std::string name) {
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
+    return name;
+}
+
+}  // namespace
+
+std::string summary(const StudyResult& result) {
+    std::string text = result.study.title + "\n\n";
+    const auto append = [&text](const TidyTable& table) {
+        if (!table.rows.empty()) text += as_text(table) + "\n";
+    };
+    append(surfaces_for_reading(result));
+    append(experiments_for_reading(result));
+    append(references_for_reading(result));
+    append(pairs_for_reading(result));
+    append(fits_for_reading(result));
+    append({"W_int against the short cutoff", cutoff_table(result).columns, cutoff_table(result).rows});
+    if (!result.loop && !result.pairs.empty()) text += "No fit of loop energies: " + result.loop.reason + ".\n";
+    if (!result.work_of_adhesion && !result.pairs.empty()) text += "No prediction: " + result.work_of_adhesion.reason + ".\n";
+    return text;
+}
+
+std::vector<std::string> write_results(const StudyResult& result) {
+    namespace fs = std::filesystem;
+    const fs::path folder(result.study.output);
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw FileError(fmt::format("{}: cannot make the folder of the results ({})", folder.string(), failure.message()));
+    std::vector<std::string> files;
+    const auto path_of = [&](const std::string& name) {
+        files.push_back(name);
+        return (folder / name).string();
+    };
+    const auto write_table = [&](const std::string& name, const TidyTable& table) {
+        if (!table.rows.empty()) io::write_whole_file(path_of(name), as_csv(table));
+    };
+    write_table("surfaces.csv", surface_table(result));
+    write_table("pairs.csv", pair_table(result));
+    write_table("fits.csv", fit_table(result));
+    write_table("measurements.csv", measurement_table(result));
+    write_table("cumulative.csv", cumulative_table(result));
+    write_table("cutoff_scan.csv", cutoff_table(result));
+    write_table("alerts.csv", alert_table(result));
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        const auto table = spectrum_table(surface);
+        io::write_netcdf(path_of("psd_" + as_file_name(surface.name) + ".nc"), table);
+        io::write_csv(path_of("psd_" + as_file_name(surface.name) + ".csv"), table);
+    }
+    io::write_whole_file(path_of("study.json"), to_json(result).dump(2) + "\n");
+    return files;
+}
+
+}  // namespace setae::workflow

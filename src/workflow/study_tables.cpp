@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/workflow/study_tables.hpp"
+
+#include <cmath>
+
+#include "setae/core/constants.hpp"
+#include "setae/workflow/json.hpp"
+
+namespace setae::workflow {
+namespace {
+
+double value_of(const std::optional<UncertainValue>& value) { return value ? value->value : undefined; }
+double error_of(const std::optional<UncertainValue>& value) { return value && value->standard_error > 0.0 ? value->standard_error : undefined; }
+
+const ReportedValue* reported(const StudyResult& result, const std::string& fit, const std::string& quantity) {
+    for (const auto& r : result.study.reported)
+        if (r.fit == fit && r.quantity == quantity) return &r;
+    return nullptr;
+}
+
+/// Rows of the fit table.
+class FitRows {
+public:
+    FitRows(TidyTable& table, const StudyResult& result) : table_(table), result_(result) {}
+
+    void add(const std::string& fit, const std::string& variant, double work, double error, double r_squared, double chi_squared,
+             double extra_scatter, int n) {
+        const auto* work_reported = variant.empty() ? reported(result_, fit, "work_of_adhesion") : nullptr;
+        const auto* r_reported = variant.empty() ? reported(result_, fit, "r_squared") : nullptr;
+        table_.rows.push_back({fit, variant, work, error, r_squared, chi_squared, extra_scatter, static_cast<double>(n),
+                               work_reported ? work_reported->value.value : undefined,
+                               work_reported && work_reported->value.standard_error > 0.0 ? work_reported->value.standard_error : undefined,
+                               r_reported ? r_reported->value.value : undefined});
+    }
+
+    void add(const std::string& fit, const WorkFit& f, const std::string& variant = "") {
+        add(fit, variant, f.work_of_adhesion, f.standard_error, f.r_squared, undefined, undefined, f.n);
+        const auto joined = [&](const char* name) { return variant.empty() ? name : variant + ", " + name; };
+        add(fit, joined("clustered errors"), f.work_of_adhesion, f.clustered_standard_error, undefined, undefined, undefined, f.n);
+        const auto estimate = [&](const char* name, const std::optional<WorkEstimate>& e) {
+            if (e) add(fit, joined(name), e->value, e->standard_error, undefined, e->chi_squared, e->extra_scatter, f.n);
+        };
+        estimate("weighted by the measured ±", f.weighted);
+        estimate("with extra scatter", f.with_extra_scatter);
+        estimate("errors in both", f.errors_in_both);
+    }
+
+    void add(const std::string& fit, const std::optional<LineFit>& f, const std::string& variant) {
+        if (f) add(fit, variant, f->slope, f->slope_standard_error, f->r_squared, undefined, undefined, f->n);
+    }
+
+private:
+    TidyTable& table_;
+    const StudyResult& result_;
+};
+
+void add_alerts(TidyTable& table, const std::vector<Alert>& alerts) {
+    for (const auto& a : alerts) table.rows.push_back({a.code, a.subject, a.message, a.action});
+}
+
+}  // namespace
+
+TidyTable surface_table(const StudyResult& result) {
+    TidyTable table{"", {"surface", "quantity", "symbol", "value", "standard_error", "unit", "band_low [1/m]", "band_high [1/m]", "n", "source"}, {}};
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        for (const auto& q : surface_quantities(surface, result.study.analysis.conversion))
+            table.rows.push_back({surface.name, q.quantity, q.symbol, q.value, q.standard_error.value_or(undefined), q.unit, q.band->lower, q.band->upper,
+                                  q.n ? static_cast<double>(*q.n) : undefined, q.source});
+    }
+    return table;
+}
+
+TidyTable pair_table(const StudyResult& result) {
+    TidyTable table{"",
+                    {"surface", "elastomer", "W_app measured [J/m2]", "standard_error [J/m2]", "W_app (7) [J/m2]", "standard_error (7) [J/m2]",
+                     "W_app (7) raw [J/m2]", "W_app (S13) [J/m2]", "W_app (2) [J/m2]", "A_true/A_app [1]", "U_el/A_app [J/m2]", "W pull-off [J/m2]",
+                     "W retraction [J/m2]", "E_loss [J]", "standard_error E_loss [J]", "contact area [m2]", "ideal smooth loss [J]"},
+                    {}};
+    for (const auto& p : result.pairs) {
+        const bool predicted = p.modified.has_value();
+        table.rows.push_back({p.surface, p.elastomer, value_of(p.approach), error_of(p.approach), predicted ? p.modified->work.floored : undefined,
+                              predicted ? p.modified->standard_error : undefined, predicted ? p.modified->work.raw : undefined,
+                              predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
+                              predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined, value_of(p.pull_off),
+                              value_of(p.retraction), value_of(p.loss), error_of(p.loss), p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined)});
+    }
+    return table;
+}
+
+TidyTable fit_table(const StudyResult& result) {
+    TidyTable table{"",
+                    {"fit", "variant", "W_int [J/m2]", "standard_error [J/m2]", "R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
+                     "reported standard_error [J/m2]", "reported R2"},
+                    {}};
+    FitRows rows(table, result);
+    if (result.modified) rows.add("modified", *result.modified);
+    if (result.persson_tosatti) rows.add("persson_tosatti", *result.persson_tosatti);
+    if (result.without_area_change) rows.add("without_area_change", *result.without_area_change);
+    if (result.free_energies)
+        rows.add("modified", "stored energy free for each surface", result.free_energies->work_of_adhesion, undefined, result.free_energies->r_squared, undefined,
+                 undefined, result.modified->n);
+    if (result.loop) {
+        rows.add("loop", result.loop->through_origin);
+        rows.add("loop", result.loop->with_intercept, "with intercept");
+        if (const auto& reduced = result.loop->through_origin_without_ideal_loss) rows.add("loop", *reduced, "without the smooth sphere's loss");
+        rows.add("loop", result.loop->with_intercept_without_ideal_loss, "without the smooth sphere's loss, with intercept");
+    }
+    return table;
+}
+
+TidyTable measurement_table(const StudyResult& result) {
+    TidyTable table{"",
+                    {"surface", "file", "name", "instrument", "trend", "window", "band_low [1/m]", "band_high [1/m]", "rms_height [m]", "rms_slope [1]",
+                     "rms_curvature [1/m]", "error"},
+                    {}};
+    for (const auto& surface : result.surfaces)
+        for (const auto& m : surface.measurements) {
+            const bool fine = !m.failed();
+            table.rows.push_back({surface.name, m.file, m.name, m.spectrum.metadata.instrument.type, fine ? topography::name(m.trend) : "", m.spectrum.window,
+                                  fine ? m.spectrum.q_min : undefined, fine ? m.spectrum.q_max : undefined, fine ? m.real_space.rms_height : undefined,
+                                  fine ? m.real_space.rms_slope : undefined, fine ? m.real_space.rms_curvature : undefined, m.error});
+        }
+    return table;
+}
+
+TidyTable alert_table(const StudyResult& result) {
+    TidyTable table{"", {"code", "subject", "message", "action"}, {}};
+    add_alerts(table, result.alerts);
+    for (const auto& surface : result.surfaces) {
+        add_alerts(table, surface.alerts);
+        for (const auto& m : surface.measurements) add_alerts(table, m.alerts);
+    }
+    for (const auto& e : result.elastomers) add_alerts(table, e.alerts);
+    for (const auto& e : result.experiments) add_alerts(table, e.alerts);
+    for (const auto& p : result.pairs) add_alerts(table, p.alerts);
+    return table;
+}
+
+TidyTable cumulative_table(const StudyResult& result) {
+    TidyTable table{"", {"surface", "wavevector [1/m]", "rms_height below [m]", "rms_slope below [1]", "rms_curvature below [1/m]", "U_el/(A E*) below [m]"}, {}};
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        const auto c = roughness::cumulative_parameters(surface.curve);
+        for (Index i = 0; i < c.wavevector.size(); ++i)
+            table.rows.push_back({surface.name, c.wavevector[i], c.rms_height[i], c.rms_slope[i], c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
+    }
+    return table;
+}
+
+TidyTable cutoff_table(const StudyResult& result) {
+    TidyTable table{"", {"shortest wavelength [m]", "W_int (7) [J/m2]", "standard_error [J/m2]", "R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"}, {}};
+    for (const auto& p : result.cutoff_scan)
+        table.rows.push_back({p.shortest_wavelength, p.modified.work_of_adhesion, p.modified.standard_error, p.modified.r_squared,
+                              p.persson_tosatti.work_of_adhesion, p.persson_tosatti.r_squared});
+    return table;
+}
+
+}  // namespace setae::workflow
