@@ -128,16 +128,19 @@ CurvatureAtScale curvature_of_profile(const topography::Profile& profile, double
         const auto& h = profile.heights;
         const double half = 0.5 * length;
         const Index n = x.size();
-        Index left = 0, right = 0;  // segments that hold x − l/2 and x + l/2
         const auto at = [&](double position, Index& segment) {
             while (segment + 2 < n && x[segment + 1] < position) ++segment;
             const double t = (position - x[segment]) / (x[segment + 1] - x[segment]);
             return h[segment] + t * (h[segment + 1] - h[segment]);
         };
         std::vector<double> values;
-        for (Index k = 0; k < n; ++k) {
-            if (x[k] - half < x[0] || x[k] + half > x[n - 1]) continue;
-            values.push_back((at(x[k] - half, left) - 2.0 * h[k] + at(x[k] + half, right)) / (half * half));
+        for (const double offset : {-half, 0.0, half}) {
+            Index left = 0, middle = 0, right = 0;  // segments that hold the stencil's points
+            for (Index k = 0; k < n; ++k) {
+                const double centre = x[k] + offset;
+                if (centre - half < x[0] || centre + half > x[n - 1]) continue;
+                values.push_back((at(centre - half, left) - 2.0 * at(centre, middle) + at(centre + half, right)) / (half * half));
+            }
         }
         return quantile(values, percentile);
     };

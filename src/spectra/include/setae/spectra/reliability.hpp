@@ -41,8 +41,10 @@ struct TipCutoff {
 ///   h''_l(x) = [h(x − l/2) − 2h(x) + h(x + l/2)]/(l/2)²,   min_x h''_l = −1/(2R) at l = l_c
 ///
 /// R: tip radius [m]. Between points the heights are interpolated linearly; maps are looked at along x (and y, see
-/// options). Stencils run from two (mean) steps to half the size. Periodic data wrap; undefined heights leave out the
-/// stencils they touch. With a percentile p the p-quantile of h''_l takes the place of the minimum.
+/// options), stencils centred on the grid points; for a profile the minimum is that of the polyline over all x. Stencils
+/// run from half the size down to two (mean) steps, by halves until one is sharper than the tip; the root between it and
+/// the last is the cutoff. Where the criterion has several roots this is the largest. Periodic data wrap; undefined
+/// heights leave out the stencils they touch. With a percentile p the p-quantile of h''_l takes the place of the minimum.
 /// Root to 1e-8; the result scales with the unit of length.
 /// @throws InvalidArgument for R <= 0 or p outside 0 … 0.5, or a re-entrant profile.
 /// Source: 10.1016/j.apsadv.2021.100190; [G18].
