@@ -13,7 +13,7 @@ namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
-        {.identifier = "ce",
+        {.identifier = "ce-container",
          .name = "contact.engineering container",
          .extensions = ".zip",
          .description = "ZIP with index.json or meta.yml and one measurement or more; the original file is preferred to its "
@@ -74,7 +74,7 @@ const std::vector<Format>& formats() {
          .extensions = ".txt .csv .asc .dat .hfm",
          .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal "
                         "steps give a line scan, others a profile as traced; also Dektak CSV and a third column 'valid'",
-         .reference = "no standard; dialects in docs/formats",
+         .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
          .writes = true,
          .tested_on_real_files = true,
          .carries_scale = false,
