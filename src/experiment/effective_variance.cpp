@@ -35,6 +35,7 @@ JkrFit fit_with_both_errors(const BranchData& data, const LensAndCounterBody& bo
         fit.converged = ((solution.parameters - before).array().abs() <= 1e-10 * before.array().abs()).all();
         ++fit.iterations;
     }
+    require_modulus(solution.parameters[0]);
     const WorkFromRoot work = work_from_root(solution.parameters, solution.covariance);
     fit.contact_modulus = {solution.parameters[0], std::sqrt(solution.covariance(0, 0))};
     fit.work_of_adhesion = work.work_of_adhesion;

@@ -32,6 +32,12 @@ double force_scale(const BranchData& data) {
     return scale;
 }
 
+void require_modulus(double contact_modulus) {
+    if (contact_modulus > 0.0 && std::isfinite(contact_modulus)) return;
+    throw UndefinedDataError("the contact shrinks as the force rises along the branch, or does not change: this is no elastic "
+                             "contact; check the segments and the signs of the columns");
+}
+
 double square_standard_error(double root, double root_standard_error, double factor) {
     const double variance = root_standard_error * root_standard_error;
     return factor * std::sqrt(4.0 * root * root * variance + 2.0 * variance * variance);
@@ -39,7 +45,8 @@ double square_standard_error(double root, double root_standard_error, double fac
 
 UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensAndCounterBody& bodies) {
     const contact::ElasticSolid counter = bodies.counter_body();
-    const double stiffest = contact::contact_modulus(counter, {.youngs_modulus = INFINITY});
+    const bool rigid = std::isinf(counter.youngs_modulus);
+    const double stiffest = rigid ? INFINITY : contact::contact_modulus(counter, {.youngs_modulus = INFINITY});
     if (!(contact_modulus.value > 0.0 && contact_modulus.value < stiffest)) return {undefined, undefined};
     const double modulus = contact::youngs_modulus_from(contact_modulus.value, bodies.lens_poisson_ratio, counter);
     // dE/dE* = (E/E*)² / (1 − ν²)
@@ -51,6 +58,7 @@ UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensA
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
+    fit.converged = fit.converged && fit.covariance.allFinite();
     fit.n = fit.residuals.size();
     fit.rms_residual = std::sqrt(fit.residuals.square().mean());
     fit.relative_residual = fit.rms_residual / fitted_range;

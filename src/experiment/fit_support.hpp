@@ -19,6 +19,9 @@ void require_data(const BranchData& data, const LensAndCounterBody& bodies, cons
 /// Largest |F| [N], the scale of the reduced model. @throws UndefinedDataError where all forces are zero.
 [[nodiscard]] double force_scale(const BranchData& data);
 
+/// @throws UndefinedDataError unless E* is finite and > 0: such a branch is no elastic contact.
+void require_modulus(double contact_modulus);
+
 /// Standard error of W ∝ p|p| from that of p: sqrt((2|p| σ)² + 2σ⁴) c, which stays finite at W = 0.
 [[nodiscard]] double square_standard_error(double root, double root_standard_error, double factor);
 

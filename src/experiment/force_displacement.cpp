@@ -2,8 +2,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "fit_support.hpp"
 #include "reduced_jkr.hpp"
 #include "setae/core/constants.hpp"
@@ -80,13 +78,11 @@ JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& 
     const DepthProblem problem{.force = data.force / force_unit, .depth = (data.displacement - origin) / depth_unit};
     const LeastSquaresSolution solution = problem.solve();
     const double scale = solution.parameters[0];
-    if (!(scale > 0.0))
-        throw UndefinedDataError("the displacement falls as the force rises along the branch: this is no elastic contact; "
-                                 "check the signs of force and displacement");
 
     const double length = std::sqrt(scale * depth_unit * bodies.radius);
     const double shape = solution.parameters[1];
     const double modulus = reduced::contact_modulus(length, force_unit, bodies.radius);
+    require_modulus(modulus);
     const double work_unit = reduced::work_of_adhesion(1.0, force_unit, bodies.radius);
     const Eigen::Vector3d transform(-1.5 * modulus / scale, 2.0 * std::abs(shape) * work_unit, depth_unit);
 

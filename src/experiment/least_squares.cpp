@@ -38,9 +38,16 @@ private:
 Eigen::MatrixXd scaled_covariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals) {
     const Eigen::Index parameters = jacobian.cols();
     const Eigen::Index freedom = jacobian.rows() - parameters;
-    const Eigen::FullPivLU<Eigen::MatrixXd> normal(jacobian.transpose() * jacobian);
-    if (freedom <= 0 || !normal.isInvertible()) return Eigen::MatrixXd::Constant(parameters, parameters, undefined);
-    return normal.inverse() * (residuals.squaredNorm() / static_cast<double>(freedom));
+    const Eigen::MatrixXd nothing = Eigen::MatrixXd::Constant(parameters, parameters, undefined);
+    if (freedom <= 0) return nothing;
+    // columns of unit length keep the inverse well conditioned
+    const Eigen::VectorXd inverse_lengths = jacobian.colwise().norm().cwiseInverse();
+    if (!inverse_lengths.allFinite()) return nothing;
+    const Eigen::MatrixXd unit = jacobian * inverse_lengths.asDiagonal();
+    const Eigen::FullPivLU<Eigen::MatrixXd> normal(unit.transpose() * unit);
+    if (!normal.isInvertible()) return nothing;
+    const double variance = residuals.squaredNorm() / static_cast<double>(freedom);
+    return inverse_lengths.asDiagonal() * (variance * normal.inverse()) * inverse_lengths.asDiagonal();
 }
 
 }  // namespace
@@ -57,6 +64,8 @@ LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::Vec
     options.function_tolerance = 1e-15;
     options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 1e-16;
+    // the default of 5 ends, with a line on stderr, what a smaller step mends
+    options.max_num_consecutive_invalid_steps = 100;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     solution.converged = summary.termination_type == ceres::CONVERGENCE;
@@ -71,11 +80,7 @@ LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::Vec
 LeastSquaresSolution solve_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& values) {
     LeastSquaresSolution solution{.parameters = design.colPivHouseholderQr().solve(values), .converged = true};
     solution.residuals = values - design * solution.parameters;
-    // columns of unit length keep the inverse well conditioned
-    const Eigen::VectorXd lengths = design.colwise().norm();
-    const Eigen::VectorXd inverse = lengths.cwiseInverse();
-    solution.covariance = inverse.asDiagonal() *
-                          scaled_covariance(design * inverse.asDiagonal(), solution.residuals) * inverse.asDiagonal();
+    solution.covariance = scaled_covariance(design, solution.residuals);
     return solution;
 }
 

@@ -19,9 +19,10 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
     const double stiffness = solution.parameters[0];  // K; the second is √(KW), with the sign of W
 
     JkrFit fit{.method = "linear_form",
-               .converged = stiffness > 0.0,
+               .converged = true,
                .contact_point = {undefined, undefined},
                .residual_unit = "N/m^1.5"};
+    require_modulus(stiffness);
     // K = 4E*/3, so c = √(KW) = √(4/3) √(E*W)
     const Eigen::Vector2d scale(0.75, std::sqrt(0.75));
     const WorkFromRoot work = work_from_root(scale.asDiagonal() * Eigen::Vector2d(solution.parameters),
@@ -48,6 +49,7 @@ PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCoun
     design << approach, Array1D::Constant(approach.size(), -1.0);
     const LeastSquaresSolution solution = solve_linear(design, ordinate);
     const double modulus = solution.parameters[0];
+    require_modulus(modulus);
     const double offset = solution.parameters[1] / modulus;
     const Eigen::Vector2d offset_by(-offset / modulus, 1.0 / modulus);
 

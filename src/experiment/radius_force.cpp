@@ -79,11 +79,12 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
     const double length = solution.parameters[0] * length_unit;
     const double shape = solution.parameters[1];
     const double modulus = reduced::contact_modulus(length, force_unit, bodies.radius);
+    require_modulus(modulus);
     const double work_unit = reduced::work_of_adhesion(1.0, force_unit, bodies.radius);
     const Eigen::Vector2d transform(-3.0 * modulus / solution.parameters[0], 2.0 * std::abs(shape) * work_unit);
 
     JkrFit fit{.method = "radius_force",
-               .converged = solution.converged && solution.parameters[0] > 0.0,
+               .converged = solution.converged,
                .iterations = solution.iterations,
                .contact_point = {undefined, undefined},
                .residual_unit = "m"};

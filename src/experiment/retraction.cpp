@@ -5,6 +5,7 @@
 
 #include "fit_support.hpp"
 #include "jkr_force_terms.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::experiment {
@@ -46,6 +47,7 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
     LeastSquaresSolution solution;
     if (modulus_free) {
         solution = solve_free(last_points, radius);
+        require_modulus(solution.parameters[0]);
         fit.contact_modulus = {solution.parameters[0], std::sqrt(solution.covariance(0, 0))};
         fit.work_of_adhesion = work_from_root(solution.parameters, solution.covariance).work_of_adhesion;
     } else {
@@ -56,7 +58,9 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
         const double scatter = square_standard_error(root, std::sqrt(solution.covariance(0, 0)), 1.0 / modulus);
         const double stiffer = modulus + contact_modulus.standard_error;
         const double shift =
-            work(solve_fixed(last_points, radius, stiffer, contact_point).parameters[0], stiffer) - work(root, modulus);
+            std::isnan(stiffer)
+                ? undefined
+                : work(solve_fixed(last_points, radius, stiffer, contact_point).parameters[0], stiffer) - work(root, modulus);
         fit.work_of_adhesion = {work(root, modulus), std::hypot(scatter, shift)};
     }
     fit.rms_residual = std::sqrt(solution.residuals.array().square().mean());

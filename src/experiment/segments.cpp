@@ -142,8 +142,13 @@ void add_cycles(const Touch& touch, Index contact_index, Segments& segments) {
     }
 }
 
-/// The force must rise with the displacement while the bodies are pressed together.
-void require_stiffness(const Record& record, const ContactSegments& contact) {
+/// A press of some samples, in which the force rises with the displacement.
+void require_press(const Record& record, const ContactSegments& contact) {
+    constexpr Index fewest = 4;
+    if (contact.loading.count() < fewest)
+        throw UndefinedDataError(fmt::format("the largest force, at sample {}, comes {} samples after first contact: no loading "
+                                             "to analyse; check the sign of the force",
+                                             contact.loading.last, contact.loading.count() - 1));
     if (!record.has_displacement()) return;
     const auto force = record.force.segment(contact.loading.first, contact.loading.count());
     const auto position = record.loop.displacement.segment(contact.loading.first, contact.loading.count());
@@ -186,7 +191,7 @@ Segments find_segments(const Loop& loop, const SegmentOptions& options) {
     Index start = 0;
     for (const Touch& touch : touches) {
         segments.contacts.push_back(describe(record, start, touch));
-        require_stiffness(record, segments.contacts.back());
+        require_press(record, segments.contacts.back());
         add_cycles(touch, static_cast<Index>(segments.contacts.size()) - 1, segments);
         start = touch.end + 1;
     }

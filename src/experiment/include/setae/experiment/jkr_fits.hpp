@@ -26,7 +26,7 @@ struct BranchData {
 /// the model, not the noise, makes the residuals. A negative W means a contact smaller than Hertz's.
 struct JkrFit {
     std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement"
-    bool converged = false;
+    bool converged = false;  ///< and the data determine the unknowns: covariance defined
     int iterations = 0;
     UncertainValue contact_modulus;   ///< E* [Pa]
     UncertainValue youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows

@@ -29,7 +29,7 @@ struct Loop {
 struct LensAndCounterBody {
     double radius = 0.0;                    ///< R of the sphere [m], > 0
     double lens_poisson_ratio = 0.5;        ///< ν of the soft body; 1/2 for rubber
-    double counter_youngs_modulus = 0.0;    ///< E of the counter-body [Pa], > 0
+    double counter_youngs_modulus = 0.0;    ///< E of the counter-body [Pa], > 0; infinity for a rigid one
     double counter_poisson_ratio = 0.0;     ///< ν of the counter-body
     std::optional<double> lens_height;      ///< height of the soft lens above its mount [m]
     std::optional<double> layer_thickness;  ///< thickness of the soft body where it is a layer on a rigid base [m]
