@@ -44,7 +44,7 @@ TEST(RealSpaceParameters, OfCosinesAreTheirSymbols) {
 TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureAtOpenBorders) {
     topography::HeightMap map{Array2D(40, 30), {4.0, 3.0}};
     for (Index i = 0; i < 40; ++i)
-        for (Index j = 0; j < 30; ++j) map.heights(i, j) = 1e4 + 0.5 * (3.0 * 0.01 * i * i + 2.0 * 0.01 * j * j);
+        for (Index j = 0; j < 30; ++j) map.heights(i, j) = 1e4 + 0.5 * (0.03 * static_cast<double>(i * i) + 0.02 * static_cast<double>(j * j));
     EXPECT_NEAR(real_space_parameters(map).rms_curvature, 0.5 * (3.0 + 2.0), 1e-8);
 }
 

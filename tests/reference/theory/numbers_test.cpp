@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/roughness/true_area.hpp"
+#include "setae/spectra/self_affine.hpp"
+#include "setae/workflow/json.hpp"
+#include "setae/workflow/study_result.hpp"
+
+namespace setae {
+namespace {
+
+const workflow::StudyResult& published() {
+    static const auto result = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
+    return result;
+}
+
+workflow::StudyResult published_with_short_wavevector(double wavevector) {
+    auto study = workflow::read_study("examples/nanodiamond/published.toml");
+    for (auto& surface : study.surfaces) surface.moments->short_wavevector = wavevector;
+    return workflow::run_study(study);
+}
+
+struct Expected {
+    const char* surface;
+    double hurst, rolloff_um, energy_nm;
+};
+
+void expect_reconstructions(const workflow::StudyResult& result, double wavevector, const std::vector<Expected>& expected, double energy_digit) {
+    for (const auto& e : expected) {
+        const auto& moments = *result.study.surface(e.surface)->moments;
+        const auto model = spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
+        EXPECT_NEAR(model.hurst_exponent, e.hurst, 5e-4) << e.surface;
+        if (e.rolloff_um > 0.0) {
+            EXPECT_NEAR(2e6 * pi / model.rolloff_wavevector, e.rolloff_um, 5e-3) << e.surface;
+        }
+        EXPECT_NEAR(1e9 * result.surface(e.surface).parameters.elastic_energy_per_modulus, e.energy_nm, energy_digit) << e.surface;
+    }
+}
+
+TEST(PublishedTables, ContactModuliAgainstDiamond) {
+    const std::vector<std::pair<double, double>> expected{{0.69e6, 0.91999923e6}, {1.03e6, 1.37333162e6}, {1.91e6, 2.54666079e6}, {10.03e6, 13.37317133e6}};
+    for (const auto& [E, contact_modulus] : expected) EXPECT_NEAR(contact::contact_modulus({E, 0.5}, {1100e9, 0.06}), contact_modulus, 0.005) << E;
+}
+
+TEST(PublishedTables, TrueAreaRatios) {
+    const std::map<std::string, double> expected{{"PUNCD", 1.07125}, {"UNCD", 1.68822}, {"NCD", 1.47496}, {"MCD", 1.42306}};
+    for (const auto& [surface, ratio] : expected) EXPECT_NEAR(published().surface(surface).area_ratio(), ratio, 5e-6) << surface;
+}
+
+TEST(PublishedTables, SurfacesKeepTheirThreeMoments) {
+    for (const auto& surface : published().surfaces) {
+        const auto& moments = *published().study.surface(surface.name)->moments;
+        EXPECT_NEAR(surface.parameters.rms_height / moments.rms_height.value, 1.0, 1e-6);
+        EXPECT_NEAR(surface.parameters.rms_slope / moments.rms_slope.value, 1.0, 1e-9);
+        EXPECT_NEAR(surface.parameters.rms_curvature / moments.rms_curvature.value, 1.0, 1e-9);
+    }
+}
+
+TEST(PublishedTables, ReconstructionWithThePapersCutoff) {
+    expect_reconstructions(published(), 1.6e10, {{"PUNCD", 0.883, 0.287, 0.177}, {"UNCD", 0.977, 0.282, 4.16}, {"NCD", 0.879, 3.76, 9.57}, {"MCD", 0.896, 3.81, 9.97}}, 5.1e-3);
+    EXPECT_NEAR(1e9 * published().surface("PUNCD").parameters.elastic_energy_per_modulus, 0.177, 5e-4);
+}
+
+TEST(PublishedTables, ReconstructionWithFourAngstrom) {
+    const double wavevector = 2.0 * pi / 4e-10;
+    const auto result = published_with_short_wavevector(wavevector);
+    expect_reconstructions(result, wavevector, {{"PUNCD", 0.874, 0.0, 0.173}, {"UNCD", 0.971, 0.0, 4.10}, {"NCD", 0.872, 0.0, 9.24}, {"MCD", 0.890, 0.0, 9.66}}, 5.1e-3);
+    EXPECT_NEAR(1e3 * result.modified->work_of_adhesion, 36.9, 0.05);
+    EXPECT_NEAR(result.modified->r_squared, 0.503, 5e-4);
+    EXPECT_NEAR(1e3 * result.persson_tosatti->work_of_adhesion, 25.6, 0.05);
+}
+
+TEST(PublishedTables, FitOfTheModifiedBalance) {
+    const auto& fit = *published().modified;
+    EXPECT_NEAR(1e3 * fit.work_of_adhesion, 37.1, 0.05);
+    EXPECT_NEAR(fit.r_squared, 0.51, 5e-3);
+    EXPECT_EQ(fit.degrees_of_freedom, 15);
+    EXPECT_NEAR(fit.weighted->chi_squared, 680.0, 1.0);
+    ASSERT_TRUE(fit.interval);
+    EXPECT_LT(fit.interval->lower, 0.037);
+    EXPECT_GT(fit.interval->upper, 0.037);
+}
+
+TEST(PublishedTables, FitOfPerssonTosatti) { EXPECT_NEAR(1e3 * published().persson_tosatti->work_of_adhesion, 25.75, 5e-3); }
+
+TEST(PublishedTables, NoSpectrumCanDoBetterThanFreeEnergies) {
+    EXPECT_NEAR(1e3 * published().free_energies->work_of_adhesion, 37.67, 5e-3);
+    EXPECT_NEAR(published().free_energies->r_squared, 0.733, 5e-4);
+}
+
+TEST(PublishedTables, TheReconstructionFloorsThreePairsAtTenMegapascal) {
+    int floored = 0;
+    for (const auto& pair : published().pairs)
+        if (!pair.modified->work.conforms) {
+            EXPECT_EQ(pair.elastomer, "E10");
+            EXPECT_NE(pair.surface, "PUNCD");
+            ++floored;
+        }
+    EXPECT_EQ(floored, 3);
+}
+
+TEST(PublishedTables, LossOfTheSmoothSphere) {
+    const std::map<std::string, double> expected{{"E0.7", 0.46}, {"E1.0", 0.31}, {"E1.9", 0.23}, {"E10", 0.12}};
+    ASSERT_EQ(published().references.size(), 4u);
+    for (const auto& reference : published().references) EXPECT_NEAR(1e9 * *reference.ideal_loss, expected.at(reference.elastomer), 5e-3) << reference.elastomer;
+}
+
+TEST(PublishedTables, LoopFitIsNullWithAReason) {
+    const auto json = workflow::to_json(published());
+    EXPECT_TRUE(json["fits"]["loop"].is_null());
+    EXPECT_FALSE(json["fits"]["loop_reason"].get<std::string>().empty());
+    EXPECT_NEAR(json["fits"]["modified"]["work_of_adhesion"]["value"].get<double>(), 0.0371, 5e-5);
+    EXPECT_EQ(json["fits"]["modified"]["work_of_adhesion"]["unit"], "J/m2");
+    EXPECT_EQ(json["pairs"].size(), 16u);
+}
+
+TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
+    // THEORY §2: U_el 1.3·10⁻⁵, h_rms 0.04 %, which is MCD reconstructed up to 2π/4 Å (up to 1.6·10¹⁰: 1.15·10⁻⁵, 0.034 %)
+    const auto whole = published_with_short_wavevector(2.0 * pi / 4e-10);
+    auto study = whole.study;
+    study.analysis.limits.longest = 100e-6;
+    const auto cut = workflow::run_study(study);
+    const auto &all = whole.surface("MCD").parameters, &rest = cut.surface("MCD").parameters;
+    EXPECT_NEAR(1.0 - rest.elastic_energy_per_modulus / all.elastic_energy_per_modulus, 1.3e-5, 5e-7);
+    EXPECT_NEAR(1.0 - rest.rms_height / all.rms_height, 4e-4, 5e-5);
+}
+
+TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
+    const auto study = workflow::read_study("examples/nanodiamond/published.toml");
+    EXPECT_EQ(workflow::to_json(workflow::run_study(study, {1})).dump(), workflow::to_json(workflow::run_study(study, {3})).dump());
+}
+
+TEST(LaterNcdModel, HasItsPublishedMoments) {
+    const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
+    EXPECT_NEAR(1e9 * spectra::rms_height(model), 93.9, 0.05);
+    EXPECT_NEAR(spectra::rms_slope(model), 0.7465, 5e-5);
+    EXPECT_NEAR(1e-6 * spectra::rms_curvature(model), 15.19, 5e-3);
+    EXPECT_NEAR(spectra::moment(model, 1.0) / (2.0 * pi), 4.374e-8, 5e-12);
+}
+
+}  // namespace
+}  // namespace setae
