@@ -48,7 +48,8 @@ TEST(FitCircle, CoversTheTruthWithItsStandardError) {
     constexpr int seeds = 200;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
-        const Circle circle = fit_circle(tests::with_noise(points.x, 2e-6, generator), tests::with_noise(points.y, 2e-6, generator));
+        const Array1D x = tests::with_noise(points.x, 2e-6, generator);
+        const Circle circle = fit_circle(x, tests::with_noise(points.y, 2e-6, generator));
         covered += std::abs(circle.radius.value - 1.25e-3) < 2.0 * circle.radius.standard_error;
     }
     // 95 % ± 3 binomial standard deviations

@@ -85,11 +85,13 @@ TEST(LoopEnergy, OfAReversiblePartialReleaseIsZero) {
     SyntheticLoop shape{.samples = 400};
     const Loop whole = shape.make();
     tests::detail::Series series;
-    for (Index i = 0; i < 802; ++i) series.add(whole.force[i], whole.displacement[i], whole.contact_radius[i]);
+    const auto keep = [&](Index i) { series.add(whole.force[i], whole.displacement[i], whole.contact_radius[i]); };
+    for (Index i = 0; i < 802; ++i) keep(i);
     tests::detail::add_branch(series, shape.approach, shape.largest_radius, 0.8 * shape.largest_radius, 100, false);
     tests::detail::add_branch(series, shape.approach, 0.8 * shape.largest_radius, 1.1 * shape.largest_radius, 150, false);
-    for (Index i = 802; i < whole.force.size(); ++i) series.add(whole.force[i], whole.displacement[i], whole.contact_radius[i]);
-    const Loop loop{.force = tests::detail::Series::array(series.force), .displacement = tests::detail::Series::array(series.displacement)};
+    for (Index i = 802; i < whole.force.size(); ++i) keep(i);
+    const Loop loop{.force = tests::detail::Series::array(series.force),
+                    .displacement = tests::detail::Series::array(series.displacement)};
     const Segments segments = find_segments(loop);
     ASSERT_EQ(segments.cycles.size(), 2u);
     const auto energy = partial_loop_energy(loop, segments, 0);

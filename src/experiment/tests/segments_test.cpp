@@ -14,6 +14,8 @@
 namespace setae::experiment {
 namespace {
 
+using tests::from;
+using tests::piece;
 using tests::SyntheticLoop;
 using tests::with_noise;
 
@@ -26,10 +28,6 @@ Loop joined(const Loop& first, const Loop& second) {
     return {.force = both(first.force, second.force),
             .displacement = both(first.displacement, second.displacement),
             .contact_radius = both(first.contact_radius, second.contact_radius)};
-}
-
-Loop head(const Loop& loop, Index n) {
-    return {.force = loop.force.head(n), .displacement = loop.displacement.head(n), .contact_radius = loop.contact_radius.head(n)};
 }
 
 Loop without_radius(Loop loop) {
@@ -84,14 +82,12 @@ TEST(Segments, MeasureTheNoiseOfFreeFlight) {
 
 TEST(Segments, FindAHold) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
-    Loop held = head(loop, 802);
+    Loop held = piece(loop, 0, 802);
     Loop pause;
     pause.force = Array1D::Constant(100, held.force[801]);
     pause.displacement = Array1D::Constant(100, held.displacement[801]);
     pause.contact_radius = Array1D::Constant(100, held.contact_radius[801]);
-    const Index rest = loop.force.size() - 802;
-    const Loop back{.force = loop.force.tail(rest), .displacement = loop.displacement.tail(rest), .contact_radius = loop.contact_radius.tail(rest)};
-    const Segments segments = find_segments(joined(joined(held, pause), back));
+    const Segments segments = find_segments(joined(joined(held, pause), from(loop, 802)));
     ASSERT_TRUE(segments.contacts[0].hold.has_value());
     EXPECT_LE(segments.contacts[0].hold->first, 801);
     EXPECT_GE(segments.contacts[0].hold->last, 901);
@@ -107,9 +103,7 @@ TEST(Segments, CountPartialReleasesAsCycles) {
     const Loop partial{.force = tests::detail::Series::array(middle.force),
                        .displacement = tests::detail::Series::array(middle.displacement),
                        .contact_radius = tests::detail::Series::array(middle.radius)};
-    const Index rest = whole.force.size() - 802;
-    const Loop back{.force = whole.force.tail(rest), .displacement = whole.displacement.tail(rest), .contact_radius = whole.contact_radius.tail(rest)};
-    const Segments segments = find_segments(without_radius(joined(joined(head(whole, 802), partial), back)));
+    const Segments segments = find_segments(without_radius(joined(joined(piece(whole, 0, 802), partial), from(whole, 802))));
     ASSERT_EQ(segments.contacts.size(), 1u);
     ASSERT_EQ(segments.cycles.size(), 2u);
     EXPECT_FALSE(segments.cycles[0].ends_in_pull_off);
@@ -137,7 +131,7 @@ TEST(Segments, SeparateTouches) {
 }
 
 TEST(Segments, KnowARecordWithoutRetraction) {
-    const Segments segments = find_segments(without_radius(head(SyntheticLoop{.samples = 400}.make(), 802)));
+    const Segments segments = find_segments(without_radius(piece(SyntheticLoop{.samples = 400}.make(), 0, 802)));
     EXPECT_FALSE(segments.contacts[0].unloading.has_value());
     EXPECT_FALSE(segments.after.has_value());
     EXPECT_TRUE(segments.cycles.empty());
@@ -145,8 +139,7 @@ TEST(Segments, KnowARecordWithoutRetraction) {
 
 TEST(Segments, TakeTheZeroAsGivenWhereAllSamplesAreInContact) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
-    const Loop inside{.force = loop.force.segment(401, 801), .displacement = loop.displacement.segment(401, 801), .contact_radius = loop.contact_radius.segment(401, 801)};
-    const Segments segments = find_segments(inside);
+    const Segments segments = find_segments(piece(loop, 401, 801));
     EXPECT_FALSE(segments.before.range.has_value());
     EXPECT_EQ(segments.contacts[0].loading.first, 0);
 }
@@ -183,9 +176,7 @@ TEST(Segments, RefuseASensorThatMovesAlone) {
 
 TEST(Segments, RefuseAStartInContact) {
     const Loop loop = without_radius(SyntheticLoop{.samples = 400}.make());
-    const Index n = loop.force.size() - 500;
-    const Loop late{.force = loop.force.tail(n), .displacement = loop.displacement.tail(n)};
-    EXPECT_NE(refusal<UndefinedDataError>(late, {.baseline_share = 0.2}).find("no free flight"), std::string::npos);
+    EXPECT_NE(refusal<UndefinedDataError>(from(loop, 500), {.baseline_share = 0.2}).find("no free flight"), std::string::npos);
 }
 
 TEST(Segments, RefuseARadiusThatIsNeverPositive) {
@@ -201,8 +192,9 @@ TEST(Segments, RefuseImpossibleSeries) {
     loop = SyntheticLoop{}.make();
     loop.force[17] = undefined;
     EXPECT_NE(refusal<InvalidArgument>(loop).find("sample 17"), std::string::npos);
-    EXPECT_NE(refusal<InvalidArgument>({.force = Array1D::Zero(3), .displacement = Array1D::Zero(3)}).find("at least"), std::string::npos);
-    EXPECT_NE(refusal<InvalidArgument>({.force = Array1D::Zero(100)}).find("displacement or contact radius"), std::string::npos);
+    EXPECT_NE(refusal<InvalidArgument>(piece(SyntheticLoop{}.make(), 0, 3)).find("at least"), std::string::npos);
+    const std::string missing = refusal<InvalidArgument>({.force = Array1D::Zero(100)});
+    EXPECT_NE(missing.find("displacement or contact radius"), std::string::npos);
 }
 
 TEST(LoopFromTable, TakesTheCanonicalColumns) {

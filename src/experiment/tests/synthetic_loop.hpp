@@ -60,7 +60,8 @@ inline void add_branch(Series& series, const contact::jkr::Contact& lens, double
     for (int i = 0; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
         double a = from + share * (to - from);
-        if (even_in_displacement && i > 0 && i < steps) a = contact_radius_at_displacement(d_from + share * (d_to - d_from), lens);
+        if (even_in_displacement && i > 0 && i < steps)
+            a = contact_radius_at_displacement(d_from + share * (d_to - d_from), lens);
         series.add(force(a, lens), displacement(a, lens), a);
     }
 }
@@ -99,6 +100,19 @@ inline Loop SyntheticLoop::make() const {
 inline LensAndCounterBody rubber_on_diamond(double radius = 1.25e-3) {
     return {.radius = radius, .counter_youngs_modulus = 1100e9, .counter_poisson_ratio = 0.06};
 }
+
+/// So many samples of every series, from the first given.
+inline Loop piece(const Loop& loop, Index first, Index count) {
+    const auto part = [&](const Array1D& series) -> Array1D {
+        return series.size() == 0 ? series : Array1D(series.segment(first, count));
+    };
+    return {.time = part(loop.time),
+            .force = part(loop.force),
+            .displacement = part(loop.displacement),
+            .contact_radius = part(loop.contact_radius)};
+}
+
+inline Loop from(const Loop& loop, Index first) { return piece(loop, first, loop.force.size() - first); }
 
 /// The series with independent normal noise of standard deviation sigma.
 inline Array1D with_noise(const Array1D& series, double sigma, std::mt19937_64& generator) {

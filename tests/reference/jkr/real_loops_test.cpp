@@ -33,7 +33,8 @@ LoopAnalysis analysed(const std::filesystem::path& path) {
 }
 
 bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
-    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(),
+                       [&](const Alert& alert) { return alert.code == code; });
 }
 
 struct Expected {
@@ -139,7 +140,8 @@ TEST(RealLoops, RefuseADriftWithoutContact) {
     EXPECT_THROW((void)read_loop(path), FormatError);
     // its columns named by position, the stage at rest
     const std::filesystem::path by_position = std::filesystem::path(testing::TempDir()) / "drift.toml";
-    std::ofstream(by_position) << "[file]\nencoding = \"latin-1\"\nseparator = \"tab\"\ndecimal = \"comma\"\nheader_end = \"eoh\"\n"
+    std::ofstream(by_position) << "[file]\nencoding = \"latin-1\"\nseparator = \"tab\"\ndecimal = \"comma\"\n"
+                                  "header_end = \"eoh\"\n"
                                   "[constants]\nspring_constant = \"3.01 N/m\"\n"
                                   "[columns.mems]\nposition = 1\nunit = \"nm\"\n"
                                   "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"-mems\"\n";
