@@ -11,14 +11,19 @@
 namespace setae::fourier {
 namespace {
 
-/// Room for lines of n values, each on 16 bytes.
-constexpr Index padded(Index n) { return n + n % 2; }
+/// From line to line of a block: on a cache line of `Value` each, but never a power of two apart, or the lines of a block
+/// would fight for the same few places of the cache.
+template <class Value>
+constexpr Index padded(Index n) {
+    constexpr Index line = 64 / static_cast<Index>(sizeof(Value));
+    return (n + line - 1) / line * line + line;
+}
 
 std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 SpectrumBlock block_of(Index index, Index lines, Index modes, const Complex* values) {
     const Index first = index * lines_per_block;
-    return {index, first, std::min(lines_per_block, lines - first), modes, values};
+    return {index, first, std::min(lines_per_block, lines - first), modes, padded<Complex>(modes), values};
 }
 
 void require_shape(Index nx, Index ny) {
@@ -29,14 +34,14 @@ void require_shape(Index nx, Index ny) {
 
 void transform_lines(const ArrayView2D& map, const std::function<void(Index, double*)>& prepare,
                      const BlockConsumer& consume, parallel::Threads threads) {
-    const Index nx = map.rows(), ny = map.cols(), stride = padded(nx);
+    const Index nx = map.rows(), ny = map.cols(), stride = padded<double>(nx);
     require_shape(nx, ny);
     const RealTransform transform(nx);
     parallel::for_each_index(extent(block_count(ny)), threads, [&](std::size_t index) {
         thread_local Buffer<double> lines;
         thread_local Buffer<Complex> spectra;
         lines.resize(extent(lines_per_block * stride));
-        spectra.resize(extent(lines_per_block * transform.modes()));
+        spectra.resize(extent(lines_per_block * padded<Complex>(transform.modes())));
         const auto block = block_of(static_cast<Index>(index), ny, transform.modes(), spectra.data());
         for (Index i = 0; i < nx; ++i) {
             const double* row = map.data() + i * map.outerStride() + block.first;
@@ -45,7 +50,7 @@ void transform_lines(const ArrayView2D& map, const std::function<void(Index, dou
         for (Index j = 0; j < block.lines; ++j) {
             double* line = lines.data() + j * stride;
             prepare(block.first + j, line);
-            transform.forward(line, spectra.data() + j * transform.modes());
+            transform.forward(line, spectra.data() + j * block.stride);
         }
         consume(block);
     });
@@ -70,13 +75,13 @@ void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>
     });
     parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t index) {
         thread_local Buffer<Complex> lines;
-        lines.resize(extent(lines_per_block * nx));
+        lines.resize(extent(lines_per_block * padded<Complex>(nx)));
         const auto block = block_of(static_cast<Index>(index), modes, nx, lines.data());
         for (Index i = 0; i < nx; ++i) {
             const Complex* row = half.data() + i * modes + block.first;
-            for (Index m = 0; m < block.lines; ++m) lines[extent(m * nx + i)] = row[m];
+            for (Index m = 0; m < block.lines; ++m) lines[extent(m * block.stride + i)] = row[m];
         }
-        for (Index m = 0; m < block.lines; ++m) along_x.apply(lines.data() + m * nx);
+        for (Index m = 0; m < block.lines; ++m) along_x.apply(lines.data() + m * block.stride);
         consume(block);
     });
 }

@@ -140,10 +140,14 @@ private:
     static Buffer<Complex> transformed_grid(const std::vector<Complex>& grid, Index coarse, Index fine) {
         const auto& kernel = SpreadingKernel::instance();
         Buffer<Complex> spectrum(static_cast<std::size_t>(fine), Complex{});
-        for (Index l = -coarse / 2; l < coarse / 2; ++l)
-            spectrum[static_cast<std::size_t>(l < 0 ? l + fine : l)] =
-                grid[static_cast<std::size_t>(l + coarse / 2)] /
-                kernel.transform(2.0 * pi * static_cast<double>(l) / static_cast<double>(fine));
+        // the kernel's transform is even, so that l and −l share it; l = −coarse/2 lies beyond what was spread to
+        const auto entry = [&](Index l) { return grid[static_cast<std::size_t>(l + coarse / 2)]; };
+        spectrum[0] = entry(0) / kernel.transform(0.0);
+        for (Index l = 1; l < coarse / 2; ++l) {
+            const double inverse = 1.0 / kernel.transform(2.0 * pi * static_cast<double>(l) / static_cast<double>(fine));
+            spectrum[static_cast<std::size_t>(l)] = entry(l) * inverse;
+            spectrum[static_cast<std::size_t>(fine - l)] = entry(-l) * inverse;
+        }
         ComplexTransform(fine).apply(spectrum.data());
         return spectrum;
     }

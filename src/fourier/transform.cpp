@@ -18,7 +18,21 @@ std::mutex& planner_mutex() {
     return mutex;
 }
 
-/// The planner only looks at alignment, never writes with FFTW_ESTIMATE, whose plans do not depend on timing.
+/// Aligned memory for the planner, which with FFTW_ESTIMATE looks at addresses only: never touched, so it costs nothing.
+template <class T>
+class Room {
+public:
+    explicit Room(Index n) : size_(static_cast<std::size_t>(n)), memory_(CacheLineAllocator<T>{}.allocate(size_)) {}
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+    ~Room() { CacheLineAllocator<T>{}.deallocate(memory_, size_); }
+    [[nodiscard]] T* data() const { return memory_; }
+
+private:
+    std::size_t size_;
+    T* memory_;
+};
+
 fftw_complex* as_fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
 
 void require_points(Index n) {
@@ -43,15 +57,15 @@ struct PlanHandle {
 };
 
 fftw_plan plan_real(Index n) {
-    Buffer<double> in(static_cast<std::size_t>(n));
-    Buffer<Complex> out(static_cast<std::size_t>(n / 2 + 1));
+    const Room<double> in(n);
+    const Room<Complex> out(n / 2 + 1);
     const std::lock_guard lock(planner_mutex());
     return checked(fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(out.data()),
                                         FFTW_ESTIMATE | FFTW_PRESERVE_INPUT), n);
 }
 
 fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
-    Buffer<Complex> values(static_cast<std::size_t>(n));
+    const Room<Complex> values(n);
     const int direction = sign == ComplexTransform::Sign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
     const std::lock_guard lock(planner_mutex());
     return checked(fftw_plan_dft_1d(static_cast<int>(n), as_fftw(values.data()), as_fftw(values.data()), direction,

@@ -114,14 +114,22 @@ double standard_error(const BinnedSpectra& binned, Index bin, Weighting weightin
     return std::sqrt(n / (n - 1.0) * sum) / weights.sum();
 }
 
-void add_gap_alerts(CombinedSpectrum& spectrum) {
+/// Whether one measurement has values on both sides: then an empty bin is only finer than the spacing of its modes.
+bool spanned(const BinnedSpectra& binned, double below, double above) {
+    for (Index i = 0; i < binned.C1D.rows(); ++i) {
+        const auto has_value = !binned.C1D.row(i).transpose().isNaN();
+        if ((has_value && binned.wavevector <= below).any() && (has_value && binned.wavevector >= above).any()) return true;
+    }
+    return false;
+}
+
+void add_gap_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     const double widest = std::pow(10.0, 1.5 / spectrum.grid.bins_per_decade);
     for (Index b = 1; b < spectrum.wavevector.size(); ++b) {
         const double below = spectrum.wavevector[b - 1], above = spectrum.wavevector[b];
-        if (above < widest * below) continue;
+        if (above < widest * below || spanned(binned, below, above)) continue;
         spectrum.alerts.push_back({"COVERAGE_GAP", "combined spectrum",
-                                   fmt::format("no measurement between {:.3g} and {:.3g} 1/m ({:.2g} decades)", below, above,
-                                               std::log10(above / below)),
+                                   fmt::format("no measurement between {:.3g} and {:.3g} 1/m (a factor {:.2g})", below, above, above / below),
                                    "measure these wavelengths; integrals bridge the gap by a power law"});
     }
 }
@@ -232,7 +240,7 @@ CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
     }
     result.q_min = spectra.grid.edge(spectra.first_bin + filled.front());
     result.q_max = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
-    add_gap_alerts(result);
+    add_gap_alerts(spectra, result);
     add_single_instrument_alerts(result);
     add_disagreement_alerts(spectra, result);
     return result;

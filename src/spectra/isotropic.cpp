@@ -161,7 +161,7 @@ IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, con
     std::vector<BinSums> shares(static_cast<std::size_t>(fourier::block_count(map.heights.cols() / 2 + 1)), BinSums(bins.size()));
     transform(map, window, options, [&](const fourier::SpectrumBlock& block) {
         auto& share = shares[static_cast<std::size_t>(block.index)];
-        for (Index m = 0; m < block.lines; ++m) bins.add_line(block.first + m, block.values + m * block.modes, share);
+        for (Index m = 0; m < block.lines; ++m) bins.add_line(block.first + m, block.line(m), share);
     });
     BinSums sums(bins.size());
     for (const auto& share : shares) sums.add(share);
@@ -190,7 +190,7 @@ Array2D power_spectrum_map(const topography::HeightMap& map, const SpectrumOptio
         for (Index k = 0; k < nx; ++k)
             for (Index line = 0; line < block.lines; ++line) {
                 const Index m = block.first + line;
-                const double value = std::norm(block.values[line * nx + k]) * factor;
+                const double value = std::norm(block.line(line)[k]) * factor;
                 spectrum(k, m) = value;
                 spectrum((nx - k) % nx, (ny - m) % ny) = value;
             }

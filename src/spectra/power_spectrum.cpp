@@ -21,8 +21,8 @@ Array1D modes(Index count, double length) {
     return Array1D::LinSpaced(count, 1.0, static_cast<double>(count)) * (2.0 * pi / length);
 }
 
-PowerSpectrum1D empty_spectrum(const topography::Measurement& measurement, double length, Window window,
-                               const SpectrumOptions& options) {
+template <class Kind>
+PowerSpectrum1D empty_spectrum(const Kind& measurement, double length, Window window, const SpectrumOptions& options) {
     PowerSpectrum1D spectrum;
     const auto reliable = reliable_band(measurement, options.reliability, options.threads);
     spectrum.q_min = reliable.band.lower;
@@ -30,7 +30,7 @@ PowerSpectrum1D empty_spectrum(const topography::Measurement& measurement, doubl
     spectrum.alerts = reliable.alerts;
     spectrum.length = length;
     spectrum.window = name(window);
-    spectrum.metadata = topography::metadata(measurement);
+    spectrum.metadata = measurement.metadata;
     return spectrum;
 }
 
@@ -52,12 +52,12 @@ LineSums sum_over_lines(const ArrayView2D& heights, const Array1D& window, bool 
         line = (line - (remove_mean ? mean : 0.0)) * window;
     };
     const auto consume = [&](const fourier::SpectrumBlock& block) {
-        auto power_row = power.row(block.index);
-        auto squares_row = squares.row(block.index);
-        power_row.setZero();
-        squares_row.setZero();
+        double* power_row = power.row(block.index).data();
+        double* squares_row = squares.row(block.index).data();
+        std::fill_n(power_row, modes, 0.0);
+        std::fill_n(squares_row, modes, 0.0);
         for (Index m = 0; m < block.lines; ++m) {
-            const fourier::Complex* line = block.values + m * modes;
+            const fourier::Complex* line = block.line(m);
             for (Index k = 0; k < modes; ++k) {
                 const double value = line[k].real() * line[k].real() + line[k].imag() * line[k].imag();
                 power_row[k] += value;

@@ -93,10 +93,9 @@ struct Sampling {
     double size;
 };
 
-Sampling sampling(const topography::Measurement& measurement) {
-    if (const auto* map = std::get_if<HeightMap>(&measurement)) return {map->pixel_size()[0], map->size[0]};
-    if (const auto* scan = std::get_if<LineScan>(&measurement)) return {scan->pixel_size(), scan->size};
-    const auto& profile = std::get<Profile>(measurement);
+Sampling sampling(const HeightMap& map) { return {map.pixel_size()[0], map.size[0]}; }
+Sampling sampling(const LineScan& scan) { return {scan.pixel_size(), scan.size}; }
+Sampling sampling(const Profile& profile) {
     return {profile.size() / static_cast<double>(profile.positions.size() - 1), profile.size()};
 }
 
@@ -118,20 +117,18 @@ void check(const ReliabilityOptions& options) {
     if (options.first_mode < 1) throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
 }
 
-}  // namespace
-
-TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
-                     std::optional<double> tip_radius_standard_error, const ReliabilityOptions& options,
-                     parallel::Threads threads) {
+template <class Kind>
+TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<double> standard_error,
+                    const ReliabilityOptions& options, parallel::Threads threads) {
     check(options);
     if (!(tip_radius > 0.0) || !std::isfinite(tip_radius))
         throw InvalidArgument(fmt::format("tip radius {} m; expected a positive length", tip_radius));
-    const auto all = std::visit([&](const auto& m) { return directions(m, options, threads); }, measurement);
+    const auto all = directions(measurement, options, threads);
     auto result = worst(all, tip_radius);
     result.percentile = options.percentile;
-    if (tip_radius_standard_error) {
+    if (standard_error) {
         constexpr double two_sided_95 = 1.959963984540054;
-        const double reach = two_sided_95 * *tip_radius_standard_error;
+        const double reach = two_sided_95 * *standard_error;
         // a radius below a hundredth of the nominal one is no tip: the normal approximation ends there
         const double sharp = worst(all, std::max(tip_radius - reach, 0.01 * tip_radius)).value;
         result.interval = Interval{sharp, worst(all, tip_radius + reach).value, 0.95};
@@ -139,15 +136,15 @@ TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radi
     return result;
 }
 
-ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options, parallel::Threads threads) {
+template <class Kind>
+ReliableBand band_of(const Kind& measurement, const ReliabilityOptions& options, parallel::Threads threads) {
     check(options);
     const auto [step, size] = sampling(measurement);
     const double nyquist = pi / step;
     ReliableBand result;
     result.band = {2.0 * pi * options.first_mode / size, options.nyquist_fraction * nyquist};
     result.upper_limit = "sampling";
-    const auto& metadata = topography::metadata(measurement);
-    const auto& instrument = metadata.instrument;
+    const auto& instrument = measurement.metadata.instrument;
     const auto limit = [&](double wavelength, const char* cause) {
         if (!(2.0 * pi / wavelength < result.band.upper)) return false;
         result.band.upper = 2.0 * pi / wavelength;
@@ -156,11 +153,51 @@ ReliableBand reliable_band(const topography::Measurement& measurement, const Rel
     };
     if (instrument.resolution && *instrument.resolution > 0.0) limit(*instrument.resolution, "resolution");
     if (instrument.tip_radius) {
-        result.tip = tip_cutoff(measurement, *instrument.tip_radius, instrument.tip_radius_standard_error, options, threads);
+        result.tip = cutoff_of(measurement, *instrument.tip_radius, instrument.tip_radius_standard_error, options, threads);
         if (result.tip->value > 0.0 && limit(result.tip->value, "tip radius"))
-            result.alerts.push_back(tip_alert(metadata, *instrument.tip_radius, *result.tip, result.band, nyquist));
+            result.alerts.push_back(tip_alert(measurement.metadata, *instrument.tip_radius, *result.tip, result.band, nyquist));
     }
     return result;
+}
+
+}  // namespace
+
+TipCutoff tip_cutoff(const HeightMap& map, double tip_radius, std::optional<double> tip_radius_standard_error,
+                     const ReliabilityOptions& options, parallel::Threads threads) {
+    return cutoff_of(map, tip_radius, tip_radius_standard_error, options, threads);
+}
+
+TipCutoff tip_cutoff(const LineScan& scan, double tip_radius, std::optional<double> tip_radius_standard_error,
+                     const ReliabilityOptions& options, parallel::Threads threads) {
+    return cutoff_of(scan, tip_radius, tip_radius_standard_error, options, threads);
+}
+
+TipCutoff tip_cutoff(const Profile& profile, double tip_radius, std::optional<double> tip_radius_standard_error,
+                     const ReliabilityOptions& options, parallel::Threads threads) {
+    return cutoff_of(profile, tip_radius, tip_radius_standard_error, options, threads);
+}
+
+TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
+                     std::optional<double> tip_radius_standard_error, const ReliabilityOptions& options,
+                     parallel::Threads threads) {
+    return std::visit([&](const auto& m) { return cutoff_of(m, tip_radius, tip_radius_standard_error, options, threads); },
+                      measurement);
+}
+
+ReliableBand reliable_band(const HeightMap& map, const ReliabilityOptions& options, parallel::Threads threads) {
+    return band_of(map, options, threads);
+}
+
+ReliableBand reliable_band(const LineScan& scan, const ReliabilityOptions& options, parallel::Threads threads) {
+    return band_of(scan, options, threads);
+}
+
+ReliableBand reliable_band(const Profile& profile, const ReliabilityOptions& options, parallel::Threads threads) {
+    return band_of(profile, options, threads);
+}
+
+ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options, parallel::Threads threads) {
+    return std::visit([&](const auto& m) { return band_of(m, options, threads); }, measurement);
 }
 
 }  // namespace setae::spectra

@@ -31,7 +31,7 @@ ComplexMap collect(Index lines, Index modes, const std::function<void(const four
     ComplexMap all(lines, modes);
     run([&](const fourier::SpectrumBlock& block) {
         for (Index m = 0; m < block.lines; ++m)
-            for (Index k = 0; k < block.modes; ++k) all(block.first + m, k) = block.values[m * block.modes + k];
+            for (Index k = 0; k < block.modes; ++k) all(block.first + m, k) = block.line(m)[k];
     });
     return all;
 }
@@ -95,7 +95,7 @@ TEST(MapTransform, SeesWhatPrepareMakesOfALine) {
         map, [](Index j, double* line) { std::fill_n(line, 12, static_cast<double>(j)); },
         [](const fourier::SpectrumBlock& block) {
             for (Index m = 0; m < block.lines; ++m)
-                EXPECT_EQ(block.values[m * block.modes], Complex(12.0 * static_cast<double>(block.first + m), 0.0));
+                EXPECT_EQ(block.line(m)[0], Complex(12.0 * static_cast<double>(block.first + m), 0.0));
         },
         {1});
 }

@@ -9,13 +9,16 @@
 
 namespace setae::fourier {
 
-/// Some lines of a spectrum: line m, mode k is values[m · modes + k]; m = 0 stands for line `first`.
+/// Some lines of a spectrum: line(m)[k] is mode k of line first + m.
 struct SpectrumBlock {
     Index index = 0;  ///< of the block: 0 … block_count − 1, the place for its share of a reduction
     Index first = 0;
     Index lines = 0;
     Index modes = 0;
+    Index stride = 0;  ///< from line to line
     const Complex* values = nullptr;
+
+    [[nodiscard]] const Complex* line(Index m) const { return values + m * stride; }
 };
 
 /// Called once a block, from any thread; the values live until it returns.

@@ -48,6 +48,15 @@ struct TipCutoff {
 /// Root to 1e-8; the result scales with the unit of length.
 /// @throws InvalidArgument for R <= 0 or p outside 0 … 0.5, or a re-entrant profile.
 /// Source: 10.1016/j.apsadv.2021.100190; [G18].
+[[nodiscard]] TipCutoff tip_cutoff(const topography::HeightMap& map, double tip_radius,
+                                   std::optional<double> tip_radius_standard_error = {},
+                                   const ReliabilityOptions& options = {}, parallel::Threads threads = {});
+[[nodiscard]] TipCutoff tip_cutoff(const topography::LineScan& scan, double tip_radius,
+                                   std::optional<double> tip_radius_standard_error = {},
+                                   const ReliabilityOptions& options = {}, parallel::Threads threads = {});
+[[nodiscard]] TipCutoff tip_cutoff(const topography::Profile& profile, double tip_radius,
+                                   std::optional<double> tip_radius_standard_error = {},
+                                   const ReliabilityOptions& options = {}, parallel::Threads threads = {});
 [[nodiscard]] TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
                                    std::optional<double> tip_radius_standard_error = {},
                                    const ReliabilityOptions& options = {}, parallel::Threads threads = {});
@@ -62,6 +71,12 @@ struct ReliableBand {
 };
 
 /// The band of a measurement along x, from its sampling and from the tip radius and resolution in its metadata.
+[[nodiscard]] ReliableBand reliable_band(const topography::HeightMap& map, const ReliabilityOptions& options = {},
+                                         parallel::Threads threads = {});
+[[nodiscard]] ReliableBand reliable_band(const topography::LineScan& scan, const ReliabilityOptions& options = {},
+                                         parallel::Threads threads = {});
+[[nodiscard]] ReliableBand reliable_band(const topography::Profile& profile, const ReliabilityOptions& options = {},
+                                         parallel::Threads threads = {});
 [[nodiscard]] ReliableBand reliable_band(const topography::Measurement& measurement,
                                          const ReliabilityOptions& options = {}, parallel::Threads threads = {});
 
