@@ -15,23 +15,38 @@
 namespace setae::roughness {
 namespace {
 
-/// C1D = level · (q/q_left)^exponent between two wavevectors.
-struct PowerLaw {
-    double left, right, level, exponent;
+/// C = level · (q/left)^exponent between two wavevectors; or, where `mode` is not 0, the cell of the mode at that
+/// wavevector, its integrand constant at what it is there.
+struct Piece {
+    double left, right, level, exponent, mode = 0.0;
 };
 
-/// A curve as power laws that cover its band, in order.
-std::vector<PowerLaw> pieces(const SpectrumCurve& curve) {
+/// Cells of modes: each reaches half way to its neighbours, the outer ones to the ends of the band.
+std::vector<Piece> cells(const std::vector<double>& q, const std::vector<double>& c, const Band& band) {
+    std::vector<Piece> result;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        const double left = i == 0 ? band.lower : 0.5 * (q[i - 1] + q[i]);
+        const double right = i + 1 == q.size() ? band.upper : 0.5 * (q[i] + q[i + 1]);
+        const double from = std::max(left, band.lower), to = std::min(right, band.upper);
+        if (from < to) result.push_back({from, to, c[i], 0.0, q[i]});
+    }
+    return result;
+}
+
+/// A curve as pieces that cover its band, in order.
+std::vector<Piece> pieces(const SpectrumCurve& curve) {
     const auto& band = curve.band;
+    const bool modes = curve.nodes == Nodes::modes;
     std::vector<double> q, c;
     for (Index i = 0; i < curve.wavevector.size(); ++i)
-        if (std::isfinite(curve.values[i]) && curve.values[i] > 0.0) {
+        if (std::isfinite(curve.values[i]) && (modes || curve.values[i] > 0.0)) {
             q.push_back(curve.wavevector[i]);
             c.push_back(curve.values[i]);
         }
     if (q.size() < 2)
         throw UndefinedDataError(fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", q.size()));
-    std::vector<PowerLaw> result;
+    if (modes) return cells(q, c, band);
+    std::vector<Piece> result;
     for (std::size_t i = 0; i + 1 < q.size(); ++i) {
         const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
         const double left = i == 0 ? std::min(q[0], band.lower) : q[i];
@@ -43,7 +58,8 @@ std::vector<PowerLaw> pieces(const SpectrumCurve& curve) {
 }
 
 /// ∫ q^order C dq over one piece, without cancellation where order + exponent is near −1.
-double integral(const PowerLaw& piece, double order) {
+double integral(const Piece& piece, double order) {
+    if (piece.mode > 0.0) return piece.level * std::pow(piece.mode, order) * (piece.right - piece.left);
     const double s = piece.exponent + order + 1.0;
     const double log_ratio = std::log(piece.right / piece.left);
     const double growth = std::abs(s * log_ratio) < 1e-8 ? log_ratio * (1.0 + 0.5 * s * log_ratio) : std::expm1(s * log_ratio) / s;
@@ -51,8 +67,9 @@ double integral(const PowerLaw& piece, double order) {
 }
 
 /// The same weighted with 1/√(1 − (q/q_s)²): q = q_s sin t takes the singularity at q_s away.
-double weighted_integral(const PowerLaw& piece, double order, double q_s) {
+double weighted_integral(const Piece& piece, double order, double q_s) {
     const double t0 = std::asin(std::min(1.0, piece.left / q_s)), t1 = std::asin(std::min(1.0, piece.right / q_s));
+    if (piece.mode > 0.0) return piece.level * std::pow(piece.mode, order) * q_s * (t1 - t0);
     const auto integrand = [&](double t) {
         const double q = q_s * std::sin(t);
         return q_s * std::pow(q, order) * piece.level * std::pow(q / piece.left, piece.exponent);
@@ -77,7 +94,7 @@ struct Contribution {
 };
 
 /// Contributions of C1D through the exact identities.
-Contribution of_profile(const PowerLaw& piece) {
+Contribution of_profile(const Piece& piece) {
     return {integral(piece, 0.0) / pi, 2.0 * integral(piece, 2.0) / pi, 2.0 * integral(piece, 4.0) / (3.0 * pi), integral(piece, 1.0) / 8.0};
 }
 
@@ -87,7 +104,7 @@ Contribution of_isotropic(Integrate integrate) {
     return {integrate(1.0) / (2.0 * pi), integrate(3.0) / (2.0 * pi), integrate(5.0) / (8.0 * pi), integrate(2.0) / (8.0 * pi)};
 }
 
-Contribution contribution(const PowerLaw& piece, const SpectrumCurve& curve, Conversion conversion) {
+Contribution contribution(const Piece& piece, const SpectrumCurve& curve, Conversion conversion) {
     if (curve.density == Density::C_iso) return of_isotropic([&](double order) { return integral(piece, order); });
     if (conversion == Conversion::exact) return of_profile(piece);
     return of_isotropic([&](double order) { return pi * weighted_integral(piece, order - 1.0, curve.band.upper); });
@@ -110,7 +127,7 @@ Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
     Array1D values = Array1D::Constant(wavevector.size(), undefined);
     for (Index i = 0; i < wavevector.size(); ++i) {
         const double q = wavevector[i];
-        const auto piece = std::find_if(parts.begin(), parts.end(), [q](const PowerLaw& p) { return q <= p.right; });
+        const auto piece = std::find_if(parts.begin(), parts.end(), [q](const Piece& p) { return q <= p.right; });
         if (piece != parts.end() && q >= piece->left) values[i] = piece->level * std::pow(q / piece->left, piece->exponent);
     }
     return values;

@@ -9,6 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/channel.hpp"
+#include "setae/io/format.hpp"
 #include "setae/io/power_spectrum_table.hpp"
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/self_affine.hpp"
@@ -85,6 +86,14 @@ SpectrumCurve curve_of(const spectra::CombinedSpectrum& combined) {
     return {combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}};
 }
 
+/// A single measurement speaks with its own modes: no bins, so sums over them obey Parseval. The first mode stands for
+/// half a step on either side.
+SpectrumCurve curve_of(const spectra::PowerSpectrum1D& spectrum) {
+    const auto own = spectra::within_band(spectrum);
+    const double half_step = 0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
+    return {own.wavevector, own.C1D, {own.wavevector[0] - half_step, own.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
+}
+
 SpectralParameters evaluate(const SpectrumCurve& curve, const AnalysisOptions& options) {
     return roughness::spectral_parameters(roughness::limited(curve, options.limits), options.conversion);
 }
@@ -159,11 +168,14 @@ void analyse_combined(SurfaceResult& surface, const SurfaceInput& input, const A
     combination.weighting = options.weighting;
     const auto binned = spectra::binned(found, combination);
     surface.combined = spectra::combine(found, combination);
-    surface.curve = curve_of(*surface.combined);
+    surface.curve = found.size() == 1 ? curve_of(found.front()) : curve_of(*surface.combined);
     surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
     add_bootstrap(surface, binned, options, threads);
     if (!has_uncertain_tip(surface.measurements)) return;
-    const auto moved = [&](double sign) { return evaluate(curve_of(spectra::combine(with_moved_tips(input, surface.measurements, sign, options), combination)), options); };
+    const auto moved = [&](double sign) {
+        const auto spectra = with_moved_tips(input, surface.measurements, sign, options);
+        return evaluate(spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(spectra::combine(spectra, combination)), options);
+    };
     surface.spread.sources.push_back({"tip radius", moved(+1.0), moved(-1.0)});
 }
 
@@ -271,9 +283,10 @@ std::optional<Interval> ParameterSpread::interval(const Function& f) const {
 std::vector<std::function<PreparedMeasurement()>> prepared_measurements(const MeasurementInput& input) {
     const io::ReadOptions options{input.size, input.unit};
     const auto channels = io::open(input.file, options);
+    const bool container = io::detect_format(io::file_source(input.file)).identifier == "ce-container";
     std::vector<std::function<PreparedMeasurement()>> found;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        const bool wanted = input.channel ? *input.channel == i : channels[i].info.is_height && (found.empty() || channels[i].info.format == "ce-container");
+        const bool wanted = input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
         if (wanted) found.push_back([channel = channels[i], input, options] { return prepare(channel, input, options); });
     }
     if (found.empty())

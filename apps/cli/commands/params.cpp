@@ -34,12 +34,12 @@ std::vector<Quantity> real_space_quantities(const workflow::MeasurementResult& m
         q.n = static_cast<int>(r.defined);
         if (q.value == q.value) list.push_back(std::move(q));
     };
-    add(quantity("rms_height_real_space", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
+    add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
     if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
     add(quantity("arithmetic_height", map ? "Sa" : "Ra", r.arithmetic_height, "m"), "heights, unfiltered");
     if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
-    add(quantity("rms_slope_real_space", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
-    add(quantity("rms_curvature_real_space", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
+    add(quantity("rms_slope", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
+    add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
     if (m.triangulated) add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"), "triangles through the heights; [D19] (S3)");
     if (m.slopes) {
         add(quantity("slope_excess_kurtosis", "kurt - 3", UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"),
@@ -52,16 +52,19 @@ std::vector<Quantity> real_space_quantities(const workflow::MeasurementResult& m
 
 /// Spectral parameters by the conversion asked for, and by the other one.
 std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface, roughness::Conversion conversion) {
-    auto list = workflow::surface_quantities(surface, conversion);
+    const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
+        for (auto& q : quantities) q.quantity += suffix;
+        return quantities;
+    };
+    auto list = named(workflow::surface_quantities(surface, conversion), "_from_spectrum");
     if (!surface.other_conversion) return list;
     auto other = surface;
     other.parameters = *surface.other_conversion;
     other.spread = {};
     const bool exact = conversion == roughness::Conversion::exact;
-    for (auto q : workflow::surface_quantities(other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact)) {
-        q.quantity += exact ? "_eq11" : "_exact";
-        list.push_back(std::move(q));
-    }
+    const auto others = named(workflow::surface_quantities(other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
+                              exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
+    list.insert(list.end(), others.begin(), others.end());
     return list;
 }
 
@@ -88,9 +91,9 @@ ExitCode run(const Arguments& arguments) {
             json.push_back(std::move(entry));
         }
     };
-    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
     for (const auto& m : surface.measurements)
         if (!m.failed()) emit(m.file, m.name, real_space_quantities(m));
+    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));
     return code;

@@ -77,6 +77,18 @@ TEST(SpectralParameters, PassOverGaps) {
     EXPECT_THROW((void)spectral_parameters({q, c, {1e6, 1e9}}), UndefinedDataError);
 }
 
+TEST(SpectralParameters, OfModesObeyParseval) {
+    // modes q_k = k Δq with the last at the Nyquist wavevector, which counts half: (1/π) Σ g_k C_k Δq
+    const Array1D q = Array1D::LinSpaced(8, 1e6, 8e6);
+    Array1D c = Array1D::Zero(8);
+    c[2] = 3e-21;
+    c[7] = 1e-21;
+    const SpectrumCurve curve{q, c, {0.5e6, 8e6}, Density::C1D, Nodes::modes};
+    const auto p = spectral_parameters(curve);
+    EXPECT_NEAR(p.rms_height / std::sqrt((3e-21 + 0.5e-21) * 1e6 / pi), 1.0, 1e-14);
+    EXPECT_NEAR(p.rms_slope / std::sqrt(2.0 * (3e-21 * 9e12 + 0.5e-21 * 64e12) * 1e6 / pi), 1.0, 1e-14);
+}
+
 TEST(LimitedSpectrum, CutsBothEndsAndRefusesNothing) {
     const auto curve = isotropic_curve();
     const auto cut = limited(curve, {.longest = 100e-6});

@@ -14,12 +14,19 @@ enum class Density {
     C_iso,  ///< radial average of C2D over the full circle [m⁴]
 };
 
-/// A power spectral density as a curve, piecewise a power law between its nodes.
+/// What lies between the nodes of a spectrum.
+enum class Nodes {
+    power_law,  ///< a power law from node to node: averages over bins, models
+    modes,      ///< nothing: each node is a mode of one measurement and stands for its cell, so that sums obey Parseval
+};
+
+/// A power spectral density as a curve.
 struct SpectrumCurve {
     Array1D wavevector;  ///< q [1/m], increasing, > 0
-    Array1D values;      ///< [m³] or [m⁴], >= 0; nodes that are NaN or 0 are passed over
-    Band band;           ///< [1/m] what the curve stands for; the outer power laws continue to its ends
+    Array1D values;      ///< [m³] or [m⁴], >= 0; nodes that are NaN (and 0, between power laws) are passed over
+    Band band;           ///< [1/m] what the curve stands for; the outer power laws or cells continue to its ends
     Density density = Density::C1D;
+    Nodes nodes = Nodes::power_law;
 };
 
 /// Wavelengths between which integrals run; absent ends leave the curve's own band.
@@ -32,7 +39,7 @@ struct WavelengthLimits {
 /// @throws InvalidArgument where nothing is left, or longest <= shortest.
 [[nodiscard]] SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits);
 
-/// Values of the curve at wavevectors inside its band, NaN outside.
+/// Values of the curve at wavevectors inside its band, NaN outside; between modes that of the nearest.
 [[nodiscard]] Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector);
 
 /// How two-dimensional parameters follow from C1D.
