@@ -197,5 +197,11 @@ TEST(YoungsModulus, IsUndefinedBeyondTheCounterBody) {
     EXPECT_NEAR(youngs_modulus({1e5, 1e3}, rubber_on_diamond()).standard_error, 750.0, 0.01);
 }
 
+TEST(YoungsModulus, OfRubberOnARigidCounterBodyIsThreeQuartersOfTheContactModulus) {
+    const LensAndCounterBody rigid{.radius = 1.0, .counter_youngs_modulus = INFINITY};
+    EXPECT_DOUBLE_EQ(youngs_modulus({4e6, 1e5}, rigid).value, 3e6);
+    EXPECT_DOUBLE_EQ(youngs_modulus({4e6, 1e5}, rigid).standard_error, 0.75e5);
+}
+
 }  // namespace
 }  // namespace setae::experiment
