@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 
 #include "commands/verbs.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+
+namespace {
+
+/// A first word that is no verb, with the nearest one; CLI11 itself would only say that a verb is missing.
+std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return {};
+    std::vector<std::string> verbs;
+    for (const auto* verb : program.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return {};
+    const auto nearest = setae::nearest_match(argv[1], verbs);
+    return std::string("unknown verb '") + argv[1] + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " `setae --help` lists them";
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace setae::cli;
@@ -20,6 +35,10 @@ int main(int argc, char** argv) {
     add_adhesion(program, action);
     add_jkr(program, action);
     add_study(program, action);
+    if (const auto message = unknown_verb(program, argc, argv); !message.empty()) {
+        complain(message);
+        return static_cast<int>(ExitCode::nothing_done);
+    }
     try {
         program.parse(argc, argv);
         return static_cast<int>(action());

@@ -91,7 +91,9 @@ std::string required_unit(const ReadOptions& options, const Source& source) {
 
 std::vector<double> required_size(const ReadOptions& options, std::size_t dimensions, const Source& source) {
     const auto example = dimensions == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\"";
-    if (!options.size) throw InvalidArgument(fmt::format("{}: the file states no size; give it, as in {}", source.name, example));
+    if (!options.size)
+        throw InvalidArgument(options.unit ? fmt::format("{}: the file states no size; give it, as in {}", source.name, example)
+                                           : fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name, example));
     if (options.size->size() != dimensions)
         throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name,
                                           options.size->size(), dimensions, example));

@@ -162,9 +162,9 @@ std::vector<Channel> open_npy(const Source& source, const ReadOptions& options) 
     ChannelInfo info;
     info.format = "npy";
     info.shape = header.shape;
+    info.size = required_size(options, header.shape.size(), source);
     const auto unit = length_unit(required_unit(options, source), source);
     info.unit = unit.name;
-    info.size = required_size(options, header.shape.size(), source);
     info.metadata.file = source.name;
     info.metadata.format = "npy";
     info.metadata.unit = info.unit;

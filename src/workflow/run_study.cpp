@@ -8,8 +8,7 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/experiment/rubber.hpp"
-#include "setae/io/mapping.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/workflow/loop_file.hpp"
 #include "setae/workflow/study_result.hpp"
 #include "statistics.hpp"
 
@@ -29,8 +28,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
         bodies.counter_youngs_modulus = study.counter_youngs_modulus;
         bodies.counter_poisson_ratio = study.counter_poisson_ratio;
         bodies.lens_height = elastomer.sphere_height;
-        const auto table = input.mapping ? io::read_mapped_table(input.file, io::read_mapping(*input.mapping)) : io::read_loop_table(input.file);
-        result.analysis = experiment::analyse(experiment::loop_from_table(table), bodies, {}, input.file);
+        result.analysis = analyse_loop_file(input.file, input.mapping, bodies);
         result.alerts = result.analysis->alerts;
     } catch (const Error& error) {
         result.error = error.what();

@@ -6,8 +6,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/experiment/analysis.hpp"
-#include "setae/io/mapping.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/workflow/loop_file.hpp"
 #include "setae/workflow/tidy_table.hpp"
 #include "verbs.hpp"
 
@@ -95,11 +94,10 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one loop");
     const auto bodies = bodies_of(arguments);
     const auto options = options_of(arguments);
-    const auto mapping = arguments.map.empty() ? std::nullopt : std::optional(io::read_mapping(arguments.map));
+    const auto mapping = arguments.map.empty() ? std::nullopt : std::optional(arguments.map);
     workflow::Json list = workflow::Json::array();
     const auto code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto table = mapping ? io::read_mapped_table(file, *mapping) : io::read_loop_table(file);
-        const auto analysis = experiment::analyse(experiment::loop_from_table(table), bodies, options, file);
+        const auto analysis = workflow::analyse_loop_file(file, mapping, bodies, options);
         if (arguments.common.json) {
             auto json = workflow::to_json(analysis);
             json["file"] = file;
