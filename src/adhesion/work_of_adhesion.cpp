@@ -22,15 +22,6 @@ void require_state(const ConformalState& state) {
 
 ApparentWork apparent(double raw) { return {raw, std::max(0.0, raw), raw > 0.0}; }
 
-void require_law(const SurfaceEnergyLaw& law) {
-    const auto n = law.area_ratio.size();
-    if (n < 1 || n != law.surface_energy.size() || law.area_ratio[0] != 1.0)
-        throw InvalidArgument("a surface energy law needs as many energies as area ratios, the first ratio being 1");
-    for (Index i = 1; i < n; ++i)
-        if (!(law.area_ratio[i] > law.area_ratio[i - 1]))
-            throw InvalidArgument(fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
-}
-
 }  // namespace
 
 ApparentWork modified_balance(double work_of_adhesion, double surface_energy, const ConformalState& state) {
@@ -60,6 +51,15 @@ SurfaceEnergyLaw SurfaceEnergyLaw::surface_stress(double surface_energy, double 
     return law;
 }
 
+void SurfaceEnergyLaw::validate() const {
+    const auto n = area_ratio.size();
+    if (n < 1 || n != surface_energy.size() || area_ratio[0] != 1.0)
+        throw InvalidArgument("a surface energy law needs as many energies as area ratios, the first ratio being 1");
+    for (Index i = 1; i < n; ++i)
+        if (!(area_ratio[i] > area_ratio[i - 1]))
+            throw InvalidArgument(fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
+}
+
 double SurfaceEnergyLaw::at(double x) const {
     const auto n = area_ratio.size();
     if (x >= area_ratio[n - 1]) return surface_energy[n - 1];
@@ -82,7 +82,7 @@ double SurfaceEnergyLaw::integral(double x) const {
 ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state, double interface_change) {
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_state(state);
-    require_law(law);
+    law.validate();
     const double r = state.area_ratio;
     const double strained_work = work_of_adhesion + law.at(r) - law.at(1.0) - interface_change;
     return apparent(strained_work * r - law.integral(r) - state.stored_energy);

@@ -218,6 +218,8 @@ void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResu
     pair.modified = predicted(modified, work, known_spread);
     pair.persson_tosatti = predicted(balances.persson_tosatti(), work, known_spread);
     pair.without_area_change = predicted(balances.without_area_change(), work, known_spread);
+    if (const auto& law = elastomer.input.surface_energy_law)
+        pair.general = adhesion::general_balance(work.value, *law, {pair.area_ratio, pair.stored_energy.value});
     pair.budget = budget(modified, surface, elastomer, work);
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.curve), elastomer.contact_modulus.value, work.value, elastomer.input.surface_energy.value);
     const auto subject = pair.surface + " × " + pair.elastomer;

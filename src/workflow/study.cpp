@@ -86,12 +86,27 @@ SurfaceInput read_surface(const std::string& name, TomlReader reader, const std:
     return surface;
 }
 
+adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
+    const auto ratios = reader.quantities("area_ratio", dimension::none);
+    const auto energies = reader.quantities("surface_energy", dimension::surface_energy);
+    reader.finish();
+    const auto as_array = [](const std::vector<double>& values) -> Array1D { return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())); };
+    adhesion::SurfaceEnergyLaw law{as_array(ratios), as_array(energies)};
+    try {
+        law.validate();
+    } catch (const InvalidArgument& error) {
+        reader.fail("area_ratio", error.what());
+    }
+    return law;
+}
+
 ElastomerInput read_elastomer(const std::string& name, TomlReader reader) {
     ElastomerInput elastomer;
     elastomer.name = name;
     elastomer.youngs_modulus = reader.uncertain("youngs_modulus", dimension::pressure).value_or(UncertainValue{});
     elastomer.poisson_ratio = reader.number("poisson_ratio").value_or(elastomer.poisson_ratio);
     elastomer.surface_energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
+    reader.table("surface_energy_law", [&](TomlReader inner) { elastomer.surface_energy_law = read_surface_energy_law(std::move(inner)); });
     elastomer.sphere_radius = reader.quantity("sphere_radius", dimension::length);
     elastomer.sphere_height = reader.quantity("sphere_height", dimension::length);
     elastomer.crosslink_molar_mass = reader.quantity("crosslink_molar_mass", dimension::molar_mass);

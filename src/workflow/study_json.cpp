@@ -199,6 +199,7 @@ Json pair_json(const PairResult& pair) {
                                                      {"unit", "J/m2"}};
         json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
         json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
+        if (pair.general) json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2", "[D19] (5), (6) with the elastomer's surface energy law"));
         if (pair.approach) add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored, "J/m2", "measured minus predicted"));
         add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m", "longer wavelengths store half of U_el"));
         json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)}, {"upper", number(pair.scales->bridging->upper)}, {"unit", "1/m"}}

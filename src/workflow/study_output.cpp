@@ -39,6 +39,18 @@ TidyTable surfaces_for_reading(const StudyResult& result) {
     return table;
 }
 
+TidyTable elastomers_for_reading(const StudyResult& result) {
+    TidyTable table{"Elastomers", {"elastomer", "E [MPa]", "E* [MPa]", "γ1 [mJ/m²]", "ρRT/M_c [MPa]", "E/(ρRT/M_c)"}, {}};
+    for (const auto& e : result.elastomers) {
+        const double network = e.network_modulus.value_or(undefined);
+        table.rows.push_back({e.input.name, with_error(1e-6 * e.youngs_modulus.value, 1e-6 * e.youngs_modulus.standard_error, 3),
+                              with_error(1e-6 * e.contact_modulus.value, 1e-6 * e.contact_modulus.standard_error, 4),
+                              with_error(1e3 * e.input.surface_energy.value, 1e3 * e.input.surface_energy.standard_error, 1), with_error(1e-6 * network, 0.0, 3),
+                              with_error(e.youngs_modulus.value / network, 0.0, 1)});
+    }
+    return table;
+}
+
 TidyTable pairs_for_reading(const StudyResult& result) {
     TidyTable table{"Work of adhesion on approach [mJ/m²]", {"surface", "elastomer", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""}, {}};
     for (const auto& p : result.pairs) {
@@ -136,6 +148,7 @@ std::string summary(const StudyResult& result) {
         if (!table.rows.empty()) text += as_text(table) + "\n";
     };
     append(surfaces_for_reading(result));
+    append(elastomers_for_reading(result));
     append(experiments_for_reading(result));
     append(references_for_reading(result));
     append(pairs_for_reading(result));

@@ -43,6 +43,9 @@ struct SurfaceEnergyLaw {
     /// γ1s(x) = γ1 + χ (x − 1) up to x = `up_to`, a surface-stress law of surface modulus χ [J/m²].
     [[nodiscard]] static SurfaceEnergyLaw surface_stress(double surface_energy, double surface_modulus, double up_to);
 
+    /// @throws InvalidArgument unless there are as many energies as ratios and the ratios increase from 1.
+    void validate() const;
+
     /// γ1s at x [J/m²].
     [[nodiscard]] double at(double x) const;
     /// ∫_1^x γ1s dx' [J/m²], exact for the law.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/core/units.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/combination.hpp"
@@ -50,6 +51,7 @@ struct ElastomerInput {
     UncertainValue youngs_modulus;             ///< [Pa]; 0 where loops are to give it
     double poisson_ratio = 0.5;
     UncertainValue surface_energy;             ///< γ1 [J/m²]
+    std::optional<adhesion::SurfaceEnergyLaw> surface_energy_law;  ///< γ1 against stretched area, for (5)–(6)
     std::optional<double> sphere_radius;       ///< [m]
     std::optional<double> sphere_height;       ///< [m]
     std::optional<double> crosslink_molar_mass;///< M_c [kg/mol]

@@ -63,6 +63,7 @@ struct PairResult {
     std::optional<PredictedWork> modified;             ///< (7)
     std::optional<PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<PredictedWork> without_area_change;  ///< (2)
+    std::optional<adhesion::ApparentWork> general;     ///< (5)–(6), where the elastomer has a surface energy law
     std::optional<PredictionBudget> budget;            ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;
     std::vector<Alert> alerts;
