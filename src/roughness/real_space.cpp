@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/roughness/real_space.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include "setae/core/constants.hpp"
@@ -12,9 +14,8 @@ namespace {
 
 /// Sums over one block of map lines, added up in block order afterwards.
 struct Sums {
-    double h = 0.0, h2 = 0.0;
-    double dx2 = 0.0, dy2 = 0.0, laplacian2 = 0.0;
-    Index points = 0, dx_points = 0, dy_points = 0, laplacian_points = 0;
+    double h = 0.0, h2 = 0.0, dx2 = 0.0, dy2 = 0.0, laplacian2 = 0.0;
+    double points = 0.0, dx_points = 0.0, dy_points = 0.0, laplacian_points = 0.0;
 
     Sums& operator+=(const Sums& other) {
         h += other.h;
@@ -28,9 +29,13 @@ struct Sums {
         laplacian_points += other.laplacian_points;
         return *this;
     }
+    [[nodiscard]] bool defined() const {
+        const double all = h2 + dx2 + dy2 + laplacian2;
+        return all == all;
+    }
 };
 
-/// Rows i−1, i, i+1 of a map (previous or next null at an open border) and the pixel sizes.
+/// Row i of a map with its neighbours (null beyond an open border) and what their differences are scaled by.
 struct Neighbourhood {
     const double* previous;
     const double* row;
@@ -42,87 +47,93 @@ struct Neighbourhood {
     bool periodic;
 };
 
-/// Adds the square of a finite difference; NaN drops out by the comparison. Branch-free, so that it vectorises.
-inline void add_square(double difference, double& sum, double& count) {
-    const bool defined = difference == difference;
-    sum += defined ? difference * difference : 0.0;
-    count += defined ? 1.0 : 0.0;
-}
-
-constexpr Index lanes = 8;
-
-/// Sums of squares kept in independent lanes, so that the compiler needs no reassociation to vectorise.
-struct Lanes {
-    double sum[lanes] = {};
-    double count[lanes] = {};
-
-    void add(Index lane, double difference) { add_square(difference, sum[lane], count[lane]); }
-    [[nodiscard]] double total() const { return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7])); }
-    [[nodiscard]] Index points() const {
-        double all = 0.0;
-        for (const double c : count) all += c;
-        return static_cast<Index>(all);
-    }
+/// Per-line sums along x, one entry a line: Σ h, Σ h², points.
+struct LineSums {
+    double* h;
+    double* h2;
+    double* points;
 };
 
-/// Applies difference(j) for first <= j < last in lanes.
-template <class Difference>
-Lanes in_lanes(Index first, Index last, Difference difference) {
-    Lanes result;
+/// Sum and number of terms. Unchecked, a NaN spoils the sum, which the caller notices; checked, it drops out.
+struct Sum {
+    double sum = 0.0;
+    double count = 0.0;
+};
+
+/// Σ term(j), first <= j < last, in independent lanes, so that it vectorises without reassociation.
+template <bool checked, class Term>
+Sum sum_of(Index first, Index last, Term term) {
+    constexpr Index lanes = 8;
+    double sum[lanes] = {}, count[lanes] = {};
+    const auto add = [&](Index lane, double value) {
+        if constexpr (checked) {
+            const bool defined = value == value;
+            sum[lane] += defined ? value : 0.0;
+            count[lane] += defined ? 1.0 : 0.0;
+        } else {
+            sum[lane] += value;
+        }
+    };
     Index j = first;
     for (; j + lanes <= last; j += lanes)
-        for (Index lane = 0; lane < lanes; ++lane) result.add(lane, difference(j + lane));
-    for (; j < last; ++j) result.add((j - first) % lanes, difference(j));
-    return result;
+        for (Index lane = 0; lane < lanes; ++lane) add(lane, term(j + lane));
+    for (; j < last; ++j) add((j - first) % lanes, term(j));
+    const auto total = [](const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); };
+    return {total(sum), checked ? total(count) : static_cast<double>(std::max<Index>(0, last - first))};
 }
 
-void add_row(const Neighbourhood& at, Sums& sums, double* line_sum, double* line_sum2, double* line_count) {
-    const auto n = at.n;
+double square(double x) { return x * x; }
+
+/// Sums over one row; `lines` is left alone.
+template <bool checked>
+Sums row_sums(const Neighbourhood& at) {
+    Sums sums;
     const double* row = at.row;
-    double h_sum[lanes] = {};
-    Index j = 0;
-    const auto heights = in_lanes(0, n, [&](Index k) { return row[k] - at.origin; });
-    for (; j + lanes <= n; j += lanes)
-        for (Index lane = 0; lane < lanes; ++lane) {
-            const double h = row[j + lane] - at.origin;
-            h_sum[lane] += h == h ? h : 0.0;
-        }
-    for (; j < n; ++j) h_sum[0] += row[j] == row[j] ? row[j] - at.origin : 0.0;
-    for (const double s : h_sum) sums.h += s;
-    sums.h2 += heights.total();
-    sums.points += heights.points();
-    for (j = 0; j < n; ++j) {
-        const double h = row[j] - at.origin;
-        const bool defined = h == h;
-        line_sum[j] += defined ? h : 0.0;
-        line_sum2[j] += defined ? h * h : 0.0;
-        line_count[j] += defined ? 1.0 : 0.0;
+    const auto n = at.n;
+    const auto store = [](const Sum& s, double& sum, double& count) {
+        sum += s.sum;
+        count += s.count;
+    };
+    double ignored = 0.0;
+    store(sum_of<checked>(0, n, [&](Index j) { return row[j] - at.origin; }), sums.h, ignored);
+    store(sum_of<checked>(0, n, [&](Index j) { return square(row[j] - at.origin); }), sums.h2, sums.points);
+    store(sum_of<checked>(0, n - 1, [&](Index j) { return square(row[j + 1] - row[j]); }), sums.dy2, sums.dy_points);
+    if (at.periodic) store(sum_of<checked>(0, 1, [&](Index) { return square(row[0] - row[n - 1]); }), sums.dy2, sums.dy_points);
+    if (at.next) store(sum_of<checked>(0, n, [&](Index j) { return square(at.next[j] - row[j]); }), sums.dx2, sums.dx_points);
+    if (!at.previous || !at.next) return sums;
+    const auto laplacian2 = [&](Index left, Index j, Index right) {
+        return square((at.previous[j] - 2.0 * row[j] + at.next[j]) * at.inverse_dx2 + (row[left] - 2.0 * row[j] + row[right]) * at.inverse_dy2);
+    };
+    store(sum_of<checked>(1, n - 1, [&](Index j) { return laplacian2(j - 1, j, j + 1); }), sums.laplacian2, sums.laplacian_points);
+    if (at.periodic && n > 2) {
+        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 1, 0, 1); }), sums.laplacian2, sums.laplacian_points);
+        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 2, n - 1, 0); }), sums.laplacian2, sums.laplacian_points);
     }
-    if (at.next) {
-        const auto along_x = in_lanes(0, n, [&](Index k) { return at.next[k] - row[k]; });
-        sums.dx2 += along_x.total();
-        sums.dx_points += along_x.points();
-    }
-    auto along_y = in_lanes(0, n - 1, [&](Index k) { return row[k + 1] - row[k]; });
-    if (at.periodic) along_y.add(0, row[0] - row[n - 1]);
-    sums.dy2 += along_y.total();
-    sums.dy_points += along_y.points();
-    if (at.previous && at.next) {
-        const auto laplacian = [&](Index left, Index k, Index right) {
-            return (at.previous[k] - 2.0 * row[k] + at.next[k]) * at.inverse_dx2 +
-                   (row[left] - 2.0 * row[k] + row[right]) * at.inverse_dy2;
-        };
-        auto interior = in_lanes(1, n - 1, [&](Index k) { return laplacian(k - 1, k, k + 1); });
-        if (at.periodic && n > 2) {
-            interior.add(0, laplacian(n - 1, 0, 1));
-            interior.add(1, laplacian(n - 2, n - 1, 0));
-        }
-        sums.laplacian2 += interior.total();
-        sums.laplacian_points += interior.points();
-    }
+    return sums;
 }
 
-double ratio(double sum, Index count) { return count > 0 ? sum / static_cast<double>(count) : undefined; }
+void add_to_lines(const Neighbourhood& at, bool has_undefined, const LineSums& lines) {
+    for (Index j = 0; j < at.n; ++j) {
+        const double h = at.row[j] - at.origin;
+        const double defined = has_undefined && h != h ? 0.0 : h;
+        lines.h[j] += defined;
+        lines.h2[j] += defined * defined;
+    }
+    if (has_undefined)
+        for (Index j = 0; j < at.n; ++j) lines.points[j] += at.row[j] == at.row[j] ? 1.0 : 0.0;
+    else
+        for (Index j = 0; j < at.n; ++j) lines.points[j] += 1.0;
+}
+
+/// A row, quickly where all of it and its neighbours is defined.
+Sums add_row(const Neighbourhood& at, const LineSums& lines) {
+    const auto quick = row_sums<false>(at);
+    const bool undefined_near = !quick.defined();
+    add_to_lines(at, undefined_near, lines);
+    return undefined_near ? row_sums<true>(at) : quick;
+}
+
+double ratio(double sum, double count) { return count > 0.0 ? sum / count : undefined; }
 
 double variance(double sum, double sum2, double count) {
     if (!(count > 0.0)) return 0.0;
@@ -136,9 +147,11 @@ double origin_of(const Array2D& heights) {
     throw UndefinedDataError("no defined height to take an rms of");
 }
 
-double arithmetic_mean_deviation(const double* heights, Index n, double mean) {
-    const auto deviations = in_lanes(0, n, [&](Index k) { return std::sqrt(std::abs(heights[k] - mean)); });
-    return ratio(deviations.total(), deviations.points());
+/// Root of the mean of squares of defined terms.
+template <class Term>
+double rms_of(Index first, Index last, Term term) {
+    const auto squares = sum_of<true>(first, last, [&](Index j) { return square(term(j)); });
+    return std::sqrt(ratio(squares.sum, squares.count));
 }
 
 }  // namespace
@@ -161,7 +174,7 @@ RealSpaceParameters real_space_parameters(const topography::HeightMap& map, para
         for (Index i = first; i < last; ++i) {
             const Neighbourhood at{row(i - 1), row(i), row(i + 1), ny, 1.0 / (dx * dx), 1.0 / (dy * dy), origin, map.periodic};
             const auto line = static_cast<Index>(b) * 3;
-            add_row(at, partial[b], lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data());
+            partial[b] += add_row(at, {lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data()});
         }
     });
     Sums sums;
@@ -176,16 +189,14 @@ RealSpaceParameters real_space_parameters(const topography::HeightMap& map, para
     for (Index j = 0; j < ny; ++j) of_lines += variance(line_sum[j], line_sum2[j], line_count[j]) * line_count[j];
 
     RealSpaceParameters result;
-    const auto points = static_cast<double>(sums.points);
-    result.defined = sums.points;
-    result.mean_height = origin + sums.h / points;
-    result.rms_height = std::sqrt(variance(sums.h, sums.h2, points));
-    result.rms_height_of_lines = std::sqrt(of_lines / points);
+    result.defined = static_cast<Index>(sums.points);
+    result.mean_height = origin + sums.h / sums.points;
+    result.rms_height = std::sqrt(variance(sums.h, sums.h2, sums.points));
+    result.rms_height_of_lines = std::sqrt(of_lines / sums.points);
     result.rms_slope_x = std::sqrt(ratio(sums.dx2, sums.dx_points)) / dx;
     result.rms_slope_y = std::sqrt(ratio(sums.dy2, sums.dy_points)) / dy;
     result.rms_slope = std::hypot(result.rms_slope_x, result.rms_slope_y);
     result.rms_curvature = 0.5 * std::sqrt(ratio(sums.laplacian2, sums.laplacian_points));
-    result.arithmetic_height = arithmetic_mean_deviation(map.heights.data(), map.heights.size(), result.mean_height);
     return result;
 }
 
@@ -200,14 +211,10 @@ RealSpaceParameters real_space_parameters(const topography::LineScan& scan) {
     RealSpaceParameters result;
     result.defined = defined;
     result.mean_height = (scan.heights == scan.heights).select(scan.heights, 0.0).sum() / static_cast<double>(defined);
-    const auto heights = in_lanes(0, n, [&](Index i) { return h[i] - result.mean_height; });
-    const auto slopes = in_lanes(0, last_difference, [&](Index i) { return at(i + 1) - at(i); });
-    const auto curvatures = in_lanes(scan.periodic ? 0 : 1, last_difference, [&](Index i) { return at(i - 1) - 2.0 * at(i) + at(i + 1); });
-    result.rms_height = result.rms_height_of_lines = std::sqrt(ratio(heights.total(), heights.points()));
-    result.rms_slope = result.rms_slope_x = std::sqrt(ratio(slopes.total(), slopes.points())) / step;
+    result.rms_height = result.rms_height_of_lines = rms_of(0, n, [&](Index i) { return h[i] - result.mean_height; });
+    result.rms_slope = result.rms_slope_x = rms_of(0, last_difference, [&](Index i) { return at(i + 1) - at(i); }) / step;
     result.rms_slope_y = undefined;
-    result.rms_curvature = std::sqrt(ratio(curvatures.total(), curvatures.points())) / (step * step);
-    result.arithmetic_height = arithmetic_mean_deviation(h, n, result.mean_height);
+    result.rms_curvature = rms_of(scan.periodic ? 0 : 1, last_difference, [&](Index i) { return at(i - 1) - 2.0 * at(i) + at(i + 1); }) / (step * step);
     return result;
 }
 
@@ -227,7 +234,7 @@ RealSpaceParameters real_space_parameters(const topography::Profile& profile) {
     result.mean_height = origin + mean;
     result.rms_height = result.rms_height_of_lines = std::sqrt((step * (a * a + a * b + b * b)).sum() / (3.0 * length));
     result.rms_slope = result.rms_slope_x = std::sqrt((slope.square() * step).sum() / length);
-    result.rms_slope_y = result.arithmetic_height = undefined;
+    result.rms_slope_y = undefined;
     result.rms_curvature = undefined;
     if (n >= 4) {
         const Array1D curvature =
@@ -248,6 +255,16 @@ RealSpaceParameters real_space_parameters(const topography::Measurement& measure
         RealSpaceParameters operator()(const topography::Profile& profile) const { return real_space_parameters(profile); }
     };
     return std::visit(Visitor{threads}, measurement);
+}
+
+double arithmetic_height(const topography::Measurement& measurement, double mean_height) {
+    if (std::holds_alternative<topography::Profile>(measurement)) return undefined;
+    return std::visit(
+        [mean_height](const auto& m) {
+            const auto deviations = sum_of<true>(0, m.heights.size(), [&](Index j) { return std::abs(m.heights.data()[j] - mean_height); });
+            return ratio(deviations.sum, deviations.count);
+        },
+        measurement);
 }
 
 }  // namespace setae::roughness

@@ -134,8 +134,10 @@ void add_gap_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     }
 }
 
-/// Whole decades inside the coverage in which no bin has two instruments.
-void add_single_instrument_alerts(CombinedSpectrum& spectrum) {
+/// Whole decades inside the coverage in which no bin has two instruments, where there are two at all.
+void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
+    const auto& instruments = binned.instruments;
+    if (std::adjacent_find(instruments.begin(), instruments.end(), std::not_equal_to<>()) == instruments.end()) return;
     const auto& grid = spectrum.grid;
     const Index n = grid.bins_per_decade;
     const double first = static_cast<double>(grid.bin_of(spectrum.wavevector[0]));
@@ -241,7 +243,7 @@ CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
     result.q_min = spectra.grid.edge(spectra.first_bin + filled.front());
     result.q_max = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
     add_gap_alerts(spectra, result);
-    add_single_instrument_alerts(result);
+    add_single_instrument_alerts(spectra, result);
     add_disagreement_alerts(spectra, result);
     return result;
 }

@@ -303,6 +303,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     result.trend = prepared.trend;
     result.alerts = prepared.alerts;
     result.real_space = roughness::real_space_parameters(measurement, threads);
+    result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) result.triangulated = roughness::triangulated_area(*map, threads);
     if (topography::all_heights(measurement).size() > 64) {
         result.slopes = roughness::slope_distribution(measurement);

@@ -12,6 +12,10 @@
 namespace setae::cli {
 namespace {
 
+constexpr const char* explanation =
+    ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"
+    ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n";
+
 struct Arguments {
     Common common;
     FileOptions file;
@@ -52,6 +56,11 @@ std::size_t chosen_channel(const Arguments& arguments, const std::vector<io::Cha
 }
 
 ExitCode run(const Arguments& arguments) {
+    if (arguments.common.explain) {
+        print(explanation);
+        return ExitCode::done;
+    }
+    if (arguments.input.empty() || arguments.output.empty()) throw InvalidArgument("expected an input file and OUT.npy or OUT.csv");
     const auto channels = io::open(arguments.input, arguments.file.read_options());
     const auto& channel = channels[chosen_channel(arguments, channels)];
     const auto measurement = channel.read();
@@ -71,8 +80,8 @@ ExitCode run(const Arguments& arguments) {
 void add_convert(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("convert", "write the heights of a file in metres as .npy or .csv, first index x");
-    verb->add_option("input", arguments->input, "file")->required();
-    verb->add_option("output", arguments->output, "OUT.npy or OUT.csv")->required();
+    verb->add_option("input", arguments->input, "file");
+    verb->add_option("output", arguments->output, "OUT.npy or OUT.csv");
     arguments->file.add_to(*verb);
     add_common(*verb, arguments->common);
     verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

@@ -9,6 +9,10 @@ namespace setae::cli {
 namespace {
 
 ExitCode run(const Common& common) {
+    if (common.explain) {
+        for (const auto& f : io::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+        return ExitCode::done;
+    }
     if (common.json) {
         workflow::Json list = workflow::Json::array();
         for (const auto& f : io::formats())

@@ -12,6 +12,11 @@
 namespace setae::cli {
 namespace {
 
+constexpr const char* explanation =
+    "heights in metres, scaled once and not levelled; NaN undefined; h(x, y) with the first index x, y downwards as in the file's picture\n"
+    "mean, rms   over defined heights; rms = sqrt(<(h - <h>)^2>)\n"
+    "size        number of points times pixel size; of a traced profile x_last - x_first\n";
+
 struct Arguments {
     Common common;
     FileOptions file;
@@ -78,6 +83,11 @@ std::string channel_line(const std::string& file, std::size_t index, const io::C
 }
 
 ExitCode run(const Arguments& arguments) {
+    if (arguments.common.explain) {
+        print(explanation);
+        return ExitCode::done;
+    }
+    if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one");
     workflow::Json channels = workflow::Json::array();
     bool unreadable_member = false;
     const auto code = for_each_item(arguments.files, [&](const std::string& file) {
@@ -103,7 +113,7 @@ ExitCode run(const Arguments& arguments) {
 void add_info(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("info", "what files hold: format, channels, shape, size, unit, heights");
-    verb->add_option("files", arguments->files, "files or containers")->required();
+    verb->add_option("files", arguments->files, "files or containers");
     arguments->file.add_to(*verb);
     add_common(*verb, arguments->common);
     verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

@@ -36,7 +36,7 @@ std::vector<Quantity> real_space_quantities(const workflow::MeasurementResult& m
     };
     add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
     if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
-    add(quantity("arithmetic_height", map ? "Sa" : "Ra", r.arithmetic_height, "m"), "heights, unfiltered");
+    add(quantity("arithmetic_height", map ? "Sa" : "Ra", m.arithmetic_height, "m"), "heights, unfiltered");
     if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
     add(quantity("rms_slope", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
     add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");

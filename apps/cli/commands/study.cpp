@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/core/errors.hpp"
 #include "setae/workflow/study_tables.hpp"
 #include "verbs.hpp"
 
@@ -41,6 +42,7 @@ ExitCode run(const Arguments& arguments) {
         print(explanation);
         return ExitCode::done;
     }
+    if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
     auto study = workflow::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
     const auto result = workflow::run_study(std::move(study), arguments.common.workers());

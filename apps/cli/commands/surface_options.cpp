@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "setae/core/errors.hpp"
+
 namespace setae::cli {
 
 void SurfaceOptions::add_to(CLI::App& verb) {
@@ -21,6 +23,7 @@ void SurfaceOptions::add_to(CLI::App& verb) {
 }
 
 workflow::SurfaceInput SurfaceOptions::surface() const {
+    if (files.empty()) throw InvalidArgument("no file; expected at least one measurement");
     const auto read = file.read_options();
     workflow::SurfaceInput surface;
     surface.name = "surface";
@@ -62,8 +65,9 @@ ExitCode report_failures(const workflow::SurfaceResult& surface) {
 }
 
 std::vector<Alert> alerts_of(const workflow::SurfaceResult& surface) {
-    auto alerts = surface.alerts;
+    std::vector<Alert> alerts;
     for (const auto& m : surface.measurements) alerts.insert(alerts.end(), m.alerts.begin(), m.alerts.end());
+    alerts.insert(alerts.end(), surface.alerts.begin(), surface.alerts.end());
     return alerts;
 }
 

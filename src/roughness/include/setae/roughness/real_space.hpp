@@ -21,16 +21,18 @@ struct RealSpaceParameters {
     double rms_slope = 0.0;       ///< maps: sqrt⟨|∇h|²⟩; lines and polylines: equal to rms_slope_x [1]
     double rms_curvature = 0.0;   ///< maps: sqrt⟨(½∇²h)²⟩; lines and polylines: sqrt⟨(h'')²⟩ [1/m]
     double mean_height = 0.0;     ///< [m]
-    double arithmetic_height = 0.0;  ///< Ra or Sa: ⟨|h − ⟨h⟩|⟩ [m]; NaN for polylines
     Index defined = 0;            ///< heights used
 };
 
-/// One pass over the heights for everything but arithmetic_height, which needs a second.
+/// One pass over the heights.
 /// @throws UndefinedDataError where no height is defined.
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::HeightMap& map, parallel::Threads threads = {});
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::LineScan& scan);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Profile& profile);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Measurement& measurement,
                                                         parallel::Threads threads = {});
+
+/// Arithmetic mean deviation Ra or Sa [m]: ⟨|h − ⟨h⟩|⟩ over defined points; of a polyline NaN. A second pass.
+[[nodiscard]] double arithmetic_height(const topography::Measurement& measurement, double mean_height);
 
 }  // namespace setae::roughness

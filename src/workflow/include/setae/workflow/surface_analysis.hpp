@@ -24,6 +24,7 @@ struct MeasurementResult {
     topography::Trend trend = topography::Trend::none;
     spectra::PowerSpectrum1D spectrum;
     roughness::RealSpaceParameters real_space;
+    double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
     std::optional<roughness::SlopeDistribution> slopes;          ///< where there are enough of them
     std::optional<roughness::TriangulatedArea> triangulated;     ///< maps
     std::vector<Alert> alerts;
