@@ -17,6 +17,11 @@ void add_common(CLI::App& verb, Common& common) {
 
 void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
 
+ExitCode explained(const char* explanation) {
+    print(explanation);
+    return ExitCode::done;
+}
+
 void print_json(const workflow::Json& json) { print(json.dump(2) + "\n"); }
 
 void complain(const std::string& message) { std::fputs(fmt::format("setae: {}\n", message).c_str(), stderr); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,21 @@ struct Common {
 /// Registers --json, --explain and --threads.
 void add_common(CLI::App& verb, Common& common);
 
+/// Prints an explanation; done.
+[[nodiscard]] ExitCode explained(const char* explanation);
+
 /// What a verb does when it was the one named.
 using Action = std::function<ExitCode()>;
+
+/// Sets `action` to run the verb with its arguments if the command line names it, with the options all verbs share;
+/// --explain prints `explanation` instead.
+template <class Arguments>
+void on_named(CLI::App& verb, Action& action, std::shared_ptr<Arguments> arguments, const char* explanation, ExitCode (*run)(const Arguments&)) {
+    add_common(verb, arguments->common);
+    verb.callback([&action, arguments, explanation, run] {
+        action = [arguments, explanation, run] { return arguments->common.explain ? explained(explanation) : run(*arguments); };
+    });
+}
 
 /// Prints data on standard output.
 void print(const std::string& text);

@@ -112,31 +112,28 @@ Slopes slopes_of(const topography::HeightMap& map) {
     return slopes;
 }
 
-Slopes slopes_of(const topography::LineScan& scan) {
+/// Of n stretches along a line: step(i) and rise(i), each slope weighed by its step.
+template <class Step, class Rise>
+Slopes slopes_along_line(Index n, Step step, Rise rise) {
     Blocks blocks{};
     Slopes slopes;
-    const auto n = scan.heights.size() - 1;
     for (Index i = 0; i < n; ++i) {
-        const double slope = (scan.heights[i + 1] - scan.heights[i]) / scan.pixel_size();
-        blocks[block_of(i, n)].add(slope, 1.0);
+        const double slope = rise(i) / step(i);
+        blocks[block_of(i, n)].add(slope, step(i));
         if (slope == slope) slopes.along_x.push_back(slope);
     }
     slopes.directions = {directional(0.0, blocks)};
     return slopes;
 }
 
+Slopes slopes_of(const topography::LineScan& scan) {
+    const auto& h = scan.heights;
+    return slopes_along_line(h.size() - 1, [step = scan.pixel_size()](Index) { return step; }, [&](Index i) { return h[i + 1] - h[i]; });
+}
+
 Slopes slopes_of(const topography::Profile& profile) {
-    Blocks blocks{};
-    Slopes slopes;
-    const auto n = profile.positions.size() - 1;
-    for (Index i = 0; i < n; ++i) {
-        const double step = profile.positions[i + 1] - profile.positions[i];
-        const double slope = (profile.heights[i + 1] - profile.heights[i]) / step;
-        blocks[block_of(i, n)].add(slope, step);
-        if (slope == slope) slopes.along_x.push_back(slope);
-    }
-    slopes.directions = {directional(0.0, blocks)};
-    return slopes;
+    const auto &x = profile.positions, &h = profile.heights;
+    return slopes_along_line(x.size() - 1, [&](Index i) { return x[i + 1] - x[i]; }, [&](Index i) { return h[i + 1] - h[i]; });
 }
 
 void fill_histogram(SlopeDistribution& distribution, const std::vector<double>& slopes, double rms) {
@@ -169,19 +166,29 @@ double gaussian_p_value(const std::vector<DirectionalSlope>& directions) {
     return std::min(1.0, smallest * static_cast<double>(directions.size()));
 }
 
-/// x against y and diagonal against diagonal: pairs with the same step, so that resolution does not mimic anisotropy.
+/// Perpendicular directions with the same step, so that resolution does not mimic anisotropy: the diagonals always, x and y
+/// where pixels are square.
+std::vector<std::pair<DirectionalSlope, DirectionalSlope>> comparable(const std::vector<DirectionalSlope>& d) {
+    std::vector<std::pair<DirectionalSlope, DirectionalSlope>> pairs{{d[2], d[3]}};
+    if (std::abs(d[2].angle - 0.25 * pi) < 0.01) pairs.emplace_back(d[0], d[1]);
+    return pairs;
+}
+
 double isotropy_p_value(const std::vector<DirectionalSlope>& d) {
     double smallest = 1.0;
-    for (const auto& [a, b] : {std::pair{d[0], d[1]}, std::pair{d[2], d[3]}}) {
+    const auto pairs = comparable(d);
+    for (const auto& [a, b] : pairs) {
         const double difference = std::log(a.rms / b.rms);
         const double error2 = std::pow(a.rms_standard_error / a.rms, 2) + std::pow(b.rms_standard_error / b.rms, 2);
         smallest = std::min(smallest, chi_squared_p_value(difference * difference / error2, 1));
     }
-    return std::min(1.0, 2.0 * smallest);
+    return std::min(1.0, static_cast<double>(pairs.size()) * smallest);
 }
 
 double isotropy_ratio(const std::vector<DirectionalSlope>& d) {
-    return std::exp(std::max(std::abs(std::log(d[0].rms / d[1].rms)), std::abs(std::log(d[2].rms / d[3].rms))));
+    double largest = 0.0;
+    for (const auto& [a, b] : comparable(d)) largest = std::max(largest, std::abs(std::log(a.rms / b.rms)));
+    return std::exp(largest);
 }
 
 void add_alerts(SlopeDistribution& distribution, const std::string& subject) {

@@ -167,16 +167,16 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
     fit.work_of_adhesion = minimum.x;
     fit.n = static_cast<int>(pairs.size());
     fit.degrees_of_freedom = fit.n - 1;
-    std::vector<double> measured;
+    fit.pairs = pairs;
+    std::vector<double> measured, residual;
     for (const auto& pair : pairs) {
         measured.push_back(pair.measured);
-        fit.predicted.push_back(pair.prediction(minimum.x));
-        fit.residual.push_back(pair.measured - fit.predicted.back());
+        residual.push_back(pair.measured - pair.prediction(minimum.x));
     }
     fit.r_squared = r_squared(measured, minimum.cost);
     fit.residual_standard_deviation = std::sqrt(minimum.cost / fit.degrees_of_freedom);
     fit.standard_error = fit.residual_standard_deviation / std::sqrt(minimum.curvature);
-    fit.clustered_standard_error = clustered_error(pairs, fit.residual, minimum.x, minimum.curvature);
+    fit.clustered_standard_error = clustered_error(pairs, residual, minimum.x, minimum.curvature);
     const bool known_errors = std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.standard_error > 0.0; });
     if (known_errors) {
         fit.weighted = estimate(pairs, [](const PairPoint& p) { return square(p.standard_error); }, 0.0);

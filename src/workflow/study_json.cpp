@@ -42,9 +42,15 @@ Json fit_json(const WorkFit& fit, const char* source, const char* unit) {
     json["weighted"] = fit.weighted ? estimate_json(*fit.weighted, unit) : Json(nullptr);
     json["with_extra_scatter"] = fit.with_extra_scatter ? estimate_json(*fit.with_extra_scatter, unit) : Json(nullptr);
     json["errors_in_both"] = fit.errors_in_both ? estimate_json(*fit.errors_in_both, unit) : Json(nullptr);
-    json["predicted"] = fit.predicted;
-    json["residual"] = fit.residual;
-    json["unit_of_predicted"] = unit;
+    json["residuals"] = Json::array();
+    for (const auto& pair : fit.pairs) {
+        const double predicted = pair.prediction(fit.work_of_adhesion);
+        Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
+        add(entry, quantity("measured", "y", UncertainValue{pair.measured, pair.standard_error}, unit));
+        add(entry, quantity("predicted", "f", predicted, unit));
+        add(entry, quantity("residual", "y - f", pair.measured - predicted, unit));
+        json["residuals"].push_back(entry);
+    }
     return json;
 }
 

@@ -80,6 +80,15 @@ TidyTable fits_for_reading(const StudyResult& result) {
     return table;
 }
 
+TidyTable cutoffs_for_reading(const StudyResult& result) {
+    TidyTable table{"W_int against the short cutoff", {"shortest wavelength", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"}, {}};
+    for (const auto& p : result.cutoff_scan)
+        table.rows.push_back({format_value(p.shortest_wavelength, "m"), with_error(1e3 * p.modified.work_of_adhesion, 1e3 * p.modified.standard_error, 2),
+                              with_error(p.modified.r_squared, 0.0, 3), with_error(1e3 * p.persson_tosatti.work_of_adhesion, 1e3 * p.persson_tosatti.standard_error, 2),
+                              with_error(p.persson_tosatti.r_squared, 0.0, 3)});
+    return table;
+}
+
 TidyTable references_for_reading(const StudyResult& result) {
     TidyTable table{"Smooth references", {"elastomer", "stage", "W loading [mJ/m²]", "W retraction [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"}, {}};
     for (const auto& r : result.references)
@@ -143,7 +152,7 @@ std::string as_file_name(std::string name) {
 }  // namespace
 
 std::string summary(const StudyResult& result) {
-    std::string text = result.study.title + "\n\n";
+    std::string text = result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";
     const auto append = [&text](const TidyTable& table) {
         if (!table.rows.empty()) text += as_text(table) + "\n";
     };
@@ -153,7 +162,7 @@ std::string summary(const StudyResult& result) {
     append(references_for_reading(result));
     append(pairs_for_reading(result));
     append(fits_for_reading(result));
-    append({"W_int against the short cutoff", cutoff_table(result).columns, cutoff_table(result).rows});
+    append(cutoffs_for_reading(result));
     if (!result.loop && !result.pairs.empty()) text += "No fit of loop energies: " + result.loop.reason + ".\n";
     if (!result.work_of_adhesion && !result.pairs.empty()) text += "No prediction: " + result.work_of_adhesion.reason + ".\n";
     return text;

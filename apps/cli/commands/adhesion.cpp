@@ -65,10 +65,6 @@ std::vector<Quantity> quantities(const workflow::StudyResult& result) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
     const auto result = workflow::run_study(study_of(arguments), arguments.common.workers());
@@ -107,8 +103,7 @@ void add_adhesion(CLI::App& program, Action& action) {
     verb->add_option("--gamma,--surface-energy", arguments->surface_energy, "surface energy of the soft solid");
     verb->add_option("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid");
     verb->add_option("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio");
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -56,10 +56,6 @@ std::size_t chosen_channel(const Arguments& arguments, const std::vector<io::Cha
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     if (arguments.input.empty() || arguments.output.empty()) throw InvalidArgument("expected an input file and OUT.npy or OUT.csv");
     const auto channels = io::open(arguments.input, arguments.file.read_options());
     const auto& channel = channels[chosen_channel(arguments, channels)];
@@ -83,8 +79,7 @@ void add_convert(CLI::App& program, Action& action) {
     verb->add_option("input", arguments->input, "file");
     verb->add_option("output", arguments->output, "OUT.npy or OUT.csv");
     arguments->file.add_to(*verb);
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -83,10 +83,6 @@ std::string channel_line(const std::string& file, std::size_t index, const io::C
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one");
     workflow::Json channels = workflow::Json::array();
     bool unreadable_member = false;
@@ -115,8 +111,7 @@ void add_info(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("info", "what files hold: format, channels, shape, size, unit, heights");
     verb->add_option("files", arguments->files, "files or containers");
     arguments->file.add_to(*verb);
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -87,10 +87,6 @@ void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one loop");
     const auto bodies = bodies_of(arguments);
     const auto options = options_of(arguments);
@@ -130,8 +126,7 @@ void add_jkr(CLI::App& program, Action& action) {
     verb->add_option("--samples-dropped", arguments->samples_dropped, "samples left out after the jump into contact")->check(CLI::Range(0L, 1000000L));
     verb->add_flag("--effective-variance", arguments->effective_variance, "Eq. (1) with errors in force and radius");
     verb->add_flag("--retraction-modulus-free", arguments->modulus_free, "fit E* in (S2) too");
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -69,10 +69,6 @@ std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     const auto options = arguments.surface.analysis();
     const auto surface = workflow::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
     const auto code = report_failures(surface);
@@ -105,8 +101,7 @@ void add_params(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("params", "roughness parameters of files, from heights and from their combined spectrum");
     arguments->surface.add_to(*verb);
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -102,10 +102,6 @@ void print_columns(const Table& table) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     const auto input = arguments.surface.surface();
     auto options = arguments.surface.analysis();
     options.bootstrap_resamples = 0;
@@ -134,8 +130,7 @@ void add_psd(CLI::App& program, Action& action) {
     verb->add_flag("--iso", arguments->isotropic, "also C_iso, on the combined grid");
     verb->add_flag("--binned", arguments->binned, "one measurement on the combined grid too");
     verb->add_option("-o,--output", arguments->output, "write OUT.csv or OUT.nc");
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -38,10 +38,6 @@ void show_failures(const workflow::StudyResult& result) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.common.explain) {
-        print(explanation);
-        return ExitCode::done;
-    }
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
     auto study = workflow::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
@@ -67,8 +63,7 @@ void add_study(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("study", "run a study: surfaces, elastomers, experiments → tables and fits");
     verb->add_option("file", arguments->file, "TOML file of the study");
     verb->add_option("--output", arguments->output, "folder of the results; default: beside the study");
-    add_common(*verb, arguments->common);
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    on_named(*verb, action, arguments, explanation, run);
 }
 
 }  // namespace setae::cli

@@ -50,8 +50,7 @@ struct WorkFit {
     double residual_standard_deviation = 0.0;
     int n = 0;
     int degrees_of_freedom = 0;
-    std::vector<double> predicted;        ///< per pair, at work_of_adhesion
-    std::vector<double> residual;         ///< measured − predicted
+    std::vector<PairPoint> pairs;         ///< what was fitted; residual = measured − prediction(work_of_adhesion)
     std::optional<WorkEstimate> weighted;           ///< by the measured ± alone; its χ² tests the model
     std::optional<WorkEstimate> with_extra_scatter; ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
     std::optional<WorkEstimate> errors_in_both;     ///< measured and predicted ±, and the scatter still missing
