@@ -105,47 +105,44 @@ std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementRe
     return found;
 }
 
-/// The band a tip of another radius leaves; the spectrum itself does not change.
-void move_tip(spectra::PowerSpectrum1D& spectrum, const topography::Measurement& measurement, double radius, const spectra::ReliabilityOptions& options) {
-    auto moved = measurement;
-    auto& instrument = topography::metadata(moved).instrument;
-    instrument.tip_radius = radius;
-    instrument.tip_radius_standard_error.reset();
-    const auto band = spectra::reliable_band(moved, options).band;
-    spectrum.q_min = band.lower;
-    spectrum.q_max = std::max(band.lower, band.upper);
-}
-
 spectra::ReliabilityOptions reliability(const AnalysisOptions& options) {
     spectra::ReliabilityOptions reliability;
     reliability.percentile = options.tip_percentile;
     return reliability;
 }
 
-/// Spectra as all uncertain tips of one sign would leave them: radii are shared by the measurements of an instrument,
+/// Reliable bands a tip one standard error larger and smaller leaves.
+std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Measurement measurement, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+    auto& instrument = topography::metadata(measurement).instrument;
+    if (!instrument.tip_radius || !instrument.tip_radius_standard_error) return std::nullopt;
+    const double radius = *instrument.tip_radius, error = *instrument.tip_radius_standard_error;
+    instrument.tip_radius_standard_error.reset();
+    const auto band = [&](double moved) {
+        instrument.tip_radius = moved;
+        auto reliable = spectra::reliable_band(measurement, options, threads).band;
+        reliable.upper = std::max(reliable.lower, reliable.upper);
+        return reliable;
+    };
+    constexpr double least_share = 1e-3;  // a radius stays positive however large its ±
+    return std::array{band(radius + error), band(std::max(radius - error, least_share * radius))};
+}
+
+/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an instrument,
 /// so their errors do not average out.
-std::vector<spectra::PowerSpectrum1D> with_moved_tips(const SurfaceInput& input, const std::vector<MeasurementResult>& measurements, double sign,
-                                                      const AnalysisOptions& options) {
-    auto moved = spectra_of(measurements);
-    for (auto& spectrum : moved) {
-        const auto& instrument = spectrum.metadata.instrument;
-        if (!instrument.tip_radius || !instrument.tip_radius_standard_error) continue;
-        const auto found = std::find_if(input.measurements.begin(), input.measurements.end(),
-                                        [&](const MeasurementInput& m) { return m.file == spectrum.metadata.file; });
-        if (found == input.measurements.end()) continue;
-        const double radius = *instrument.tip_radius + sign * *instrument.tip_radius_standard_error;
-        for (const auto& member : prepared_measurements(*found)) {
-            const auto prepared = member();
-            if (topography::metadata(prepared.measurement).name == spectrum.metadata.name)
-                move_tip(spectrum, prepared.measurement, std::max(radius, 1e-3 * *instrument.tip_radius), reliability(options));
-        }
+std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements, std::size_t direction) {
+    std::vector<spectra::PowerSpectrum1D> moved;
+    for (const auto& m : measurements) {
+        if (m.failed()) continue;
+        moved.push_back(m.spectrum);
+        if (!m.bands_of_uncertain_tip) continue;
+        moved.back().q_min = (*m.bands_of_uncertain_tip)[direction].lower;
+        moved.back().q_max = (*m.bands_of_uncertain_tip)[direction].upper;
     }
     return moved;
 }
 
 bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
-    return std::any_of(measurements.begin(), measurements.end(),
-                       [](const MeasurementResult& m) { return !m.failed() && m.spectrum.metadata.instrument.tip_radius_standard_error.has_value(); });
+    return std::any_of(measurements.begin(), measurements.end(), [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
 }
 
 void add_bootstrap(SurfaceResult& surface, const spectra::BinnedSpectra& binned, const AnalysisOptions& options, parallel::Threads threads) {
@@ -161,7 +158,7 @@ void add_bootstrap(SurfaceResult& surface, const spectra::BinnedSpectra& binned,
         surface.spread.replicas.push_back(evaluate({resampled.wavevector, resampled.C1D.row(i), full.band}, options));
 }
 
-void analyse_combined(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+void analyse_combined(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
     const auto found = spectra_of(surface.measurements);
     if (found.empty()) throw UndefinedDataError(fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
     spectra::CombinationOptions combination;
@@ -172,11 +169,11 @@ void analyse_combined(SurfaceResult& surface, const SurfaceInput& input, const A
     surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
     add_bootstrap(surface, binned, options, threads);
     if (!has_uncertain_tip(surface.measurements)) return;
-    const auto moved = [&](double sign) {
-        const auto spectra = with_moved_tips(input, surface.measurements, sign, options);
+    const auto moved = [&](std::size_t direction) {
+        const auto spectra = with_moved_tips(surface.measurements, direction);
         return evaluate(spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(spectra::combine(spectra, combination)), options);
     };
-    surface.spread.sources.push_back({"tip radius", moved(+1.0), moved(-1.0)});
+    surface.spread.sources.push_back({"tip radius", moved(0), moved(1)});
 }
 
 /// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
@@ -315,6 +312,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     spectrum.reliability = reliability(options);
     spectrum.threads = threads;
     result.spectrum = spectra::power_spectrum(measurement, spectrum);
+    result.bands_of_uncertain_tip = bands_of_uncertain_tip(measurement, spectrum.reliability, threads);
     result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
     return result;
 }
@@ -329,7 +327,7 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
             analyse_power_spectrum(surface, *input.power_spectrum);
         } else {
             analyse_measurements(surface, input, options, threads);
-            analyse_combined(surface, input, options, threads);
+            analyse_combined(surface, options, threads);
         }
         surface.uncut_energy_per_modulus = roughness::spectral_parameters(surface.curve, options.conversion).elastic_energy_per_modulus;
         surface.curve = roughness::limited(surface.curve, options.limits);

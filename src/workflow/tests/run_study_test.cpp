@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include <unistd.h>
 
@@ -110,6 +111,33 @@ TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
         // taken for isotropic, a line of one wave has U_el/(A E*) = (1/8) ∫ q C1D dq = π q A²/16
         EXPECT_NEAR(surface.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0), 1.0, 1e-6) << name;
     }
+}
+
+TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
+    // one measured walk with a tip known exactly and once more with an uncertain one
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> step(0.0, 2e-9);
+    const Array1D x = Array1D::LinSpaced(2000, 0.0, 199.9e-6);
+    Array1D h = Array1D::Zero(2000);
+    for (Index i = 1; i < 2000; ++i) h[i] = h[i - 1] + step(random);
+    io::write_csv((folder_ / "walk.csv").string(), {{{"x", "m", x}, {"h", "m", h}}, {}});
+    SurfaceInput input;
+    input.name = "walk";
+    for (const double error : {0.0, 1e-6}) {
+        MeasurementInput measurement;
+        measurement.file = (folder_ / "walk.csv").string();
+        measurement.tip_radius = UncertainValue{5e-6, error};
+        input.measurements.push_back(measurement);
+    }
+    const auto surface = analyse_surface(input, {}, {1});
+    ASSERT_EQ(surface.error, "");
+    EXPECT_FALSE(surface.measurements[0].bands_of_uncertain_tip);
+    ASSERT_TRUE(surface.measurements[1].bands_of_uncertain_tip);
+    const auto& [blunter, sharper] = *surface.measurements[1].bands_of_uncertain_tip;
+    EXPECT_LT(blunter.upper, surface.measurements[1].spectrum.q_max);
+    EXPECT_GT(sharper.upper, surface.measurements[1].spectrum.q_max);
+    ASSERT_EQ(surface.spread.sources.size(), 1u);
+    EXPECT_GT(surface.spread.sources[0].minus.rms_slope, surface.spread.sources[0].plus.rms_slope);
 }
 
 TEST_F(StudyOfFiles, FindsTheWorkAndTheLossPutIn) {

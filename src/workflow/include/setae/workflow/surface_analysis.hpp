@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ struct MeasurementResult {
     spectra::PowerSpectrum1D spectrum;
     roughness::RealSpaceParameters real_space;
     double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
+    /// Reliable bands with the tip radius one standard error larger and smaller, where it has one.
+    std::optional<std::array<Band, 2>> bands_of_uncertain_tip;
     std::optional<roughness::SlopeDistribution> slopes;          ///< where there are enough of them
     std::optional<roughness::TriangulatedArea> triangulated;     ///< maps
     std::vector<Alert> alerts;
