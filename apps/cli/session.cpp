@@ -24,7 +24,10 @@ ExitCode explained(const char* explanation) {
 
 void print_json(const workflow::Json& json) { print(json.dump(2) + "\n"); }
 
-void complain(const std::string& message) { std::fputs(fmt::format("setae: {}\n", message).c_str(), stderr); }
+void complain(const std::string& message) {
+    std::fflush(stdout);  // so that both streams read in order where they meet
+    std::fputs(fmt::format("setae: {}\n", message).c_str(), stderr);
+}
 
 void show(const std::vector<Alert>& alerts) {
     for (const auto& alert : alerts)
