@@ -235,10 +235,11 @@ void analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, con
         }
     }
     surface.measurements.resize(tasks.size());
+    const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
     parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) {
         auto& result = surface.measurements[i];
         try {
-            result = analyse_measurement(tasks[i].prepare(), options, {1});
+            result = analyse_measurement(tasks[i].prepare(), options, inside);
         } catch (const Error& error) {
             result.error = error.what();
         }
@@ -302,7 +303,8 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     result.real_space = roughness::real_space_parameters(measurement, threads);
     result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) result.triangulated = roughness::triangulated_area(*map, threads);
-    if (topography::all_heights(measurement).size() > 64) {
+    const auto [nx, ny] = topography::shape(measurement);
+    if (nx * ny > 64) {
         result.slopes = roughness::slope_distribution(measurement);
         result.alerts.insert(result.alerts.end(), result.slopes->alerts.begin(), result.slopes->alerts.end());
     }
