@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/adhesion/stored_energy.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/workflow/study_result.hpp"
 #include "surface_options.hpp"
@@ -16,6 +17,7 @@ constexpr const char* explanation =
     "E*       1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2\n"
     "r        = A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
     "U_el     U_el/A_app = (E*/8) int q C1D dq                                                [D19] (8)\n"
+    "         one map: (E*/8 pi) int q^2 C_iso dq, and (E*/4) sum |q| |h_q|^2 of its own modes   [D19] (8)\n"
     "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
     "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
     "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
@@ -46,12 +48,32 @@ workflow::Study study_of(const Arguments& arguments) {
     return study;
 }
 
-std::vector<Quantity> quantities(const workflow::StudyResult& result) {
+/// Stored energy by the routes the prediction does not use: Eq. (11), and for one map its own transform.
+void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& result, parallel::Threads threads) {
+    const double modulus = result.elastomers.front().contact_modulus.value;
+    const auto& options = result.study.analysis;
+    const auto add = [&](const char* name, double energy, const char* source) {
+        auto q = workflow::quantity(name, "U_el/A_app", energy, "J/m2");
+        q.source = source;
+        list.push_back(std::move(q));
+    };
+    const bool exact = options.conversion == roughness::Conversion::exact;
+    if (const auto& other = result.surfaces.front().other_conversion)
+        add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus, exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
+    const auto map = single_map(result.study.surfaces.front());
+    if (!map) return;
+    const auto curve = roughness::limited(isotropic_curve(*map, options, threads), options.limits);
+    add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");
+    add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads), "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
+}
+
+std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::Threads threads) {
     using workflow::quantity;
     const auto& pair = result.pairs.front();
     auto list = workflow::surface_quantities(result.surfaces.front(), result.study.analysis.conversion);
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
+    add_other_routes(list, result, threads);
     const auto predicted = [&](const char* name, const std::optional<workflow::PredictedWork>& work, const char* source) {
         auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", UncertainValue{work->work.raw, work->standard_error}, "J/m2");
         raw.source = source;
@@ -74,13 +96,13 @@ ExitCode run(const Arguments& arguments) {
     auto alerts = alerts_of(result.surfaces.front());
     alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
     if (!arguments.common.json) {
-        for (const auto& q : quantities(result)) print(as_line(q));
+        for (const auto& q : quantities(result, arguments.common.workers())) print(as_line(q));
         print(fmt::format("conforms: {}\n", pair.modified->work.conforms ? "yes by (7)" : "no by (7)"));
         show(alerts);
         return code;
     }
     workflow::Json json;
-    for (const auto& q : quantities(result)) json[q.quantity] = workflow::to_json(q);
+    for (const auto& q : quantities(result, arguments.common.workers())) json[q.quantity] = workflow::to_json(q);
     json["conforms"] = pair.modified->work.conforms;
     const auto& scales = *pair.scales;
     json["scales"] = {{"wavevector", workflow::numbers(scales.wavevector)}, {"gained", workflow::numbers(scales.gained)}, {"stored", workflow::numbers(scales.stored)},

@@ -6,7 +6,6 @@
 #include "setae/io/netcdf.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/spectra/abel.hpp"
-#include "setae/spectra/isotropic.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -44,28 +43,13 @@ Table spectrum(const workflow::SurfaceResult& surface, const Arguments& argument
     return table;
 }
 
-/// The measurement if it is one single map: then C_iso comes from its transform.
-std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input) {
-    if (input.measurements.size() != 1) return std::nullopt;
-    const auto members = workflow::prepared_measurements(input.measurements.front());
-    if (members.size() != 1) return std::nullopt;
-    const auto prepared = members.front()();
-    const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
-    return map ? std::optional(*map) : std::nullopt;
-}
-
 void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Arguments& arguments) {
     const auto options = arguments.surface.analysis();
     const auto& q = table.at("wavevector");
     if (const auto map = single_map(input)) {
-        spectra::SpectrumOptions spectrum;
-        spectrum.window = options.window;
-        spectrum.threads = arguments.common.workers();
-        const auto iso = spectra::isotropic_power_spectrum(*map, spectrum);
         // its values belong to the mean |q| of each bin; the table has the bins' centres
-        const roughness::SpectrumCurve curve{iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
-        table.columns.push_back({"C_iso", "m4", roughness::values_at(curve, q)});
-        table.metadata["C_iso"] = "radial mean of the two-dimensional transform, window " + iso.window;
+        table.columns.push_back({"C_iso", "m4", roughness::values_at(isotropic_curve(*map, options, arguments.common.workers()), q)});
+        table.metadata["C_iso"] = "radial mean of the two-dimensional transform";
         return;
     }
     const double end = q[q.size() - 1] * std::pow(10.0, 0.05);

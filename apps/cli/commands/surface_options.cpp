@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "setae/core/errors.hpp"
+#include "setae/spectra/isotropic.hpp"
 
 namespace setae::cli {
 
@@ -51,6 +52,23 @@ workflow::AnalysisOptions SurfaceOptions::analysis() const {
     if (conversion == "eq11") options.conversion = roughness::Conversion::eq11;
     options.bootstrap_resamples = resamples;
     return options;
+}
+
+std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input) {
+    if (input.measurements.size() != 1) return std::nullopt;
+    const auto members = workflow::prepared_measurements(input.measurements.front());
+    if (members.size() != 1) return std::nullopt;
+    const auto prepared = members.front()();
+    const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
+    return map ? std::optional(*map) : std::nullopt;
+}
+
+roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const workflow::AnalysisOptions& options, parallel::Threads threads) {
+    spectra::SpectrumOptions spectrum;
+    spectrum.window = options.window;
+    spectrum.threads = threads;
+    const auto iso = spectra::isotropic_power_spectrum(map, spectrum);
+    return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
 }
 
 ExitCode report_failures(const workflow::SurfaceResult& surface) {

@@ -19,6 +19,12 @@ struct SurfaceOptions {
     [[nodiscard]] workflow::AnalysisOptions analysis() const;
 };
 
+/// The measurement if it is one single map: then C_iso and stored energy come from its transform.
+[[nodiscard]] std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input);
+
+/// C_iso of a map by transform.
+[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const workflow::AnalysisOptions& options, parallel::Threads threads);
+
 /// Prints what failed; done, some failed or nothing done.
 [[nodiscard]] ExitCode report_failures(const workflow::SurfaceResult& surface);
 
