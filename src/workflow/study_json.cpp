@@ -107,17 +107,7 @@ Json measurement_json(const MeasurementResult& m) {
     json["trend_removed"] = topography::name(m.trend);
     json["window"] = m.spectrum.window;
     json["band"] = {{"lower", number(m.spectrum.q_min)}, {"upper", number(m.spectrum.q_max)}, {"unit", "1/m"}};
-    const auto& r = m.real_space;
-    add(json, named("rms_height", "Rq", r.rms_height, "m", "heights, unfiltered"));
-    add(json, named("rms_slope", "Rdq", r.rms_slope, "1", "differences of heights"));
-    add(json, named("rms_curvature", "Rddq", r.rms_curvature, "1/m", "second differences of heights"));
-    if (m.triangulated) add(json, named("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1", "triangles through the heights; [D19] (S3)"));
-    if (m.slopes) {
-        add(json, quantity("slope_excess_kurtosis", "kurt - 3",
-                           UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"));
-        add(json, quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"));
-        add(json, quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"));
-    }
+    for (const auto& q : measurement_quantities(m)) add(json, q);
     json["alerts"] = to_json(m.alerts);
     return json;
 }
@@ -272,6 +262,31 @@ Json reported_json(const ReportedValue& reported, const StudyResult& result) {
 }
 
 }  // namespace
+
+std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
+    const auto& r = m.real_space;
+    const bool map = m.triangulated.has_value();
+    std::vector<Quantity> list;
+    const auto add = [&](Quantity q, const char* source) {
+        q.source = source;
+        q.n = static_cast<int>(r.defined);
+        if (q.value == q.value) list.push_back(std::move(q));
+    };
+    add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
+    if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
+    add(quantity("arithmetic_height", map ? "Sa" : "Ra", m.arithmetic_height, "m"), "heights, unfiltered");
+    if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
+    add(quantity("rms_slope", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
+    add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
+    if (m.triangulated) add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"), "triangles through the heights; [D19] (S3)");
+    if (m.slopes) {
+        add(quantity("slope_excess_kurtosis", "kurt - 3", UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"),
+            "slopes along x; 0 for Gaussian slopes");
+        add(quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"), "skewness and excess kurtosis are 0; jackknife over blocks");
+        add(quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"), "rms slopes of perpendicular directions");
+    }
+    return list;
+}
 
 std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion) {
     const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;

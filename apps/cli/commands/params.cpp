@@ -23,33 +23,6 @@ struct Arguments {
     SurfaceOptions surface;
 };
 
-/// Parameters of the heights of one measurement.
-std::vector<Quantity> real_space_quantities(const workflow::MeasurementResult& m) {
-    using workflow::quantity;
-    const auto& r = m.real_space;
-    const bool map = m.triangulated.has_value();
-    std::vector<Quantity> list;
-    const auto add = [&](Quantity q, const char* source) {
-        q.source = source;
-        q.n = static_cast<int>(r.defined);
-        if (q.value == q.value) list.push_back(std::move(q));
-    };
-    add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
-    if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
-    add(quantity("arithmetic_height", map ? "Sa" : "Ra", m.arithmetic_height, "m"), "heights, unfiltered");
-    if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
-    add(quantity("rms_slope", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
-    add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
-    if (m.triangulated) add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"), "triangles through the heights; [D19] (S3)");
-    if (m.slopes) {
-        add(quantity("slope_excess_kurtosis", "kurt - 3", UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"),
-            "slopes along x; 0 for Gaussian slopes");
-        add(quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"), "skewness and excess kurtosis are 0; jackknife over blocks");
-        add(quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"), "rms slopes of perpendicular directions");
-    }
-    return list;
-}
-
 /// Spectral parameters by the conversion asked for, and by the other one.
 std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface, roughness::Conversion conversion) {
     const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
@@ -88,7 +61,7 @@ ExitCode run(const Arguments& arguments) {
         }
     };
     for (const auto& m : surface.measurements)
-        if (!m.failed()) emit(m.file, m.name, real_space_quantities(m));
+        if (!m.failed()) emit(m.file, m.name, workflow::measurement_quantities(m));
     emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));

@@ -38,6 +38,9 @@ using Json = nlohmann::ordered_json;
 /// "alerts". No clock time, so that the same input gives the same bytes.
 [[nodiscard]] Json to_json(const StudyResult& result);
 
+/// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
+[[nodiscard]] std::vector<Quantity> measurement_quantities(const MeasurementResult& measurement);
+
 /// Parameters of a surface as quantities, with their uncertainties and band.
 [[nodiscard]] std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion);
 
