@@ -14,10 +14,4 @@ double pairwise_sum(const ArrayView1D& values) {
     return pairwise_sum(values.head(half)) + pairwise_sum(values.tail(values.size() - half));
 }
 
-double trapezoid(const ArrayView1D& x, const ArrayView1D& y) {
-    if (x.size() < 2) return 0.0;
-    const auto n = x.size() - 1;
-    return pairwise_sum(0.5 * (x.tail(n) - x.head(n)) * (y.head(n) + y.tail(n)));
-}
-
 }  // namespace setae

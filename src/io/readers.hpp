@@ -8,7 +8,7 @@
 #include "setae/io/format.hpp"
 #include "setae/io/source.hpp"
 
-// One pair of functions a format; formats.cpp gathers them in the table.
+/// One pair of functions a format: whether bytes belong to it, and its channels. formats.cpp gathers them in the table.
 namespace setae::io {
 
 [[nodiscard]] Match detect_container(std::string_view head, const Source& source);

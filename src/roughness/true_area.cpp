@@ -33,15 +33,6 @@ double gaussian_area_ratio(double rms_slope) {
     return 1.0 + half_sqrt_pi * rms_slope * scaled_complementary_error_function(1.0 / rms_slope);
 }
 
-double gaussian_area_ratio_derivative(double rms_slope) {
-    require_slope(rms_slope);
-    if (rms_slope < 1e-4) return rms_slope;  // r = 1 + h'²/2 − …: next term relative h'², below rounding of what follows
-    // erfcx' = 2 z erfcx − 2/√π at z = 1/h'
-    const double z = 1.0 / rms_slope;
-    const double e = scaled_complementary_error_function(z);
-    return half_sqrt_pi * e - half_sqrt_pi * z * (2.0 * z * e - 2.0 * std::numbers::inv_sqrtpi);
-}
-
 double small_slope_area_ratio(double rms_slope) {
     require_slope(rms_slope);
     return 1.0 + 0.5 * rms_slope * rms_slope;

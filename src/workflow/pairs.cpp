@@ -71,7 +71,6 @@ public:
     [[nodiscard]] PairPoint modified() const { return point(roughness::gaussian_area_ratio, elastomer_.input.surface_energy); }
     [[nodiscard]] PairPoint persson_tosatti() const { return point(roughness::small_slope_area_ratio, {}); }
     [[nodiscard]] PairPoint without_area_change() const { return point(roughness::gaussian_area_ratio, {}); }
-    [[nodiscard]] double stored_energy() const { return elastomer_.contact_modulus.value * parameters_.elastic_energy_per_modulus; }
 
 private:
     using AreaRatio = double (*)(double);
@@ -197,10 +196,9 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
     return scan;
 }
 
-PredictedWork predicted(const PairPoint& point, const UncertainValue& work, bool known_spread) {
-    const double raw = point.slope * work.value - point.offset;
+PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const UncertainValue& work, bool known_spread) {
     const double variance = point.prediction_variance(work.value) + std::pow(point.slope * work.standard_error, 2);
-    return {{raw, std::max(0.0, raw), raw > 0.0}, known_spread ? std::sqrt(variance) : undefined};
+    return {apparent, known_spread ? std::sqrt(variance) : undefined};
 }
 
 PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
@@ -215,13 +213,15 @@ void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResu
     const Balances balances(surface, elastomer, surface.parameters);
     const bool known_spread = !surface.spread.replicas.empty() || !surface.spread.sources.empty();
     const auto modified = balances.modified();
-    pair.modified = predicted(modified, work, known_spread);
-    pair.persson_tosatti = predicted(balances.persson_tosatti(), work, known_spread);
-    pair.without_area_change = predicted(balances.without_area_change(), work, known_spread);
-    if (const auto& law = elastomer.input.surface_energy_law)
-        pair.general = adhesion::general_balance(work.value, *law, {pair.area_ratio, pair.stored_energy.value});
+    const adhesion::ConformalState state{pair.area_ratio, pair.stored_energy.value};
+    const double surface_energy = elastomer.input.surface_energy.value;
+    pair.modified = predicted(adhesion::modified_balance(work.value, surface_energy, state), modified, work, known_spread);
+    pair.persson_tosatti = predicted(adhesion::persson_tosatti_balance(work.value, surface.parameters.rms_slope, state.stored_energy),
+                                     balances.persson_tosatti(), work, known_spread);
+    pair.without_area_change = predicted(adhesion::balance_without_area_change(work.value, state), balances.without_area_change(), work, known_spread);
+    if (const auto& law = elastomer.input.surface_energy_law) pair.general = adhesion::general_balance(work.value, *law, state);
     pair.budget = budget(modified, surface, elastomer, work);
-    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.curve), elastomer.contact_modulus.value, work.value, elastomer.input.surface_energy.value);
+    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.curve), elastomer.contact_modulus.value, work.value, surface_energy);
     const auto subject = pair.surface + " × " + pair.elastomer;
     if (!pair.modified->work.conforms)
         pair.alerts.push_back({"WILL_NOT_CONFORM", subject, fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),

@@ -60,6 +60,8 @@ void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& 
     const bool exact = options.conversion == roughness::Conversion::exact;
     if (const auto& other = result.surfaces.front().other_conversion)
         add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus, exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
+    const auto& p = result.surfaces.front().parameters;
+    add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope), "E* h_rms h'_rms/4, no spectrum with these two stores more");
     const auto map = single_map(result.study.surfaces.front());
     if (!map) return;
     const auto curve = roughness::limited(isotropic_curve(*map, options, threads), options.limits);

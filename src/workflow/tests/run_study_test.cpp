@@ -171,6 +171,18 @@ TEST_F(StudyOfFiles, FitsTheLossOfAllPairsAgainstTrueArea) {
     EXPECT_TRUE(result.loop->with_intercept);
 }
 
+TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
+    // the balances as lines in W_int, which the fits use, against the balances themselves, which the predictions use
+    const auto result = run(rough_loops);
+    for (const auto& [fit, predicted] : {std::pair{&result.modified, &PairResult::modified}, {&result.persson_tosatti, &PairResult::persson_tosatti},
+                                         {&result.without_area_change, &PairResult::without_area_change}})
+        for (const auto& point : (*fit)->pairs)
+            for (const auto& pair : result.pairs) {
+                if (pair.surface != point.surface || pair.elastomer != point.elastomer) continue;
+                EXPECT_NEAR((pair.*predicted)->work.floored, point.prediction(*result.work_of_adhesion), 1e-15);
+            }
+}
+
 TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
     const auto result = run(std::string(rough_loops) +
                             "[[experiments]]\nfile = \"smooth_before.csv\"\nrole = \"reference\"\nstage = \"before\"\nelastomer = \"soft\"\n"

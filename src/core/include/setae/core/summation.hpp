@@ -8,7 +8,4 @@ namespace setae {
 /// Sum by halving in a fixed order: rounding grows with log n, and the result never depends on threads.
 [[nodiscard]] double pairwise_sum(const ArrayView1D& values);
 
-/// Integral of samples y(x) by the trapezoid rule, x increasing.
-[[nodiscard]] double trapezoid(const ArrayView1D& x, const ArrayView1D& y);
-
 }  // namespace setae

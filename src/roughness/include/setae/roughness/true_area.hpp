@@ -22,9 +22,6 @@ namespace setae::roughness {
 /// Small-slope limit 1 + h'²/2. Source: [D19] (S4).
 [[nodiscard]] double small_slope_area_ratio(double rms_slope);
 
-/// Derivative d(A_true/A_app)/dh' of gaussian_area_ratio, for the propagation of uncertainty.
-[[nodiscard]] double gaussian_area_ratio_derivative(double rms_slope);
-
 /// Area of the triangles through the heights.
 struct TriangulatedArea {
     double area_ratio = 0.0;  ///< true over projected area of the cells with four defined corners, both diagonals averaged
