@@ -78,9 +78,9 @@ TEST(ScaledComplementaryErrorFunction, AgreesWithTabulatedValues) {
     // 20-digit values from mpmath 1.3, erfc(x)·exp(x²)
     EXPECT_NEAR(scaled_complementary_error_function(0.0), 1.0, 1e-15);
     EXPECT_NEAR(scaled_complementary_error_function(0.5) / 0.61569034419292587487, 1.0, 1e-14);
-    EXPECT_NEAR(scaled_complementary_error_function(1.0) / 0.42758357615580700442, 1.0, 1e-14);
-    EXPECT_NEAR(scaled_complementary_error_function(2.0) / 0.25539567631050573873, 1.0, 1e-14);
-    EXPECT_NEAR(scaled_complementary_error_function(10.0) / 0.056140992743822585843, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(1.0) / 0.42758357615580700441, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(2.0) / 0.25539567631050574387, 1.0, 1e-14);
+    EXPECT_NEAR(scaled_complementary_error_function(10.0) / 0.056140992743822585858, 1.0, 1e-14);
     EXPECT_NEAR(scaled_complementary_error_function(1e6) * 1e6 * std::sqrt(3.14159265358979323846), 1.0, 1e-12);
 }
 
