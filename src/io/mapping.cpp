@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/io/mapping.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,110 +11,59 @@
 #include "expression.hpp"
 #include "header.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/io/toml_reader.hpp"
 #include "text.hpp"
 
 namespace setae::io {
 namespace {
 
-std::uint64_t line_of(const toml::node& node) { return node.source().begin.line; }
-
-[[noreturn]] void broken(const std::string& path, const toml::node& node, const std::string& what) {
-    throw FormatError(path, {.line = line_of(node)}, what);
-}
-
-void require_known_keys(const toml::table& table, std::span<const std::string> known, const std::string& path) {
-    for (const auto& [key, node] : table) {
-        const std::string name(key.str());
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const auto nearest = nearest_match(name, known);
-        broken(path, node,
-               nearest.empty() ? fmt::format("unknown key '{}'; expected one of {}", name, fmt::join(known, ", "))
-                               : fmt::format("unknown key '{}'; did you mean '{}'?", name, nearest));
-    }
-}
-
-std::string text(const toml::node& node, std::string_view key, const std::string& path) {
-    if (const auto value = node.value<std::string>()) return *value;
-    broken(path, node, fmt::format("'{}' is no text in quotes", key));
-}
-
-const toml::table& table_of(const toml::node& node, std::string_view key, const std::string& path) {
-    if (const auto* table = node.as_table()) return *table;
-    broken(path, node, fmt::format("'{}' is no table", key));
-}
-
-/// The value a word stands for. @throws FormatError that lists the words.
-template <class Value, std::size_t n>
-Value choice(const toml::node& node, std::string_view key, const std::array<std::pair<const char*, Value>, n>& choices,
-             const std::string& path) {
-    const auto word = text(node, key, path);
-    std::vector<std::string> words;
-    for (const auto& [name, value] : choices) {
-        if (word == name) return value;
-        words.emplace_back(name);
-    }
-    broken(path, node, fmt::format("{} '{}', expected one of {}", key, word, fmt::join(words, ", ")));
-}
-
-TableOptions parse_file(const toml::table& table, const std::string& path) {
-    static const std::vector<std::string> known{"encoding", "separator", "decimal", "header_end"};
-    static constexpr std::array<std::pair<const char*, Encoding>, 3> encodings{
-        {{"utf-8", Encoding::utf8}, {"utf-16", Encoding::utf16}, {"latin-1", Encoding::latin1}}};
-    static constexpr std::array<std::pair<const char*, char>, 4> separators{
-        {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}}};
-    static constexpr std::array<std::pair<const char*, char>, 2> decimals{{{"point", '.'}, {"comma", ','}}};
-    require_known_keys(table, known, path);
+TableOptions parse_file(TomlReader reader) {
     TableOptions options;
-    if (const auto* node = table.get("encoding")) options.encoding = choice(*node, "encoding", encodings, path);
-    if (const auto* node = table.get("separator")) options.separator = choice(*node, "separator", separators, path);
-    if (const auto* node = table.get("decimal")) options.decimal_point = choice(*node, "decimal", decimals, path);
-    if (const auto* node = table.get("header_end")) options.header_end = text(*node, "header_end", path);
+    options.encoding = reader.choice<Encoding>("encoding", {{"utf-8", Encoding::utf8}, {"utf-16", Encoding::utf16}, {"latin-1", Encoding::latin1}})
+                           .value_or(options.encoding);
+    options.separator = reader.choice<char>("separator", {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}});
+    options.decimal_point = reader.choice<char>("decimal", {{"point", '.'}, {"comma", ','}});
+    options.header_end = reader.text("header_end");
+    reader.finish();
     return options;
 }
 
-Unit unit_of(const toml::node& node, const std::string& unit, const std::string& path) {
+/// A unit that `key` names.
+Unit unit_of(const TomlReader& reader, const char* key, const std::string& unit) {
     try {
         return parse_unit(unit);
     } catch (const InvalidArgument& error) {
-        broken(path, node, error.what());
+        reader.fail(key, error.what());
     }
 }
 
-void require_name(const toml::node& node, const std::string& name, const std::string& path) {
-    if (!is_identifier(name)) broken(path, node, fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
+void require_name(const TomlReader& reader, const std::string& name) {
+    if (!is_identifier(name)) reader.fail(name.c_str(), fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
 }
 
 /// "3.01 N/m": the number and the unit behind it.
-MappedConstant parse_constant(const toml::node& node, const std::string& name, const std::string& path) {
-    require_name(node, name, path);
-    if (const auto number = node.value<double>()) return {name, *number, {}};
-    const auto source = text(node, name, path);
+MappedConstant parse_constant(TomlReader& reader, const std::string& name) {
+    const char* key = name.c_str();
+    require_name(reader, name);
+    if (reader.is_number(key)) return {name, *reader.number(key), {}};
+    const auto source = reader.required_text(key);
     const auto blank = std::min(source.find(' '), source.size());
     double number = 0.0;
     if (!parse_cell(std::string_view(source).substr(0, blank), '.', number) || !std::isfinite(number))
-        broken(path, node, fmt::format("constant '{}' is '{}', expected a number and its unit such as \"3.01 N/m\"", name, source));
-    const auto unit = blank < source.size() ? unit_of(node, source.substr(blank), path) : Unit{};
+        reader.fail(key, fmt::format("constant '{}' is '{}', expected a number and its unit such as \"3.01 N/m\"", name, source));
+    const auto unit = blank < source.size() ? unit_of(reader, key, source.substr(blank)) : Unit{};
     return {name, number * unit.factor, unit.dimension};
 }
 
-MappedColumn parse_column(const toml::table& table, const std::string& name, const std::string& path) {
-    static const std::vector<std::string> known{"header", "position", "unit"};
-    require_known_keys(table, known, path);
-    require_name(table, name, path);
-    MappedColumn column{name, {}, {}, {}};
-    if (const auto* node = table.get("header")) column.header = text(*node, "header", path);
-    if (const auto* node = table.get("position")) {
-        column.position = node->value<Index>();
-        if (!column.position || *column.position < 1) broken(path, *node, "position is counted from 1");
+MappedColumn parse_column(const std::string& name, TomlReader reader) {
+    MappedColumn column{name, reader.text("header"), {}, reader.text("unit")};
+    if (const auto position = reader.integer("position")) {
+        if (*position < 1) reader.fail("position", "position is counted from 1");
+        column.position = static_cast<Index>(*position);
     }
-    if (column.header.has_value() == column.position.has_value())
-        broken(path, table, fmt::format("column '{}' needs either header or position", name));
-    if (const auto* node = table.get("unit")) {
-        column.unit = text(*node, "unit", path);
-        (void)unit_of(*node, *column.unit, path);
-    }
+    if (column.header.has_value() == column.position.has_value()) reader.fail("header", fmt::format("column '{}' needs either header or position", name));
+    if (column.unit) (void)unit_of(reader, "unit", *column.unit);
+    reader.finish();
     return column;
 }
 
@@ -129,30 +74,27 @@ std::optional<Dimension> canonical_dimension(const std::string& name) {
     return std::nullopt;
 }
 
-MappedResult parse_result(const toml::node& node, const std::string& name, const std::string& path) {
-    static const std::vector<std::string> known{"expression", "unit"};
+/// NAME = { expression, unit }.
+MappedResult parse_result_with_unit(const std::string& name, TomlReader reader) {
+    const auto unit = reader.required_text("unit");
+    MappedResult result{name, reader.required_text("expression"), unit_of(reader, "unit", unit).dimension};
     const auto canonical = canonical_dimension(name);
-    if (const auto* table = node.as_table()) {
-        require_known_keys(*table, known, path);
-        const auto *expression = table->get("expression"), *unit = table->get("unit");
-        if (!expression || !unit) broken(path, node, fmt::format("'{}' needs expression and unit", name));
-        const auto dimension = unit_of(*unit, text(*unit, "unit", path), path).dimension;
-        if (canonical && dimension != *canonical)
-            broken(path, node, fmt::format("'{}' has the unit '{}', expected one of {}", name, text(*unit, "unit", path), si_unit(*canonical)));
-        return {name, text(*expression, "expression", path), dimension};
-    }
-    if (!canonical)
-        broken(path, node, fmt::format("the unit of '{}' is not known; write {} = {{ expression = \"…\", unit = \"…\" }}", name, name));
-    return {name, text(node, name, path), *canonical};
+    if (canonical && result.dimension != *canonical)
+        reader.fail("unit", fmt::format("'{}' has the unit '{}', expected one of {}", name, unit, si_unit(*canonical)));
+    reader.finish();
+    return result;
 }
 
-toml::table parsed(const std::string& path) {
-    const auto content = read_file(path);
-    try {
-        return toml::parse(content, path);
-    } catch (const toml::parse_error& error) {
-        throw FormatError(path, {.line = error.source().begin.line}, fmt::format("TOML: {}", error.description()));
+MappedResult parse_result(TomlReader& reader, const std::string& name) {
+    MappedResult result;
+    if (reader.is_table(name.c_str())) {
+        reader.table(name.c_str(), [&](TomlReader inner) { result = parse_result_with_unit(name, std::move(inner)); });
+        return result;
     }
+    const auto canonical = canonical_dimension(name);
+    if (!canonical)
+        reader.fail(name.c_str(), fmt::format("the unit of '{}' is not known; write {} = {{ expression = \"…\", unit = \"…\" }}", name, name));
+    return {name, reader.required_text(name.c_str()), *canonical};
 }
 
 std::vector<std::string> names_of(const Mapping& mapping) {
@@ -165,28 +107,32 @@ std::vector<std::string> names_of(const Mapping& mapping) {
 }  // namespace
 
 Mapping read_mapping(const std::string& path) {
-    static const std::vector<std::string> known{"file", "constants", "columns", "table"};
-    const auto document = parsed(path);
-    require_known_keys(document, known, path);
+    const auto document = parse_toml_file(path);
+    TomlReader reader(document, path, "");
     Mapping mapping;
     mapping.path = path;
-    if (const auto* node = document.get("file")) mapping.file = parse_file(table_of(*node, "file", path), path);
-    if (const auto* node = document.get("constants"))
-        for (const auto& [key, value] : table_of(*node, "constants", path))
-            mapping.constants.push_back(parse_constant(value, std::string(key.str()), path));
-    if (const auto* node = document.get("columns"))
-        for (const auto& [key, value] : table_of(*node, "columns", path))
-            mapping.columns.push_back(parse_column(table_of(value, key.str(), path), std::string(key.str()), path));
-    if (const auto* node = document.get("table"))
-        for (const auto& [key, value] : table_of(*node, "table", path)) {
-            mapping.results.push_back(parse_result(value, std::string(key.str()), path));
-            const auto& result = mapping.results.back();
+    reader.table("file", [&](TomlReader file) { mapping.file = parse_file(std::move(file)); });
+    reader.table("constants", [&](TomlReader constants) {
+        for (const auto& name : constants.keys()) mapping.constants.push_back(parse_constant(constants, name));
+    });
+    reader.named_tables("columns", [&](const std::string& name, TomlReader column) {
+        require_name(column, name);
+        mapping.columns.push_back(parse_column(name, std::move(column)));
+    });
+    reader.table("table", [&](TomlReader results) {
+        for (const auto& name : results.keys()) mapping.results.push_back(parse_result(results, name));
+    });
+    reader.finish();
+    // only now: a misspelt [constants] is the mistake, not the expressions that miss its names
+    reader.table("table", [&](const TomlReader& results) {
+        for (const auto& result : mapping.results) {
             try {
                 require_expression(result.expression, names_of(mapping));
             } catch (const InvalidArgument& error) {
-                broken(path, value, fmt::format("{}: {}", result.name, error.what()));
+                results.fail(result.name.c_str(), error.what());
             }
         }
+    });
     if (mapping.columns.empty() || mapping.results.empty())
         throw FormatError(path, {}, "a mapping needs at least one [columns.NAME] and one entry in [table]");
     return mapping;

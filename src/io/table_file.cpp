@@ -162,13 +162,13 @@ Table read_loop_table(const std::string& path) {
     return table;
 }
 
-void write_csv(const std::string& path, const Table& table) {
+std::string as_csv(const Table& table) {
     std::string text;
     for (const auto& column : table.columns) {
         if (column.values.size() != table.rows())
-            throw InvalidArgument(fmt::format("{}: column '{}' has {} rows, expected {}", path, column.name, column.values.size(), table.rows()));
+            throw InvalidArgument(fmt::format("column '{}' has {} rows, expected {}", column.name, column.values.size(), table.rows()));
         if ((column.name + column.unit).find_first_of(",\"\r\n") != std::string::npos)
-            throw InvalidArgument(fmt::format("{}: column name '{}' holds a comma, quote or line break", path, column.name));
+            throw InvalidArgument(fmt::format("column name '{}' holds a comma, quote or line break", column.name));
         if (&column != &table.columns.front()) text += ',';
         text += column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
     }
@@ -184,7 +184,9 @@ void write_csv(const std::string& path, const Table& table) {
         }
         text += '\n';
     }
-    write_whole_file(path, text);
+    return text;
 }
+
+void write_csv(const std::string& path, const Table& table) { write_whole_file(path, as_csv(table)); }
 
 }  // namespace setae::io

@@ -49,7 +49,7 @@ ReferenceResult published_reference(const PublishedPair& published, const StudyR
 void add_loss_ratio(ReferenceResult& reference, const StudyResult& result) {
     const auto rough = mean_rough_loss(result, reference.elastomer);
     if (!rough || !reference.excess_energy || !(reference.excess_energy->value > 0.0)) return;
-    reference.loss_ratio = *rough / reference.excess_energy->value;
+    reference.loss_ratio = experiment::loss_ratios(Array1D::Constant(1, *rough), {{.excess_energy = *reference.excess_energy}})[0];
 }
 
 }  // namespace

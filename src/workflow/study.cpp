@@ -8,26 +8,13 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/io/whole_file.hpp"
-#include "toml_reader.hpp"
+#include "setae/io/toml_reader.hpp"
 
 namespace setae::workflow {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// One of a closed set of words.
-template <class Value>
-Value choice(TomlReader& reader, const char* key, const std::vector<std::pair<std::string, Value>>& choices, Value standard) {
-    const auto word = reader.text(key);
-    if (!word) return standard;
-    std::string list;
-    for (const auto& [name, value] : choices) {
-        if (name == *word) return value;
-        list += (list.empty() ? "" : ", ") + name;
-    }
-    reader.fail(key, fmt::format("'{}' is none of {}", *word, list));
-}
+using io::TomlReader;
 
 /// Paths in a study are relative to its file.
 std::string beside(const std::string& study_path, const std::string& file) {
@@ -47,7 +34,7 @@ MeasurementInput read_measurement(TomlReader reader, const std::string& study_pa
         if (*channel < 0) reader.fail("channel", "expected a number from 0");
         input.channel = static_cast<std::size_t>(*channel);
     }
-    input.instrument = choice<std::string>(reader, "instrument", {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}}, "");
+    input.instrument = reader.choice<std::string>("instrument", {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}}).value_or("");
     input.tip_radius = reader.uncertain("tip_radius", dimension::length);
     input.resolution = reader.quantity("resolution", dimension::length);
     if (const auto trend = reader.text("trend")) {
@@ -120,11 +107,11 @@ ExperimentInput read_experiment(TomlReader reader, const std::string& study_path
     ExperimentInput experiment;
     experiment.file = beside(study_path, reader.required_text("file"));
     experiment.mapping = file_beside(reader, "mapping", study_path);
-    experiment.reference = choice<bool>(reader, "role", {{"rough", false}, {"reference", true}}, false);
+    experiment.reference = reader.choice<bool>("role", {{"rough", false}, {"reference", true}}).value_or(false);
     experiment.surface = reader.text("surface").value_or("");
     experiment.elastomer = reader.required_text("elastomer");
     experiment.sphere_radius = reader.quantity("sphere_radius", dimension::length);
-    experiment.stage = choice<std::string>(reader, "stage", {{"before", "before"}, {"after", "after"}}, "");
+    experiment.stage = reader.choice<std::string>("stage", {{"before", "before"}, {"after", "after"}}).value_or("");
     reader.finish();
     if (experiment.surface.empty() != experiment.reference)
         reader.fail("surface", experiment.reference ? "a reference is made on a smooth standard and names no surface"
@@ -202,15 +189,14 @@ AnalysisOptions read_analysis(TomlReader reader) {
     AnalysisOptions options;
     options.limits.longest = reader.quantity("longest_wavelength", dimension::length);
     options.limits.shortest = reader.quantity("shortest_wavelength", dimension::length);
-    options.conversion = choice(reader, "conversion", {{"exact", roughness::Conversion::exact}, {"eq11", roughness::Conversion::eq11}}, options.conversion);
-    options.contours = choice(reader, "contours",
-                              {{"sinc_corrected", spectra::ContourTreatment::sinc_corrected}, {"segments", spectra::ContourTreatment::segments}},
-                              options.contours);
-    options.weighting = choice(reader, "weighting",
-                               {{"equal", spectra::Weighting::equal},
-                                {"per_instrument", spectra::Weighting::per_instrument},
-                                {"inverse_variance", spectra::Weighting::inverse_variance}},
-                               options.weighting);
+    options.conversion = reader.choice<roughness::Conversion>("conversion", {{"exact", roughness::Conversion::exact}, {"eq11", roughness::Conversion::eq11}}).value_or(options.conversion);
+    options.contours = reader.choice<spectra::ContourTreatment>("contours", {{"sinc_corrected", spectra::ContourTreatment::sinc_corrected},
+                                                                             {"segments", spectra::ContourTreatment::segments}})
+                           .value_or(options.contours);
+    options.weighting = reader.choice<spectra::Weighting>("weighting", {{"equal", spectra::Weighting::equal},
+                                                                        {"per_instrument", spectra::Weighting::per_instrument},
+                                                                        {"inverse_variance", spectra::Weighting::inverse_variance}})
+                            .value_or(options.weighting);
     if (const auto window = reader.text("window")) {
         try {
             options.window = spectra::window_from_name(*window);
@@ -248,14 +234,6 @@ void require_declared_names(const Study& study) {
     }
 }
 
-toml::table parsed(const std::string& path) {
-    try {
-        return toml::parse(io::read_file(path), path);
-    } catch (const toml::parse_error& error) {
-        throw FormatError(path, {.line = error.source().begin.line}, std::string(error.description()));
-    }
-}
-
 }  // namespace
 
 const ElastomerInput* Study::elastomer(const std::string& name) const {
@@ -269,7 +247,7 @@ const SurfaceInput* Study::surface(const std::string& name) const {
 }
 
 Study read_study(const std::string& path) {
-    const auto document = parsed(path);
+    const auto document = io::parse_toml_file(path);
     TomlReader reader(document, path, "");
     Study study;
     study.path = path;

@@ -73,18 +73,6 @@ workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surfac
     return json;
 }
 
-void print_columns(const Table& table) {
-    std::string text;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) text += (i > 0 ? "," : "") + table.columns[i].name + " [" + table.columns[i].unit + "]";
-    text += '\n';
-    for (Index row = 0; row < table.rows(); ++row)
-        for (std::size_t i = 0; i < table.columns.size(); ++i) {
-            const double value = table.columns[i].values[row];
-            text += (std::isnan(value) ? "" : workflow::Json(value).dump()) + (i + 1 < table.columns.size() ? "," : "\n");
-        }
-    print(text);
-}
-
 ExitCode run(const Arguments& arguments) {
     const auto input = arguments.surface.surface();
     auto options = arguments.surface.analysis();
@@ -100,7 +88,7 @@ ExitCode run(const Arguments& arguments) {
         else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
     if (arguments.common.json) print_json(as_json(table, surface));
-    else if (arguments.output.empty()) print_columns(table);
+    else if (arguments.output.empty()) print(io::as_csv(table));
     if (!arguments.common.json) show(alerts_of(surface));
     return code;
 }

@@ -55,8 +55,12 @@ struct RawTable {
 /// Checks that a table has a loop's columns in their units. @throws FormatError as read_loop_table.
 void require_loop_columns(const Table& table, const std::string& path);
 
-/// Writes a table as CSV: header cells "name [unit]", numbers with all their digits, NaN as empty cell; as a whole.
-/// @throws FileError; InvalidArgument for columns of different length or names that hold a comma, quote or line break.
+/// A table as CSV: header cells "name [unit]", numbers with all their digits, NaN as empty cell.
+/// @throws InvalidArgument for columns of different length or names that hold a comma, quote or line break.
+[[nodiscard]] std::string as_csv(const Table& table);
+
+/// Writes as_csv(table) as a whole.
+/// @throws FileError; InvalidArgument as as_csv.
 void write_csv(const std::string& path, const Table& table);
 
 }  // namespace setae::io

@@ -5,13 +5,18 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <toml++/toml.h>
 
 #include "setae/core/units.hpp"
 
-namespace setae::workflow {
+namespace setae::io {
+
+/// A TOML file as a table.
+/// @throws FileError; FormatError with the line for text that is no TOML.
+[[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
 /// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error names
 /// file and line.
@@ -23,6 +28,18 @@ public:
     [[nodiscard]] std::string required_text(const char* key);
     [[nodiscard]] std::optional<double> number(const char* key);
     [[nodiscard]] std::optional<std::int64_t> integer(const char* key);
+    /// What one of a closed set of words stands for. @throws FormatError that lists the words.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> choice(const char* key, const std::vector<std::pair<std::string, Value>>& choices) {
+        const auto word = text(key);
+        if (!word) return std::nullopt;
+        std::string words;
+        for (const auto& [name, value] : choices) {
+            if (name == *word) return value;
+            words += (words.empty() ? "" : ", ") + name;
+        }
+        fail(key, "'" + *word + "', expected one of " + words);
+    }
     /// "37 mJ/m2"; a plain number only where the dimension is none.
     [[nodiscard]] std::optional<double> quantity(const char* key, const Dimension& dimension);
     /// "37 ± 3.7 mJ/m2".
@@ -31,6 +48,8 @@ public:
     [[nodiscard]] std::vector<std::string> texts(const char* key);
     [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
     [[nodiscard]] std::vector<UncertainValue> uncertains(const char* key, const Dimension& dimension);
+    [[nodiscard]] bool is_number(const char* key) const;
+    [[nodiscard]] bool is_table(const char* key) const;
     /// Calls body with the table under a key, if there is one.
     void table(const char* key, const std::function<void(TomlReader)>& body);
     /// Calls body(name, table) for each table under a key: [key.NAME].
@@ -59,4 +78,4 @@ private:
     std::set<std::string> known_;
 };
 
-}  // namespace setae::workflow
+}  // namespace setae::io

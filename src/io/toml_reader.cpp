@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "toml_reader.hpp"
+#include "setae/io/toml_reader.hpp"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/io/whole_file.hpp"
 
-namespace setae::workflow {
+namespace setae::io {
 namespace {
 
-FilePosition position(const toml::node& node) { return {.line = node.source().begin.line}; }
+FilePosition position_at(const toml::source_position& place) { return {.line = place.line}; }
+
+FilePosition position(const toml::node& node) { return position_at(node.source().begin); }
 
 }  // namespace
+
+toml::table parse_toml_file(const std::string& path) {
+    try {
+        return toml::parse(read_file(path), path);
+    } catch (const toml::parse_error& error) {
+        throw FormatError(path, position_at(error.source().begin), fmt::format("TOML: {}", error.description()));
+    }
+}
 
 TomlReader::TomlReader(const toml::table& table, std::string path, std::string where)
     : table_(&table), path_(std::move(path)), where_(std::move(where)) {}
@@ -104,6 +117,16 @@ std::vector<double> TomlReader::quantities(const char* key, const Dimension& dim
     return list<double>(key, [&](const toml::node& node) { return parse(key, node, dimension).value; });
 }
 
+bool TomlReader::is_number(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_number();
+}
+
+bool TomlReader::is_table(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_table();
+}
+
 void TomlReader::table(const char* key, const std::function<void(TomlReader)>& body) {
     const auto* node = find(key);
     if (!node) return;
@@ -145,10 +168,10 @@ void TomlReader::finish() const {
         if (known_.contains(std::string(key.str()))) continue;
         const std::vector<std::string> known(known_.begin(), known_.end());
         const auto nearest = nearest_match(key.str(), known);
-        throw FormatError(path_, {.line = key.source().begin.line},
+        throw FormatError(path_, position_at(key.source().begin),
                           fmt::format("unknown key '{}'{}{}", key.str(), where_.empty() ? "" : " in " + where_,
                                       nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
     }
 }
 
-}  // namespace setae::workflow
+}  // namespace setae::io
