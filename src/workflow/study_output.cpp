@@ -9,7 +9,7 @@
 #include "setae/io/netcdf.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
-#include "setae/spectra/abel.hpp"
+#include "setae/synthesis/abel.hpp"
 #include "setae/workflow/json.hpp"
 #include "setae/workflow/study_tables.hpp"
 
@@ -127,7 +127,7 @@ Table spectrum_table(const SurfaceResult& surface) {
     if (surface.combined) {
         const auto& c = *surface.combined;
         table.columns = {{"wavevector", "1/m", c.wavevector}, {"C1D", "m3", c.C1D}, {"standard_error", "m3", c.standard_error}, {"count", "1", c.count},
-                         {"instrument_count", "1", c.instrument_count}, {"C_iso", "m4", spectra::isotropic_from_profile_eq11(c.wavevector, c.C1D, INFINITY)}};
+                         {"instrument_count", "1", c.instrument_count}, {"C_iso", "m4", synthesis::isotropic_from_profile_eq11(c.wavevector, c.C1D, INFINITY)}};
     } else if (surface.curve.density == roughness::Density::C_iso) {
         // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
         const auto& curve = surface.curve;
@@ -135,7 +135,7 @@ Table spectrum_table(const SurfaceResult& surface) {
         const Array1D q = curve.band.lower * (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (std::log(10.0) / 10.0)).exp();
         table.columns = {{"wavevector", "1/m", q},
                          {"C_iso", "m4", roughness::values_at(curve, q)},
-                         {"C1D", "m3", spectra::profile_from_isotropic(curve.wavevector, curve.values, q)}};
+                         {"C1D", "m3", synthesis::profile_from_isotropic(curve.wavevector, curve.values, q)}};
     } else {
         table.columns = {{"wavevector", "1/m", surface.curve.wavevector}, {"C1D", "m3", surface.curve.values}};
     }

@@ -12,7 +12,7 @@
 #include "setae/io/format.hpp"
 #include "setae/io/power_spectrum_table.hpp"
 #include "setae/spectra/bootstrap.hpp"
-#include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/self_affine.hpp"
 #include "setae/topography/artefact.hpp"
 #include "setae/topography/contour.hpp"
 #include "setae/topography/line_scans.hpp"
@@ -178,7 +178,7 @@ void analyse_combined(SurfaceResult& surface, const AnalysisOptions& options, pa
 
 /// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
 /// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by scale.
-SpectrumCurve curve_of(const spectra::SelfAffine& model) {
+SpectrumCurve curve_of(const synthesis::SelfAffine& model) {
     constexpr Index nodes = 100;  // on each side of the roll-off
     const double lower = 2.0 * pi / 1e-2;
     const auto spaced = [](double from, double to) -> Array1D { return (Array1D::LinSpaced(nodes, std::log(from), std::log(to))).exp(); };
@@ -186,12 +186,12 @@ SpectrumCurve curve_of(const spectra::SelfAffine& model) {
     q << spaced(lower, model.rolloff_wavevector), spaced(model.rolloff_wavevector, model.short_wavevector).tail(nodes - 1);
     q[nodes - 1] = model.rolloff_wavevector;
     q[2 * nodes - 2] = model.short_wavevector;
-    return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, roughness::Density::C_iso};
+    return {q, synthesis::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, roughness::Density::C_iso};
 }
 
 void analyse_moments(SurfaceResult& surface, const PublishedMoments& moments, const AnalysisOptions& options) {
     const double height = moments.rms_height.value, slope = moments.rms_slope.value, curvature = moments.rms_curvature.value;
-    const auto reconstruct = [&](double h, double s, double c) { return curve_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector)); };
+    const auto reconstruct = [&](double h, double s, double c) { return curve_of(synthesis::self_affine_with_moments(h, s, c, moments.short_wavevector)); };
     surface.reconstructed = true;
     surface.curve = reconstruct(height, slope, curvature);
     const auto source = [&](const char* name, double dh, double ds, double dc) {

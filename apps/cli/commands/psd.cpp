@@ -5,7 +5,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/io/netcdf.hpp"
 #include "setae/io/table_file.hpp"
-#include "setae/spectra/abel.hpp"
+#include "setae/synthesis/abel.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -53,7 +53,7 @@ void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Argu
         return;
     }
     const double end = q[q.size() - 1] * std::pow(10.0, 0.05);
-    table.columns.push_back({"C_iso", "m4", spectra::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
+    table.columns.push_back({"C_iso", "m4", synthesis::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
     table.metadata["C_iso"] = "[D19] (11) from C1D";
 }
 

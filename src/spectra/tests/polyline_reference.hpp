@@ -9,7 +9,7 @@
 #include "setae/spectra/window.hpp"
 #include "setae/topography/measurement.hpp"
 
-namespace setae::spectra::tests {
+namespace setae::tests {
 
 using ExtendedComplex = std::complex<long double>;
 
@@ -45,4 +45,4 @@ inline double spectrum_by_segments(const topography::Profile& profile, double q,
     return static_cast<double>(std::norm(sum) / length);
 }
 
-}  // namespace setae::spectra::tests
+}  // namespace setae::tests

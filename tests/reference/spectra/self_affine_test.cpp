@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/self_affine.hpp"
 
 #include <array>
 
@@ -10,7 +10,7 @@
 namespace {
 
 using namespace setae;
-using namespace setae::spectra;
+using namespace setae::synthesis;
 
 struct Surface {
     const char* name;

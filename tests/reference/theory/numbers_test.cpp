@@ -7,7 +7,7 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/self_affine.hpp"
 #include "setae/workflow/json.hpp"
 #include "setae/workflow/study_result.hpp"
 
@@ -33,7 +33,7 @@ struct Expected {
 void expect_reconstructions(const workflow::StudyResult& result, double wavevector, const std::vector<Expected>& expected, double energy_digit) {
     for (const auto& e : expected) {
         const auto& moments = *result.study.surface(e.surface)->moments;
-        const auto model = spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
+        const auto model = synthesis::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
         EXPECT_NEAR(model.hurst_exponent, e.hurst, 5e-4) << e.surface;
         if (e.rolloff_um > 0.0) {
             EXPECT_NEAR(2e6 * pi / model.rolloff_wavevector, e.rolloff_um, 5e-3) << e.surface;
@@ -136,7 +136,7 @@ TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
 }
 
 TEST(LaterNcdModel, HasItsPublishedMoments) {
-    const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
+    const synthesis::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
     EXPECT_NEAR(1e9 * spectra::rms_height(model), 93.9, 0.05);
     EXPECT_NEAR(spectra::rms_slope(model), 0.7465, 5e-5);
     EXPECT_NEAR(1e-6 * spectra::rms_curvature(model), 15.19, 5e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectra/abel.hpp"
+#include "setae/synthesis/abel.hpp"
 
 #include <limits>
 
@@ -7,12 +7,12 @@
 
 #include "samples.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/self_affine.hpp"
 
 namespace {
 
 using namespace setae;
-using namespace setae::spectra;
+using namespace setae::synthesis;
 using tests::log_spaced;
 
 TEST(ProfileFromIsotropic, OfAPlateauIsASemicircle) {

@@ -3,7 +3,7 @@
 
 #include "setae/core/arrays.hpp"
 
-namespace setae::spectra {
+namespace setae::synthesis {
 
 /// Isotropic self-affine surface with roll-off.
 ///
@@ -34,4 +34,4 @@ struct SelfAffine {
 [[nodiscard]] SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double rms_curvature,
                                                   double short_wavevector);
 
-}  // namespace setae::spectra
+}  // namespace setae::synthesis

@@ -3,7 +3,7 @@
 
 #include "setae/core/arrays.hpp"
 
-namespace setae::spectra {
+namespace setae::synthesis {
 
 /// C_iso from C1D by the paper's approximation.
 ///
@@ -34,4 +34,4 @@ namespace setae::spectra {
 [[nodiscard]] Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D,
                                              double shortest_wavevector, int rounds = 10);
 
-}  // namespace setae::spectra
+}  // namespace setae::synthesis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/self_affine.hpp"
 
 #include <cmath>
 #include <functional>
@@ -9,9 +9,9 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/spectra/abel.hpp"
+#include "setae/synthesis/abel.hpp"
 
-namespace setae::spectra {
+namespace setae::synthesis {
 namespace {
 
 constexpr double largest_exponent = 1.5;
@@ -104,4 +104,4 @@ SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double 
     return model;
 }
 
-}  // namespace setae::spectra
+}  // namespace setae::synthesis

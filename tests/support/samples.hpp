@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/topography/measurement.hpp"
 
-namespace setae::spectra::tests {
+namespace setae::tests {
 
 inline Array1D random_heights(Index n, unsigned seed = 1) {
     std::mt19937_64 engine(seed);
@@ -41,4 +41,4 @@ inline Array1D log_spaced(Index n, double lower, double upper) {
     return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp();
 }
 
-}  // namespace setae::spectra::tests
+}  // namespace setae::tests

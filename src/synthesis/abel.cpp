@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectra/abel.hpp"
+#include "setae/synthesis/abel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::spectra {
+namespace setae::synthesis {
 namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -99,4 +99,4 @@ Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D&
     return values.head(n);
 }
 
-}  // namespace setae::spectra
+}  // namespace setae::synthesis
