@@ -34,8 +34,8 @@ inline ExtendedComplex segment_sum(const topography::Profile& profile, long doub
 }
 
 /// The windowed spectrum as shifted segment sums.
-inline double spectrum_by_segments(const topography::Profile& profile, double q, Window window) {
-    const auto cosines = cosine_coefficients(window);
+inline double spectrum_by_segments(const topography::Profile& profile, double q, spectra::Window window) {
+    const auto cosines = spectra::cosine_coefficients(window);
     const long double length = static_cast<long double>(profile.positions[profile.positions.size() - 1]) - profile.positions[0];
     const long double base = 2.0L * std::numbers::pi_v<long double> / length;
     ExtendedComplex sum = static_cast<long double>(cosines[0]) * segment_sum(profile, q);
