@@ -137,10 +137,10 @@ TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
 
 TEST(LaterNcdModel, HasItsPublishedMoments) {
     const synthesis::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
-    EXPECT_NEAR(1e9 * spectra::rms_height(model), 93.9, 0.05);
-    EXPECT_NEAR(spectra::rms_slope(model), 0.7465, 5e-5);
-    EXPECT_NEAR(1e-6 * spectra::rms_curvature(model), 15.19, 5e-3);
-    EXPECT_NEAR(spectra::moment(model, 1.0) / (2.0 * pi), 4.374e-8, 5e-12);
+    EXPECT_NEAR(1e9 * synthesis::rms_height(model), 93.9, 0.05);
+    EXPECT_NEAR(synthesis::rms_slope(model), 0.7465, 5e-5);
+    EXPECT_NEAR(1e-6 * synthesis::rms_curvature(model), 15.19, 5e-3);
+    EXPECT_NEAR(synthesis::moment(model, 1.0) / (2.0 * pi), 4.374e-8, 5e-12);
 }
 
 }  // namespace
