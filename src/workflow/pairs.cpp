@@ -87,9 +87,9 @@ private:
         pair.slope = r;
         pair.offset = surface_energy.value * (r - 1.0) + modulus.value * u;
         pair.slope_centre = surface_energy.value;
-        pair.slope_variance = surface_.spread.covariance(ratio, ratio);
-        pair.slope_offset_covariance = surface_.spread.covariance(ratio, energy);
-        pair.offset_variance = surface_.spread.covariance(energy, energy) + std::pow(u * modulus.standard_error, 2) +
+        pair.slope_variance = surface_.used().spread.covariance(ratio, ratio);
+        pair.slope_offset_covariance = surface_.used().spread.covariance(ratio, energy);
+        pair.offset_variance = surface_.used().spread.covariance(energy, energy) + std::pow(u * modulus.standard_error, 2) +
                                std::pow((r - 1.0) * surface_energy.standard_error, 2);
         return pair;
     }
@@ -127,7 +127,7 @@ std::vector<PairPoint> points(const StudyResult& result, Balance balance, const 
 }
 
 Outcome<WorkFit> fit_approach(const StudyResult& result, Balance balance) {
-    const auto found = points(result, balance, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].parameters; });
+    const auto found = points(result, balance, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].used().parameters; });
     if (found.size() < 2)
         return Outcome<WorkFit>::missing(fmt::format("{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2", found.size()));
     return fit_work_of_adhesion(found);
@@ -144,7 +144,7 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
         point.measured = pair.loss->value;
         point.standard_error = pair.loss->standard_error;
         point.slope = surface.area_ratio() * *pair.contact_area;
-        point.slope_variance = std::pow(*pair.contact_area * surface.spread.standard_error([](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }), 2);
+        point.slope_variance = std::pow(*pair.contact_area * surface.used().spread.standard_error([](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }), 2);
         if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
         point.floored = false;
         whole.push_back(point);
@@ -173,7 +173,7 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
 
 Outcome<FreeEnergyFit> fit_free(const StudyResult& result) {
     std::vector<FreeEnergyPoint> found;
-    for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].parameters; })) {
+    for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].used().parameters; })) {
         const auto& elastomer = result.elastomer(p.elastomer);
         found.push_back({p.surface, p.measured, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0), elastomer.contact_modulus.value});
     }
@@ -187,7 +187,7 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
         CutoffPoint point;
         point.shortest_wavelength = shortest;
         for (const auto& surface : result.surfaces)
-            point.surfaces.push_back(surface.failed() ? SpectralParameters{} : parameters_within(surface, {.shortest = shortest}, result.study.analysis.conversion));
+            point.surfaces.push_back(surface.failed() ? SpectralParameters{} : parameters_within(surface.used(), {.shortest = shortest}, result.study.analysis.conversion));
         const auto of_cut = [&](std::size_t i) -> const SpectralParameters& { return point.surfaces[i]; };
         point.modified = fit_work_of_adhesion(points(result, &Balances::modified, of_cut));
         point.persson_tosatti = fit_work_of_adhesion(points(result, &Balances::persson_tosatti, of_cut));
@@ -203,25 +203,25 @@ PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint&
 
 PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
     const double r = point.slope;
-    const double modulus = surface.parameters.elastic_energy_per_modulus * elastomer.contact_modulus.standard_error;
+    const double modulus = surface.used().parameters.elastic_energy_per_modulus * elastomer.contact_modulus.standard_error;
     const double surface_energy = (r - 1.0) * elastomer.input.surface_energy.standard_error;
     const double spectrum2 = point.prediction_variance(work.value) - modulus * modulus - surface_energy * surface_energy;
     return {std::sqrt(std::max(0.0, spectrum2)), modulus, surface_energy, r * work.standard_error};
 }
 
 void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
-    const Balances balances(surface, elastomer, surface.parameters);
-    const bool known_spread = !surface.spread.replicas.empty() || !surface.spread.sources.empty();
+    const Balances balances(surface, elastomer, surface.used().parameters);
+    const bool known_spread = !surface.used().spread.replicas.empty() || !surface.used().spread.sources.empty();
     const auto modified = balances.modified();
     const adhesion::ConformalState state{pair.area_ratio, pair.stored_energy.value};
     const double surface_energy = elastomer.input.surface_energy.value;
     pair.modified = predicted(adhesion::modified_balance(work.value, surface_energy, state), modified, work, known_spread);
-    pair.persson_tosatti = predicted(adhesion::persson_tosatti_balance(work.value, surface.parameters.rms_slope, state.stored_energy),
+    pair.persson_tosatti = predicted(adhesion::persson_tosatti_balance(work.value, surface.used().parameters.rms_slope, state.stored_energy),
                                      balances.persson_tosatti(), work, known_spread);
     pair.without_area_change = predicted(adhesion::balance_without_area_change(work.value, state), balances.without_area_change(), work, known_spread);
     if (const auto& law = elastomer.input.surface_energy_law) pair.general = adhesion::general_balance(work.value, *law, state);
     pair.budget = budget(modified, surface, elastomer, work);
-    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.curve), elastomer.contact_modulus.value, work.value, surface_energy);
+    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.used().curve), elastomer.contact_modulus.value, work.value, surface_energy);
     const auto subject = pair.surface + " × " + pair.elastomer;
     if (!pair.modified->work.conforms)
         pair.alerts.push_back({"WILL_NOT_CONFORM", subject, fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),
@@ -284,8 +284,8 @@ void predict_pairs(StudyResult& result) {
         if (!obstacle(surface, elastomer).empty()) continue;
         pair.area_ratio = surface.area_ratio();
         const double modulus = elastomer.contact_modulus.value;
-        const double energy = surface.parameters.elastic_energy_per_modulus;
-        const auto spread = surface.spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
+        const double energy = surface.used().parameters.elastic_energy_per_modulus;
+        const auto spread = surface.used().spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
         pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * elastomer.contact_modulus.standard_error)};
         predict(pair, surface, elastomer, work);
     }

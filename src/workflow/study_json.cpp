@@ -112,26 +112,34 @@ Json measurement_json(const MeasurementResult& m) {
     return json;
 }
 
+Json spectrum_json(const SurfaceResult& surface, const SpectrumResult& spectrum, const AnalysisOptions& options) {
+    Json json;
+    for (const auto& q : surface_quantities(surface, spectrum, options.conversion)) add(json, q);
+    json["conversion"] = options.conversion == roughness::Conversion::exact ? "exact" : "eq11";
+    if (spectrum.other_conversion) {
+        Json other;
+        const auto& p = *spectrum.other_conversion;
+        const char* source = options.conversion == roughness::Conversion::exact ? eq11_source : exact_source;
+        add(other, named("rms_height", "h_rms", p.rms_height, "m", source));
+        add(other, named("rms_slope", "h'_rms", p.rms_slope, "1", source));
+        add(other, named("rms_curvature", "h''_rms", p.rms_curvature, "1/m", source));
+        add(other, named("elastic_energy_per_modulus", "U_el/(A E*)", p.elastic_energy_per_modulus, "m", source));
+        json["other_conversion"] = other;
+    }
+    add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut", 1.0 - spectrum.parameters.elastic_energy_per_modulus / spectrum.uncut_energy_per_modulus, "1",
+                    "share of the stored energy outside longest_wavelength … shortest_wavelength"));
+    return json;
+}
+
 Json surface_json(const SurfaceResult& surface, const AnalysisOptions& options) {
     Json json;
     if (surface.failed()) {
         json["error"] = surface.error;
     } else {
-        for (const auto& q : surface_quantities(surface, options.conversion)) add(json, q);
-        json["conversion"] = options.conversion == roughness::Conversion::exact ? "exact" : "eq11";
-        if (surface.other_conversion) {
-            Json other;
-            const auto& p = *surface.other_conversion;
-            const char* source = options.conversion == roughness::Conversion::exact ? eq11_source : exact_source;
-            add(other, named("rms_height", "h_rms", p.rms_height, "m", source));
-            add(other, named("rms_slope", "h'_rms", p.rms_slope, "1", source));
-            add(other, named("rms_curvature", "h''_rms", p.rms_curvature, "1/m", source));
-            add(other, named("elastic_energy_per_modulus", "U_el/(A E*)", p.elastic_energy_per_modulus, "m", source));
-            json["other_conversion"] = other;
-        }
-        add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut",
-                        1.0 - surface.parameters.elastic_energy_per_modulus / surface.uncut_energy_per_modulus, "1",
-                        "share of the stored energy outside longest_wavelength … shortest_wavelength"));
+        json = spectrum_json(surface, surface.used(), options);
+        json["spectrum_method"] = method_name(surface, surface.method);
+        if (surface.likelihood)
+            for (const auto& [method, spectrum] : spectra_of(surface)) json["spectra"][method] = spectrum_json(surface, *spectrum, options);
         json["reconstructed"] = surface.reconstructed;
         json["n_measurements"] = surface.measurements.size();
     }
@@ -288,14 +296,14 @@ std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
     return list;
 }
 
-std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion) {
+std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum, roughness::Conversion conversion) {
     const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;
     const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from, const ParameterSpread::Function& f) {
-        auto q = named(name, symbol, f(surface.parameters), unit, from);
-        const double error = surface.spread.standard_error(f);
+        auto q = named(name, symbol, f(spectrum.parameters), unit, from);
+        const double error = spectrum.spread.standard_error(f);
         if (error == error) q.standard_error = error;
-        q.interval = surface.spread.interval(f);
-        q.band = surface.curve.band;
+        q.interval = spectrum.spread.interval(f);
+        q.band = spectrum.curve.band;
         if (!surface.measurements.empty())
             q.n = static_cast<int>(std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); }));
         return q;

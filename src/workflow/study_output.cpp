@@ -23,18 +23,20 @@ std::string with_error(double value, double error, int decimals) {
 }
 
 TidyTable surfaces_for_reading(const StudyResult& result) {
-    TidyTable table{"Surfaces", {"surface", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n"}, {}};
+    TidyTable table{"Surfaces", {"surface", "method", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n"}, {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
-            table.rows.push_back({surface.name, "failed: " + surface.error, "", "", "", "", ""});
+            table.rows.push_back({surface.name, "failed: " + surface.error, "", "", "", "", "", ""});
             continue;
         }
-        const auto q = surface_quantities(surface, result.study.analysis.conversion);
-        const auto cell = [&](std::size_t i, double factor, int decimals) {
-            return with_error(factor * q[i].value, factor * q[i].standard_error.value_or(0.0), decimals);
-        };
-        table.rows.push_back({surface.name, cell(0, 1e9, 2), cell(1, 1.0, 3), cell(2, 1e-9, 3), cell(3, 1.0, 4), cell(5, 1e9, 3),
-                              surface.reconstructed ? "moments" : surface.measurements.empty() ? "PSD" : fmt::format("{}", q[0].n.value_or(0))});
+        for (const auto& [method, spectrum] : spectra_of(surface)) {
+            const auto q = surface_quantities(surface, *spectrum, result.study.analysis.conversion);
+            const auto cell = [&](std::size_t i, double factor, int decimals) {
+                return with_error(factor * q[i].value, factor * q[i].standard_error.value_or(0.0), decimals);
+            };
+            table.rows.push_back({surface.name, method, cell(0, 1e9, 2), cell(1, 1.0, 3), cell(2, 1e-9, 3), cell(3, 1.0, 4), cell(5, 1e9, 3),
+                                  q[0].n ? fmt::format("{}", *q[0].n) : ""});
+        }
     }
     return table;
 }
@@ -128,16 +130,16 @@ Table spectrum_table(const SurfaceResult& surface) {
         const auto& c = *surface.combined;
         table.columns = {{"wavevector", "1/m", c.wavevector}, {"C1D", "m3", c.C1D}, {"standard_error", "m3", c.standard_error}, {"count", "1", c.count},
                          {"instrument_count", "1", c.instrument_count}, {"C_iso", "m4", synthesis::isotropic_from_profile_eq11(c.wavevector, c.C1D, INFINITY)}};
-    } else if (surface.curve.density == roughness::Density::C_iso) {
+    } else if (surface.average.curve.density == roughness::Density::C_iso) {
         // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
-        const auto& curve = surface.curve;
+        const auto& curve = surface.average.curve;
         const auto n = static_cast<Index>(std::ceil(10.0 * std::log10(curve.band.upper / curve.band.lower)));
         const Array1D q = curve.band.lower * (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (std::log(10.0) / 10.0)).exp();
         table.columns = {{"wavevector", "1/m", q},
                          {"C_iso", "m4", roughness::values_at(curve, q)},
                          {"C1D", "m3", synthesis::profile_from_isotropic(curve.wavevector, curve.values, q)}};
     } else {
-        table.columns = {{"wavevector", "1/m", surface.curve.wavevector}, {"C1D", "m3", surface.curve.values}};
+        table.columns = {{"wavevector", "1/m", surface.average.curve.wavevector}, {"C1D", "m3", surface.average.curve.values}};
     }
     return table;
 }

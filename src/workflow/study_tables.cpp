@@ -61,12 +61,13 @@ void add_alerts(TidyTable& table, const std::vector<Alert>& alerts) {
 }  // namespace
 
 TidyTable surface_table(const StudyResult& result) {
-    TidyTable table{"", {"surface", "quantity", "symbol", "value", "standard_error", "unit", "band_low [1/m]", "band_high [1/m]", "n", "source"}, {}};
+    TidyTable table{"", {"surface", "method", "quantity", "symbol", "value", "standard_error", "unit", "band_low [1/m]", "band_high [1/m]", "n", "source"}, {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
-        for (const auto& q : surface_quantities(surface, result.study.analysis.conversion))
-            table.rows.push_back({surface.name, q.quantity, q.symbol, q.value, q.standard_error.value_or(undefined), q.unit, q.band->lower, q.band->upper,
-                                  q.n ? static_cast<double>(*q.n) : undefined, q.source});
+        for (const auto& [method, spectrum] : spectra_of(surface))
+            for (const auto& q : surface_quantities(surface, *spectrum, result.study.analysis.conversion))
+                table.rows.push_back({surface.name, method, q.quantity, q.symbol, q.value, q.standard_error.value_or(undefined), q.unit, q.band->lower,
+                                      q.band->upper, q.n ? static_cast<double>(*q.n) : undefined, q.source});
     }
     return table;
 }
@@ -138,12 +139,14 @@ TidyTable alert_table(const StudyResult& result) {
 }
 
 TidyTable cumulative_table(const StudyResult& result) {
-    TidyTable table{"", {"surface", "wavevector [1/m]", "rms_height below [m]", "rms_slope below [1]", "rms_curvature below [1/m]", "U_el/(A E*) below [m]"}, {}};
+    TidyTable table{"", {"surface", "method", "wavevector [1/m]", "rms_height below [m]", "rms_slope below [1]", "rms_curvature below [1/m]", "U_el/(A E*) below [m]"}, {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
-        const auto c = roughness::cumulative_parameters(surface.curve);
-        for (Index i = 0; i < c.wavevector.size(); ++i)
-            table.rows.push_back({surface.name, c.wavevector[i], c.rms_height[i], c.rms_slope[i], c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
+        for (const auto& [method, spectrum] : spectra_of(surface)) {
+            const auto c = roughness::cumulative_parameters(spectrum->curve);
+            for (Index i = 0; i < c.wavevector.size(); ++i)
+                table.rows.push_back({surface.name, method, c.wavevector[i], c.rms_height[i], c.rms_slope[i], c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
+        }
     }
     return table;
 }

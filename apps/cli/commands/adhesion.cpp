@@ -58,9 +58,9 @@ void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& 
         list.push_back(std::move(q));
     };
     const bool exact = options.conversion == roughness::Conversion::exact;
-    if (const auto& other = result.surfaces.front().other_conversion)
+    if (const auto& other = result.surfaces.front().used().other_conversion)
         add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus, exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
-    const auto& p = result.surfaces.front().parameters;
+    const auto& p = result.surfaces.front().used().parameters;
     add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope), "E* h_rms h'_rms/4, no spectrum with these two stores more");
     const auto map = single_map(result.study.surfaces.front());
     if (!map) return;
@@ -72,7 +72,8 @@ void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& 
 std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::Threads threads) {
     using workflow::quantity;
     const auto& pair = result.pairs.front();
-    auto list = workflow::surface_quantities(result.surfaces.front(), result.study.analysis.conversion);
+    const auto& surface = result.surfaces.front();
+    auto list = workflow::surface_quantities(surface, surface.used(), result.study.analysis.conversion);
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
     add_other_routes(list, result, threads);

@@ -29,13 +29,14 @@ std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface
         for (auto& q : quantities) q.quantity += suffix;
         return quantities;
     };
-    auto list = named(workflow::surface_quantities(surface, conversion), "_from_spectrum");
-    if (!surface.other_conversion) return list;
-    auto other = surface;
-    other.parameters = *surface.other_conversion;
+    const auto& spectrum = surface.used();
+    auto list = named(workflow::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
+    if (!spectrum.other_conversion) return list;
+    auto other = spectrum;
+    other.parameters = *spectrum.other_conversion;
     other.spread = {};
     const bool exact = conversion == roughness::Conversion::exact;
-    const auto others = named(workflow::surface_quantities(other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
+    const auto others = named(workflow::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
                               exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
     list.insert(list.end(), others.begin(), others.end());
     return list;

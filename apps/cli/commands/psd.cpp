@@ -65,7 +65,7 @@ workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surfac
     }
     json["units"] = units;
     for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
-    json["band"] = {{"lower", surface.curve.band.lower}, {"upper", surface.curve.band.upper}, {"unit", "1/m"}};
+    json["band"] = {{"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
     json["measurements"] = workflow::Json::array();
     for (const auto& m : surface.measurements)
         if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}});

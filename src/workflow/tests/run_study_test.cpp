@@ -107,9 +107,9 @@ TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
     for (const auto& [name, amplitude] : {std::pair{"A", 20e-9}, {"B", 60e-9}}) {
         const auto& surface = result.surface(name);
         ASSERT_EQ(surface.error, "");
-        EXPECT_NEAR(surface.parameters.rms_height / (amplitude / std::sqrt(2.0)), 1.0, 1e-6) << name;
+        EXPECT_NEAR(surface.average.parameters.rms_height / (amplitude / std::sqrt(2.0)), 1.0, 1e-6) << name;
         // taken for isotropic, a line of one wave has U_el/(A E*) = (1/8) ∫ q C1D dq = π q A²/16
-        EXPECT_NEAR(surface.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0), 1.0, 1e-6) << name;
+        EXPECT_NEAR(surface.average.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0), 1.0, 1e-6) << name;
     }
 }
 
@@ -136,8 +136,8 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
     const auto& [blunter, sharper] = *surface.measurements[1].bands_of_uncertain_tip;
     EXPECT_LT(blunter.upper, surface.measurements[1].spectrum.q_max);
     EXPECT_GT(sharper.upper, surface.measurements[1].spectrum.q_max);
-    ASSERT_EQ(surface.spread.sources.size(), 1u);
-    EXPECT_GT(surface.spread.sources[0].minus.rms_slope, surface.spread.sources[0].plus.rms_slope);
+    ASSERT_EQ(surface.average.spread.sources.size(), 1u);
+    EXPECT_GT(surface.average.spread.sources[0].minus.rms_slope, surface.average.spread.sources[0].plus.rms_slope);
 }
 
 TEST_F(StudyOfFiles, FindsTheWorkAndTheLossPutIn) {

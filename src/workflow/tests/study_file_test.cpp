@@ -51,6 +51,12 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 
+TEST_F(StudyFile, AveragesUnlessTheLikelihoodIsAskedFor) {
+    EXPECT_EQ(read(surface).analysis.spectrum, SpectrumMethod::average);
+    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"likelihood\"\n") + surface).analysis.spectrum, SpectrumMethod::likelihood);
+    EXPECT_NE(message_of(std::string("[analysis]\nspectrum = \"best\"\n") + surface).find("analysis.spectrum"), std::string::npos);
+}
+
 TEST_F(StudyFile, NamesTheNearestKeyAndItsLine) {
     EXPECT_EQ(message_of("[analysis]\nlongest_wavelenght = \"1 um\"\n"), "study.toml:2: unknown key 'longest_wavelenght' in analysis; did you mean 'longest_wavelength'?");
 }

@@ -41,7 +41,7 @@ using Json = nlohmann::ordered_json;
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
 [[nodiscard]] std::vector<Quantity> measurement_quantities(const MeasurementResult& measurement);
 
-/// Parameters of a surface as quantities, with their uncertainties and band.
-[[nodiscard]] std::vector<Quantity> surface_quantities(const SurfaceResult& surface, roughness::Conversion conversion);
+/// Parameters of one spectrum of a surface as quantities, with their uncertainties and band.
+[[nodiscard]] std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum, roughness::Conversion conversion);
 
 }  // namespace setae::workflow

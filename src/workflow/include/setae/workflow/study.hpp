@@ -89,7 +89,14 @@ struct ReportedValue {
     std::string source;
 };
 
+/// How the measurements of a surface become one spectrum.
+enum class SpectrumMethod {
+    average,     ///< arithmetic mean of C1D over the measurements of each bin ([D19])
+    likelihood,  ///< C_iso fitted to all measurements at once, each seen through what was done to it; the average beside it
+};
+
 struct AnalysisOptions {
+    SpectrumMethod spectrum = SpectrumMethod::average;
     roughness::WavelengthLimits limits;
     roughness::Conversion conversion = roughness::Conversion::exact;
     spectra::ContourTreatment contours = spectra::ContourTreatment::sinc_corrected;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
+#include "setae/workflow/parameter_spread.hpp"
 #include "setae/workflow/study.hpp"
 
 namespace setae::workflow {
@@ -35,41 +37,49 @@ struct MeasurementResult {
     [[nodiscard]] bool failed() const { return !error.empty(); }
 };
 
-/// How uncertain spectral parameters are, and why: bootstrap replicas, and pairs of values a given ± leads to.
-struct ParameterSpread {
-    struct Source {
-        std::string name;  ///< such as "tip radius"
-        roughness::SpectralParameters plus, minus;
-    };
-    using Function = std::function<double(const roughness::SpectralParameters&)>;
+/// One spectrum of a surface and what follows from it.
+struct SpectrumResult {
+    roughness::SpectrumCurve curve;                  ///< cut to the wavelength limits of the study
+    roughness::SpectralParameters parameters;        ///< by the study's conversion
+    std::optional<roughness::SpectralParameters> other_conversion;  ///< by the other one, where the curve is C1D
+    double uncut_energy_per_modulus = 0.0;           ///< U_el/(A E*) without the limits [m]
+    ParameterSpread spread;
 
-    std::vector<roughness::SpectralParameters> replicas;
-    std::vector<Source> sources;
-
-    /// Covariance of two functions of the parameters: between replicas, plus ¼ (f₊ − f₋)(g₊ − g₋) of each source.
-    [[nodiscard]] double covariance(const Function& f, const Function& g) const;
-    [[nodiscard]] double standard_error(const Function& f) const;
-    /// 2.5 and 97.5 % of the replicas, where there are at least 40 and no other source.
-    [[nodiscard]] std::optional<Interval> interval(const Function& f) const;
+    [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
 };
 
-/// A surface: its spectrum and what follows from it, or why it failed.
+/// Parameters of a whole spectrum within the limits of a study and by its conversion.
+/// @throws as roughness::limited and roughness::spectral_parameters (both).
+[[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
+[[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
+
+/// A surface: its spectra and what follows from them, or why it failed.
 struct SurfaceResult {
     std::string name;
     std::string error;
     bool reconstructed = false;  ///< the spectrum stands for published moments
     std::vector<MeasurementResult> measurements;
     std::optional<spectra::CombinedSpectrum> combined;
-    roughness::SpectrumCurve curve;                  ///< cut to the wavelength limits of the study
-    roughness::SpectralParameters parameters;        ///< by the study's conversion
-    std::optional<roughness::SpectralParameters> other_conversion;  ///< by the other one, where the curve is C1D
-    double uncut_energy_per_modulus = 0.0;           ///< U_el/(A E*) without the limits [m]
-    ParameterSpread spread;
+    SpectrumMethod method = SpectrumMethod::average;  ///< whose spectrum everything else rests on
+    SpectrumResult average;                    ///< the mean over measurements; of other surfaces the spectrum given
+    std::optional<SpectrumResult> likelihood;  ///< fitted to all measurements at once, where the study asks for it
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
-    [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
+    [[nodiscard]] const SpectrumResult& used() const { return method == SpectrumMethod::likelihood ? *likelihood : average; }
+    [[nodiscard]] double area_ratio() const { return used().area_ratio(); }
 };
+
+/// What a table says of a surface's spectrum: "average" or "likelihood"; "given" and "moments" where nothing was measured.
+[[nodiscard]] std::string method_name(const SurfaceResult& surface, SpectrumMethod method);
+
+/// A spectrum of a surface and how it was found.
+struct NamedSpectrum {
+    std::string method;
+    const SpectrumResult* result;  ///< never null; lives as long as the surface
+};
+/// All spectra of a surface that did not fail, the one used first.
+[[nodiscard]] std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface);
 
 /// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, contour cleaned, trend removed.
 /// @throws what reading and preparing throw.
@@ -88,8 +98,8 @@ struct PreparedMeasurement {
 /// the surface, and the rest is done.
 [[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads);
 
-/// Parameters of a surface with its spectrum cut at other wavelengths.
-[[nodiscard]] roughness::SpectralParameters parameters_within(const SurfaceResult& surface, const roughness::WavelengthLimits& limits,
+/// Parameters of a spectrum cut at other wavelengths.
+[[nodiscard]] roughness::SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits,
                                                               roughness::Conversion conversion);
 
 }  // namespace setae::workflow

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "average_spectrum.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/spectra/bootstrap.hpp"
+
+namespace setae::workflow {
+namespace {
+
+using roughness::SpectralParameters;
+using roughness::SpectrumCurve;
+
+SpectrumCurve curve_of(const spectra::CombinedSpectrum& combined) {
+    return {combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}};
+}
+
+/// A single measurement speaks with its own modes: no bins, so sums over them obey Parseval. The first mode stands for
+/// half a step on either side.
+SpectrumCurve curve_of(const spectra::PowerSpectrum1D& spectrum) {
+    const auto own = spectra::within_band(spectrum);
+    const double half_step = 0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
+    return {own.wavevector, own.C1D, {own.wavevector[0] - half_step, own.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
+}
+
+std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementResult>& measurements) {
+    std::vector<spectra::PowerSpectrum1D> found;
+    for (const auto& m : measurements)
+        if (!m.failed()) found.push_back(m.spectrum);
+    return found;
+}
+
+/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an instrument,
+/// so their errors do not average out.
+std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements, std::size_t direction) {
+    std::vector<spectra::PowerSpectrum1D> moved;
+    for (const auto& m : measurements) {
+        if (m.failed()) continue;
+        moved.push_back(m.spectrum);
+        if (!m.bands_of_uncertain_tip) continue;
+        moved.back().q_min = (*m.bands_of_uncertain_tip)[direction].lower;
+        moved.back().q_max = (*m.bands_of_uncertain_tip)[direction].upper;
+    }
+    return moved;
+}
+
+bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
+    return std::any_of(measurements.begin(), measurements.end(), [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
+}
+
+std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options, parallel::Threads threads) {
+    if (options.bootstrap_resamples == 0 || binned.C1D.rows() < 2) return {};
+    spectra::BootstrapOptions bootstrap;
+    bootstrap.resamples = options.bootstrap_resamples;
+    bootstrap.seed = options.seed;
+    bootstrap.weighting = options.weighting;
+    bootstrap.threads = threads;
+    const auto resampled = spectra::bootstrap(binned, bootstrap);
+    std::vector<SpectralParameters> replicas;
+    for (Index i = 0; i < resampled.C1D.rows(); ++i) replicas.push_back(parameters_of({resampled.wavevector, resampled.C1D.row(i), band}, options));
+    return replicas;
+}
+
+}  // namespace
+
+void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
+    const auto found = spectra_of(surface.measurements);
+    if (found.empty()) throw UndefinedDataError(fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
+    spectra::CombinationOptions combination;
+    combination.weighting = options.weighting;
+    surface.combined = spectra::combine(found, combination);
+    surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
+    const auto curve_from = [](const std::vector<spectra::PowerSpectrum1D>& spectra, const spectra::CombinedSpectrum& combined) {
+        return spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(combined);
+    };
+    surface.average = spectrum_result(curve_from(found, *surface.combined), options);
+    auto& spread = surface.average.spread;
+    spread.replicas = resampled_parameters(spectra::binned(found, combination), curve_of(*surface.combined).band, options, threads);
+    if (!has_uncertain_tip(surface.measurements)) return;
+    const auto moved = [&](std::size_t direction) {
+        const auto spectra = with_moved_tips(surface.measurements, direction);
+        return parameters_of(curve_from(spectra, spectra::combine(spectra, combination)), options);
+    };
+    spread.sources.push_back({"tip radius", moved(0), moved(1)});
+}
+
+}  // namespace setae::workflow

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/io/channel.hpp"
+#include "setae/io/format.hpp"
+#include "setae/topography/artefact.hpp"
+#include "setae/topography/contour.hpp"
+#include "setae/topography/line_scans.hpp"
+#include "setae/workflow/surface_analysis.hpp"
+
+namespace setae::workflow {
+namespace {
+
+/// What an instrument's data are levelled by where nobody says otherwise ([D19]: stylus parabola, AFM and TEM tilt).
+topography::Trend usual_trend(const std::string& instrument) {
+    return instrument == "stylus" ? topography::Trend::parabola : topography::Trend::tilt;
+}
+
+void apply_instrument(topography::Instrument& instrument, const MeasurementInput& input) {
+    if (!input.instrument.empty()) instrument.type = input.instrument;
+    if (input.resolution) instrument.resolution = input.resolution;
+    if (!input.tip_radius) return;
+    instrument.tip_radius = input.tip_radius->value;
+    if (input.tip_radius->standard_error > 0.0) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
+}
+
+topography::LineScan subtract_references(const topography::LineScan& scan, const MeasurementInput& input, const io::ReadOptions& options) {
+    std::vector<topography::LineScan> references;
+    for (const auto& file : input.references) {
+        const auto measurement = io::read(file, 0, options);
+        const auto* reference = std::get_if<topography::LineScan>(&measurement);
+        if (!reference) throw InvalidArgument(fmt::format("{}: a reference of a line scan must be a line scan with equal steps", file));
+        references.push_back(*reference);
+    }
+    return topography::subtract_artefact(scan, topography::average_reference(references));
+}
+
+/// Lines with undefined points become polylines through the others; contours become functions of x.
+void make_analysable(PreparedMeasurement& prepared) {
+    auto& measurement = prepared.measurement;
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && scan->heights.isNaN().any()) {
+        const auto missing = scan->heights.isNaN().count();
+        prepared.alerts.push_back({"UNDEFINED", scan->metadata.file,
+                                   fmt::format("{} of {} heights are undefined; the line is taken as a polyline through the others", missing, scan->heights.size()),
+                                   "measure again if the gaps are wide"});
+        measurement = topography::to_profile(*scan);
+    }
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) {
+        auto cleaned = topography::clean_contour(*profile);
+        prepared.alerts.insert(prepared.alerts.end(), cleaned.alerts.begin(), cleaned.alerts.end());
+        measurement = std::move(cleaned.profile);
+    }
+}
+
+PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& input, const io::ReadOptions& options) {
+    PreparedMeasurement prepared;
+    prepared.alerts = channel.info.alerts;
+    prepared.measurement = channel.read();
+    apply_instrument(topography::metadata(prepared.measurement).instrument, input);
+    if (!input.references.empty()) {
+        const auto* scan = std::get_if<topography::LineScan>(&prepared.measurement);
+        if (!scan) throw InvalidArgument(fmt::format("{}: references are subtracted from line scans with equal steps only", input.file));
+        prepared.measurement = subtract_references(*scan, input, options);
+    }
+    make_analysable(prepared);
+    const auto& instrument = topography::metadata(prepared.measurement).instrument.type;
+    prepared.trend = input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(instrument)));
+    prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
+    topography::validate(prepared.measurement);
+    return prepared;
+}
+
+}  // namespace
+
+std::vector<std::function<PreparedMeasurement()>> prepared_measurements(const MeasurementInput& input) {
+    const io::ReadOptions options{input.size, input.unit};
+    const auto channels = io::open(input.file, options);
+    const bool container = io::detect_format(io::file_source(input.file)).identifier == "ce-container";
+    std::vector<std::function<PreparedMeasurement()>> found;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const bool wanted = input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
+        if (wanted) found.push_back([channel = channels[i], input, options] { return prepare(channel, input, options); });
+    }
+    if (found.empty())
+        throw InvalidArgument(input.channel ? fmt::format("{}: no channel {}, it has {}", input.file, *input.channel, channels.size())
+                                            : fmt::format("{}: none of its {} channels holds heights", input.file, channels.size()));
+    return found;
+}
+
+}  // namespace setae::workflow
