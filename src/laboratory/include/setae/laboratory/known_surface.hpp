@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/roughness/spectral_moments.hpp"
+#include "setae/synthesis/spectral_density.hpp"
+
+namespace setae::laboratory {
+
+/// A surface whose every property follows from what is written here.
+///
+/// Heights are h = h_rms g(z), z the Gaussian surface of unit variance with spectrum C_iso/h_rms². g is the identity
+/// without skewness, else the log-normal function of that skewness.
+struct KnownSurface {
+    std::string name;
+    std::string description;
+    synthesis::SpectralDensity C_iso;  ///< of the Gaussian surface h_rms z [m⁴]
+    double rolloff_wavelength = 0.0;   ///< beyond it C_iso is flat [m]
+    double short_wavelength = 0.0;     ///< below it C_iso is zero [m]
+    double skewness = 0.0;             ///< of the heights
+
+    [[nodiscard]] bool gaussian() const { return skewness == 0.0; }
+    [[nodiscard]] Band band() const;   ///< 2π over the two wavelengths [1/m]
+};
+
+/// What measurements of a surface should find.
+struct SurfaceTruth {
+    roughness::SpectralParameters parameters;
+    double area_ratio = 1.0;        ///< A_true/A_app
+    roughness::SpectrumCurve C1D;   ///< 20 nodes a decade from 1/100 of the roll-off wavevector to the short cutoff
+    std::string source;             ///< how the numbers came about
+};
+
+/// Moments and true area of a surface.
+///
+/// Gaussian: integrals of C_iso (Gauss points, exact to 1e-6) and [D19] (9).
+/// Otherwise, with z and ∇z independent of each other at a point,
+///
+///   h'² = ⟨g'²⟩ h'_z²,   A_true/A_app = ⟨r(|g'(z)| h'_z)⟩ with r of (9),   C1D: transform of h_rms² Σ_n c_n² ρ(x)^n,
+///
+/// ρ the autocorrelation of z along a line (synthesis::CorrelationOfTransform), on 2^20 points over 100 roll-off
+/// wavelengths or of a quarter of the short one, whichever is shorter; energy and curvature are integrals of that C1D.
+/// @throws InvalidArgument for wavelengths that contradict each other or a spectrum that is not positive and finite.
+[[nodiscard]] SurfaceTruth surface_truth(const KnownSurface& surface);
+
+}  // namespace setae::laboratory
