@@ -6,6 +6,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
 find_package(fmt REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)
 
 find_package(Ceres REQUIRED)
 find_package(pugixml REQUIRED)

@@ -11,6 +11,8 @@ namespace setae::synthesis {
 struct RandomKey {
     std::uint64_t seed = 0;    ///< the user's
     std::uint64_t stream = 0;  ///< which of the seed's independent sequences
+
+    friend bool operator==(const RandomKey&, const RandomKey&) = default;
 };
 
 /// The key of one of many independent sequences below a key: streams that differ by key or index share no numbers, up to
@@ -41,9 +43,9 @@ void fill_normal(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D>
 /// out_i = uniform_number(key, first_counter + i).
 void fill_uniform(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out);
 
-/// n numbers from first_counter on. @throws InvalidArgument for n < 0.
-[[nodiscard]] Array1D normal_numbers(RandomKey key, Index n, std::uint64_t first_counter = 0);
-[[nodiscard]] Array1D uniform_numbers(RandomKey key, Index n, std::uint64_t first_counter = 0);
+/// `count` numbers from first_counter on. @throws InvalidArgument for count < 0.
+[[nodiscard]] Array1D normal_numbers(RandomKey key, std::uint64_t first_counter, Index count);
+[[nodiscard]] Array1D uniform_numbers(RandomKey key, std::uint64_t first_counter, Index count);
 
 /// An index 0 … n − 1, each equally likely to within n/2⁵²: floor(n u). @throws InvalidArgument for n < 1 or n > 2⁴⁰.
 [[nodiscard]] Index random_index(RandomKey key, std::uint64_t counter, Index n);

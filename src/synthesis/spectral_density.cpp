@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/synthesis/spectral_density.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/synthesis/abel.hpp"
+
+namespace setae::synthesis {
+namespace {
+
+/// A curve of power laws between nodes.
+class PowerLaws {
+public:
+    PowerLaws(const ArrayView1D& wavevector, const ArrayView1D& spectrum)
+        : nodes_(wavevector.begin(), wavevector.end()), values_(spectrum.begin(), spectrum.end()) {
+        for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
+            exponents_.push_back(std::log(values_[i + 1] / values_[i]) / std::log(nodes_[i + 1] / nodes_[i]));
+    }
+
+    double operator()(double q) const {
+        if (q <= nodes_.front()) return values_.front();
+        if (q > nodes_.back()) return 0.0;
+        const auto upper = std::lower_bound(nodes_.begin(), nodes_.end(), q);
+        const auto i = static_cast<std::size_t>(upper - nodes_.begin()) - 1;
+        if (values_[i] > 0.0 && values_[i + 1] > 0.0) return values_[i] * std::pow(q / nodes_[i], exponents_[i]);
+        return values_[i] + (values_[i + 1] - values_[i]) * (q - nodes_[i]) / (nodes_[i + 1] - nodes_[i]);
+    }
+
+private:
+    std::vector<double> nodes_, values_, exponents_;
+};
+
+}  // namespace
+
+SpectralDensity density(const SelfAffine& model) {
+    if (!(model.hurst_exponent > 0.0 && model.hurst_exponent <= 1.0))
+        throw InvalidArgument(fmt::format("Hurst exponent {}; expected 0 < H <= 1: no self-affine surface has another", model.hurst_exponent));
+    if (!(model.short_wavevector > model.rolloff_wavevector))
+        throw InvalidArgument(fmt::format("short cutoff at q_s = {} 1/m, roll-off at q_r = {} 1/m; expected q_s > q_r, that is a short "
+                                          "wavelength below the roll-off wavelength", model.short_wavevector, model.rolloff_wavevector));
+    if (!(model.rolloff_wavevector > 0.0 && model.plateau > 0.0 && std::isfinite(model.plateau * model.short_wavevector)))
+        throw InvalidArgument(fmt::format("plateau C_0 = {} m4 up to q_r = {} 1/m; expected both positive and finite", model.plateau,
+                                          model.rolloff_wavevector));
+    const double exponent = -2.0 - 2.0 * model.hurst_exponent;
+    return [model, exponent](double q) {
+        if (q > model.short_wavevector) return 0.0;
+        if (q < model.rolloff_wavevector) return model.plateau;
+        return model.plateau * std::pow(q / model.rolloff_wavevector, exponent);
+    };
+}
+
+SpectralDensity density(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
+    if (wavevector.size() != spectrum.size() || wavevector.size() < 2)
+        throw InvalidArgument(fmt::format("a spectrum of {} wavevectors and {} values; expected as many of both, at least 2",
+                                          wavevector.size(), spectrum.size()));
+    for (Index i = 0; i < wavevector.size(); ++i) {
+        if (!(wavevector[i] > (i == 0 ? 0.0 : wavevector[i - 1])) || !std::isfinite(wavevector[i]))
+            throw InvalidArgument(fmt::format("row {} of a spectrum has q = {} 1/m after {}; expected positive wavevectors that increase",
+                                              i + 1, wavevector[i], i == 0 ? 0.0 : wavevector[i - 1]));
+        if (!(spectrum[i] >= 0.0) || !std::isfinite(spectrum[i]))
+            throw InvalidArgument(fmt::format("row {} of a spectrum (q = {} 1/m) is {}; expected a number >= 0: a power spectrum is a mean "
+                                              "square", i + 1, wavevector[i], spectrum[i]));
+    }
+    return PowerLaws(wavevector, spectrum);
+}
+
+SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, double upper) {
+    if (!(lower > 0.0 && lower < upper && std::isfinite(upper)))
+        throw InvalidArgument(fmt::format("a spectrum of lines from {} to {} 1/m; expected 0 < lower < upper", lower, upper));
+    constexpr double nodes_per_decade = 200.0;
+    const auto count = static_cast<Index>(std::ceil(nodes_per_decade * std::log10(upper / lower))) + 2;
+    Array1D nodes(count), values(count);
+    Index used = 0;
+    for (Index i = 0; i < count; ++i) {
+        const double q = i == 0 ? lower : i == count - 1 ? upper : lower * std::pow(upper / lower, static_cast<double>(i) / static_cast<double>(count - 1));
+        const double value = C_iso(q);
+        if (!(value > 0.0)) break;
+        nodes[i] = q;
+        values[i] = value;
+        used = i + 1;
+    }
+    if (used < 2) throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on", C_iso(lower), lower));
+    // the cutoff lies between the last node with power and the next: bisected, so that it is not moved to a node
+    if (used < count) {
+        double inside = nodes[used - 1], outside = lower * std::pow(upper / lower, static_cast<double>(used) / static_cast<double>(count - 1));
+        for (int round = 0; round < 60; ++round) (C_iso(0.5 * (inside + outside)) > 0.0 ? inside : outside) = 0.5 * (inside + outside);
+        if (inside > nodes[used - 1]) {
+            nodes[used] = inside;
+            values[used++] = C_iso(inside);
+        }
+    }
+    const Array1D q = nodes.head(used);
+    return density(q, profile_from_isotropic(q, values.head(used), q));
+}
+
+}  // namespace setae::synthesis
