@@ -42,4 +42,30 @@ Array1D bin_means(const BinnedSpectra& spectra, Weighting weighting, const Multi
     return means;
 }
 
+std::vector<Index> filled_bins(const Array1D& means) {
+    std::vector<Index> filled;
+    for (Index b = 0; b < means.size(); ++b)
+        if (!std::isnan(means[b])) filled.push_back(b);
+    return filled;
+}
+
+Eigen::Array<bool, Eigen::Dynamic, 1> fill_lost_bins(Array1D& means, const Array1D& full) {
+    const Index n = means.size();
+    const Eigen::Array<bool, Eigen::Dynamic, 1> lost = means.isNaN();
+    const Array1D ratio = means / full;
+    Index before = -1;
+    for (Index b = 0; b < n; ++b) {
+        if (!lost[b]) {
+            before = b;
+            continue;
+        }
+        Index after = b;
+        while (after < n && lost[after]) ++after;
+        const double t = before < 0 ? 1.0 : after == n ? 0.0 : static_cast<double>(b - before) / static_cast<double>(after - before);
+        const double below = before < 0 ? 0.0 : ratio[before], above = after == n ? 0.0 : ratio[after];
+        means[b] = full[b] * ((1.0 - t) * below + t * above);
+    }
+    return lost;
+}
+
 }  // namespace setae::spectra

@@ -8,9 +8,6 @@
 
 namespace setae::spectra {
 
-/// How often each measurement takes part: once, or as often as a resample drew it.
-using Multiplicity = std::vector<int>;
-
 [[nodiscard]] Multiplicity all_members(const BinnedSpectra& spectra);
 
 /// Weight of every measurement in a bin, multiplicity included; 0 where it has nothing there.
@@ -18,5 +15,11 @@ using Multiplicity = std::vector<int>;
 
 /// Weighted mean in every bin; NaN in empty ones.
 [[nodiscard]] Array1D bin_means(const BinnedSpectra& spectra, Weighting weighting, const Multiplicity& drawn);
+
+/// Bins whose mean is not NaN.
+[[nodiscard]] std::vector<Index> filled_bins(const Array1D& means);
+
+/// Replaces NaN by full times the ratio of the neighbours, interpolated linearly over the bins. Returns which were filled.
+Eigen::Array<bool, Eigen::Dynamic, 1> fill_lost_bins(Array1D& means, const Array1D& full);
 
 }  // namespace setae::spectra

@@ -180,7 +180,7 @@ TEST(Bootstrap, StratifiedDrawsLoseNoInstrument) {
     std::vector<PowerSpectrum1D> spectra{power_law(1.0, 0.0, 1.0, 10.0, "stylus"), power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
                                          power_law(1.0, 0.0, 100.0, 1000.0, "tem")};
     EXPECT_GT(bootstrap(binned(spectra), {.resamples = 100}).filled_share.maxCoeff(), 0.1);
-    EXPECT_EQ(bootstrap(binned(spectra), {.resamples = 100, .stratified = true}).filled_share.maxCoeff(), 0.0);
+    EXPECT_EQ(bootstrap(binned(spectra), {.resamples = 100, .draw = Draw::within_instruments}).filled_share.maxCoeff(), 0.0);
 }
 
 TEST(Bootstrap, GivesTheSameBytesForASeedAndAnyNumberOfThreads) {

@@ -2,16 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "setae/parallel/for_each.hpp"
 #include "setae/spectra/combination.hpp"
 
 namespace setae::spectra {
 
+/// What a resample draws with replacement.
+enum class Draw {
+    measurements,            ///< among all measurements
+    within_instruments,      ///< among those of each instrument, so that none is lost
+    instruments_and_within,  ///< instruments, then as many measurements among those of each drawn one: both levels scatter
+};
+
 struct BootstrapOptions {
     int resamples = 1000;
     std::uint64_t seed = 1;
-    bool stratified = false;  ///< draw within each instrument, so that none is lost
+    Draw draw = Draw::measurements;
     Weighting weighting = Weighting::equal;
     parallel::Threads threads;
 };
@@ -21,10 +29,11 @@ struct BootstrapSpectra {
     Array1D wavevector;    ///< as CombinedSpectrum's [1/m]
     Array2D C1D;           ///< (resample, bin) [m³], no gaps
     Array1D filled_share;  ///< share of resamples in which the bin was lost and filled
+    std::vector<Multiplicity> drawn;  ///< of each resample, how often it drew each measurement
     std::uint64_t seed = 0;
 };
 
-/// Draws as many measurements as have data, with replacement, and combines them, `resamples` times.
+/// Draws measurements that have data, with replacement, and combines them, `resamples` times.
 ///
 /// A bin that no drawn measurement covers is filled with the full combination's value times the ratio resample/full of
 /// the neighbouring bins, the ratio interpolated in ln q (constant beyond the ends).

@@ -18,6 +18,9 @@ enum class Weighting {
     inverse_variance,  ///< by 1/(relative variance), from the number of modes and lines a measurement has in the bin
 };
 
+/// How often each measurement takes part: once, or as often as a resample drew it.
+using Multiplicity = std::vector<int>;
+
 struct CombinationOptions {
     LogGrid grid;
     Weighting weighting = Weighting::equal;
