@@ -64,6 +64,13 @@ fftw_plan plan_real(Index n) {
                                         FFTW_ESTIMATE | FFTW_PRESERVE_INPUT), n);
 }
 
+fftw_plan plan_inverse_real(Index n) {
+    const Room<Complex> in(n / 2 + 1);
+    const Room<double> out(n);
+    const std::lock_guard lock(planner_mutex());
+    return checked(fftw_plan_dft_c2r_1d(static_cast<int>(n), as_fftw(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT), n);
+}
+
 fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
     const Room<Complex> values(n);
     const int direction = sign == ComplexTransform::Sign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
@@ -87,6 +94,18 @@ void RealTransform::forward(const double* in, Complex* out) const {
     // FFTW_PRESERVE_INPUT keeps the promise of const
     fftw_execute_dft_r2c(plan_->handle, const_cast<double*>(in), as_fftw(out));
 }
+
+struct InverseRealTransform::Plan : PlanHandle {
+    using PlanHandle::PlanHandle;
+};
+
+InverseRealTransform::InverseRealTransform(Index n)
+    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_inverse_real(n))) {}
+InverseRealTransform::~InverseRealTransform() = default;
+InverseRealTransform::InverseRealTransform(InverseRealTransform&&) noexcept = default;
+InverseRealTransform& InverseRealTransform::operator=(InverseRealTransform&&) noexcept = default;
+
+void InverseRealTransform::apply(Complex* in, double* out) const { fftw_execute_dft_c2r(plan_->handle, as_fftw(in), out); }
 
 struct ComplexTransform::Plan : PlanHandle {
     using PlanHandle::PlanHandle;

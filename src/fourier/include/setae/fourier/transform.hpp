@@ -37,6 +37,31 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
+/// The n real values of a half spectrum.
+///
+///   out_j = sum_{k=0}^{n−1} in_k exp(2πi jk/n),  in_{n−k} = conj(in_k)
+///
+/// Takes in_0 … in_{n/2}; the imaginary parts of in_0 and, for even n, of in_{n/2} are ignored. No factor in front.
+class InverseRealTransform {
+public:
+    /// @throws InvalidArgument for n < 1.
+    explicit InverseRealTransform(Index n);
+    ~InverseRealTransform();
+    InverseRealTransform(InverseRealTransform&&) noexcept;
+    InverseRealTransform& operator=(InverseRealTransform&&) noexcept;
+
+    [[nodiscard]] Index points() const { return points_; }
+    [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
+
+    /// `in` (modes() values) is overwritten; otherwise as RealTransform::forward.
+    void apply(Complex* in, double* out) const;
+
+private:
+    struct Plan;
+    Index points_;
+    std::unique_ptr<Plan> plan_;
+};
+
 /// The spectrum of n complex values, in place: z_k = sum_j z_j exp(∓2πi jk/n), no factor in front.
 class ComplexTransform {
 public:
