@@ -3,20 +3,13 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "setae/core/errors.hpp"
+#include "rms_height.hpp"
 #include "setae/core/summation.hpp"
 #include "setae/fourier/inverse_map_transform.hpp"
 #include "surface_modes.hpp"
 
 namespace setae::synthesis {
 namespace {
-
-void require_rms(const SurfaceOptions& options) {
-    if (options.exact_rms_height && !(*options.exact_rms_height > 0.0 && std::isfinite(*options.exact_rms_height)))
-        throw InvalidArgument(fmt::format("rms height {} m asked for; expected a positive length", *options.exact_rms_height));
-}
 
 /// √⟨h²⟩ of heights of zero mean, row sums added in a fixed order.
 double rms(const Array2D& heights, parallel::Threads threads) {
@@ -28,24 +21,17 @@ double rms(const Array2D& heights, parallel::Threads threads) {
     return std::sqrt(pairwise_sum(sums) / static_cast<double>(heights.size()));
 }
 
-void scale(Array2D& heights, double target, parallel::Threads threads) {
-    const double found = rms(heights, threads);
-    if (!(found > 0.0))
-        throw InvalidArgument("an rms height is asked for, but the power spectrum is zero at every mode of the grid; expected power "
-                              "between 2π/size and π/pixel size");
-    const double factor = target / found;
-    parallel::for_each_index(static_cast<std::size_t>(heights.rows()), threads,
-                             [&](std::size_t row) { heights.row(static_cast<Index>(row)) *= factor; });
-}
-
 }  // namespace
 
 topography::HeightMap random_surface(const SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
-    require_rms(options);
+    if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const SurfaceModes modes(C_iso, grid, options);
     topography::HeightMap map{.heights = Array2D(grid.nx, grid.ny), .size = {grid.size_x, grid.size_y}, .periodic = true};
     fourier::inverse_transform_map([&](Index ky, fourier::Complex* line) { modes.line(ky, line); }, map.heights, options.threads);
-    if (options.exact_rms_height) scale(map.heights, *options.exact_rms_height, options.threads);
+    if (!options.exact_rms_height) return map;
+    const double factor = scale_to(*options.exact_rms_height, rms(map.heights, options.threads));
+    parallel::for_each_index(static_cast<std::size_t>(grid.nx), options.threads,
+                             [&](std::size_t row) { map.heights.row(static_cast<Index>(row)) *= factor; });
     return map;
 }
 

@@ -38,7 +38,8 @@ struct Anisotropy {
 ///   C1D(q_x) = (1/π) ∫_{q_x}^{q_s} C_iso(q) q dq/√(q² − q_x²)
 ///
 /// lower, upper [1/m]: the wavevectors C_iso is tabulated between, 200 a decade, power laws between; C_iso counts as
-/// constant below lower and as zero above upper (and where it is zero). Relative error about 1e-4 for smooth spectra.
+/// constant below lower and as zero above upper (and where it is zero). Relative error
+/// below 1e-4, 4e-4 where C_iso bends and above 0.8 of its end, 3e-3 above 0.97. O(nodes²): 0.2 s for five decades.
 /// @throws InvalidArgument unless 0 < lower < upper and C_iso > 0 from lower on.
 [[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, double upper);
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/synthesis/spectral_density.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::synthesis;
+
+TEST(SpectralDensityOfASelfAffineModel, IsItsPowerSpectrum) {
+    const SelfAffine model{3.0, 2.0, 0.6, 50.0};
+    const auto C_iso = density(model);
+    const auto q = tests::log_spaced(50, 0.1, 100.0);
+    const auto expected = isotropic_power_spectrum(model, q);
+    for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C_iso(q[k]), expected[k], 1e-15 * expected[k]);
+}
+
+TEST(SpectralDensityOfASelfAffineModel, RefusesContradictions) {
+    EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 0.8, 2.0}), InvalidArgument);
+    EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 1.01, 4.0}), InvalidArgument);
+    EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 0.0, 4.0}), InvalidArgument);
+    EXPECT_THROW((void)density(SelfAffine{-1.0, 2.0, 0.8, 4.0}), InvalidArgument);
+    EXPECT_THROW((void)density(SelfAffine{1.0, 0.0, 0.8, 4.0}), InvalidArgument);
+    EXPECT_THROW((void)density(SelfAffine{undefined, 2.0, 0.8, 4.0}), InvalidArgument);
+    try {
+        (void)density(SelfAffine{1.0, 2.0, 0.8, 1.0});
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        EXPECT_NE(std::string(error.what()).find("q_s > q_r"), std::string::npos) << error.what();
+    }
+}
+
+TEST(SpectralDensityOfATable, IsAPowerLawBetweenNodesAndEndsAtTheLast) {
+    const auto C = density(Array1D{{1.0, 10.0, 100.0, 200.0}}, Array1D{{8.0, 8e-3, 0.0, 0.0}});
+    EXPECT_EQ(C(0.01), 8.0);
+    EXPECT_EQ(C(1.0), 8.0);
+    EXPECT_NEAR(C(std::sqrt(10.0)), 8.0 * std::pow(10.0, -1.5), 1e-14);
+    EXPECT_NEAR(C(55.0), 4e-3, 1e-15);
+    EXPECT_EQ(C(150.0), 0.0);
+    EXPECT_EQ(C(201.0), 0.0);
+}
+
+TEST(SpectralDensityOfATable, RefusesRowsThatAreNoSpectrum) {
+    const Array1D q{{1.0, 2.0, 3.0}};
+    EXPECT_THROW((void)density(q, Array1D{{1.0, -1.0, 1.0}}), InvalidArgument);
+    EXPECT_THROW((void)density(q, Array1D{{1.0, undefined, 1.0}}), InvalidArgument);
+    EXPECT_THROW((void)density(q, Array1D{{1.0, INFINITY, 1.0}}), InvalidArgument);
+    EXPECT_THROW((void)density(q, Array1D{{1.0, 1.0}}), InvalidArgument);
+    EXPECT_THROW((void)density(Array1D{{1.0, 1.0, 3.0}}, q), InvalidArgument);
+    EXPECT_THROW((void)density(Array1D{{0.0, 1.0, 3.0}}, q), InvalidArgument);
+    EXPECT_THROW((void)density(Array1D::Ones(1), Array1D::Ones(1)), InvalidArgument);
+}
+
+TEST(ProfileDensity, IsTheAbelIntegralOfTheModel) {
+    const SelfAffine model{1.0, 1.0, 0.8, 300.0};
+    const auto C1D = profile_density(density(model), 0.01, 1e4);
+    const auto q = tests::log_spaced(40, 0.02, 250.0);
+    const auto expected = profile_power_spectrum(model, q);
+    // power laws between nodes 1.2 % apart: worst at the bend and where the curve falls to zero at its end
+    for (Index k = 0; k < q.size(); ++k) {
+        const bool bent = (q[k] > 0.9 && q[k] < 1.1) || q[k] > 240.0;
+        EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, bent ? 4e-4 : 1e-4) << q[k];
+    }
+    EXPECT_NEAR(C1D(291.0) / profile_power_spectrum(model, Array1D::Constant(1, 291.0))[0], 1.0, 3e-3);
+    EXPECT_EQ(C1D(301.0), 0.0);
+}
+
+TEST(ProfileDensity, RefusesBandsAndSpectraWithoutPower) {
+    EXPECT_THROW((void)profile_density([](double) { return 1.0; }, 2.0, 1.0), InvalidArgument);
+    EXPECT_THROW((void)profile_density([](double) { return 0.0; }, 1.0, 2.0), InvalidArgument);
+}
+
+}  // namespace
