@@ -44,7 +44,7 @@ struct StylusOptions {
 ///
 /// i: the surface dilated by the tip in two dimensions, read pointwise at the nearest grid point (what is shorter than two
 /// steps is aliased as an instrument has it), so the surface's pixels are best a whole fraction of the step. ℓ = length −
-/// step. round(length/step) points. Noise: normal_number(key, i). Metadata: instrument type "stylus" with the tip's radius.
+/// step. round(length/step) points. Noise i is a normal number of the key and i. Metadata: instrument type "stylus" with the tip's radius.
 /// @throws InvalidArgument for fewer than two points, a negative noise or step, a scan that leaves a surface that is not
 /// periodic, and as topography::dilated.
 [[nodiscard]] topography::LineScan stylus_scan(const topography::HeightMap& surface, const StylusOptions& options);
