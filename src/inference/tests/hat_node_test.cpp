@@ -16,7 +16,7 @@ using namespace setae::inference;
 constexpr double h = node_spacing;
 
 double integral(const std::function<double(double)>& f, double from, double to) {
-    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(f, from, to, 12, 1e-13);
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(f, from, to, 4, 1e-10);
 }
 
 TEST(HatNode, AutocovarianceIsTheHankelTransformOfTheHat) {
@@ -37,17 +37,28 @@ TEST(HatNode, AutocovarianceAtZeroIsTheVariance) {
 }
 
 TEST(HatNode, LineIntegralsAreThoseOfTheAbelIntegral) {
+    // midpoint sums over p of C(p) p/√(p² − q²), q on midpoints as well
     const auto density = [](double q) {
-        // v = √(p² − q²)
-        return integral([&](double v) {
-            const double p = std::hypot(q, v);
-            return std::max(0.0, 1.0 - std::abs(std::log(p)) / h) / (p * p);
-        }, 0.0, 1.5) / pi;
+        constexpr int pieces = 2000;
+        double sum = 0.0;
+        const double end = std::sqrt(std::max(0.0, std::exp(2.0 * h) - q * q));
+        for (int i = 0; i < pieces; ++i) {
+            const double p = std::hypot(q, end * (i + 0.5) / pieces);  // v = √(p² − q²)
+            sum += std::max(0.0, 1.0 - std::abs(std::log(p)) / h) / (p * p);
+        }
+        return sum * end / pieces / pi;
     };
     for (const double q : {0.2, 0.9, 0.97, 1.0, 1.03, 1.2}) {
+        constexpr int pieces = 1000;
+        double zeroth = 0.0, first = 0.0;
+        for (int i = 0; i < pieces; ++i) {
+            const double p = q * (i + 0.5) / pieces, value = density(p) * q / pieces;
+            zeroth += value;
+            first += value * p;
+        }
         const auto found = hat_node::line_integrals(q);
-        EXPECT_NEAR(found.zeroth, integral(density, 0.0, q), 1e-5 * h) << q;
-        EXPECT_NEAR(found.first, integral([&](double p) { return p * density(p); }, 0.0, q), 1e-5 * h) << q;
+        EXPECT_NEAR(found.zeroth, zeroth, 2e-4 * h) << q;
+        EXPECT_NEAR(found.first, first, 2e-4 * h) << q;
     }
 }
 
