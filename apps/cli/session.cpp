@@ -49,11 +49,14 @@ ExitCode for_each_item(const std::vector<std::string>& items, const std::functio
 }
 
 std::string as_line(const Quantity& q) {
-    std::string value = format_value(q.value, q.unit, 5);
-    if (q.standard_error) value += " ± " + format_value(*q.standard_error, q.unit, 2);
+    std::string value = format_value(q.estimate.value, q.unit, 5);
+    if (q.estimate.uncertain()) value += " ± " + format_value(q.estimate.standard_error, q.unit, 2);
     std::string line = fmt::format("{:<48} {:<16} {}", q.quantity, q.symbol, value);
     if (q.band) line += fmt::format("   [{} … {}]", format_value(q.band->lower, "1/m", 4), format_value(q.band->upper, "1/m", 4));
     if (q.n) line += fmt::format("   n = {}", *q.n);
+    if (const auto interval = interval_of(q.estimate))
+        line += fmt::format("   {:.0f} %: {} … {} ({})", 100.0 * interval->level, format_value(interval->lower, q.unit, 4),
+                            format_value(interval->upper, q.unit, 4), q.estimate.method);
     return line + "\n";
 }
 

@@ -213,7 +213,7 @@ double parse_quantity(std::string_view text, const Dimension& expected) {
     return in_si(number, unit, expected, text);
 }
 
-UncertainValue parse_uncertain_quantity(std::string_view text, const Dimension& expected) {
+Estimate parse_uncertain_quantity(std::string_view text, const Dimension& expected) {
     static constexpr std::array<std::string_view, 3> separators{"±", "+-", "+/-"};
     for (const auto separator : separators) {
         const auto at = text.find(separator);
@@ -222,9 +222,9 @@ UncertainValue parse_uncertain_quantity(std::string_view text, const Dimension& 
         const auto error = leading_number(text.substr(at + separator.size()), text);
         if (error.number < 0.0) throw InvalidArgument(fmt::format("'{}' has a negative uncertainty", text));
         const auto value_unit = value.rest.empty() ? error.rest : value.rest;
-        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text)};
+        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text), "given"};
     }
-    return {parse_quantity(text, expected), 0.0};
+    return {parse_quantity(text, expected), 0.0, "given"};
 }
 
 std::string si_unit(const Dimension& dimension) {

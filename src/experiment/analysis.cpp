@@ -64,7 +64,7 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
     PullOff result{.index = contact.pull_off->first};
     result.force = {loop.force[result.index] - baseline.force,
                     std::hypot(baseline.force_noise, baseline.force_standard_error)};
-    const auto work = [&](contact::jkr::Control control) -> UncertainValue {
+    const auto work = [&](contact::jkr::Control control) -> Estimate {
         return {contact::jkr::work_of_adhesion_from_pull_off(result.force.value, radius, control),
                 contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control)};
     };

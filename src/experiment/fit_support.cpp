@@ -43,7 +43,7 @@ double square_standard_error(double root, double root_standard_error, double fac
     return factor * std::sqrt(4.0 * root * root * variance + 2.0 * variance * variance);
 }
 
-UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensAndCounterBody& bodies) {
+Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies) {
     const contact::ElasticSolid counter = bodies.counter_body();
     const bool rigid = std::isinf(counter.youngs_modulus);
     const double stiffest = rigid ? INFINITY : contact::contact_modulus(counter, {.youngs_modulus = INFINITY});

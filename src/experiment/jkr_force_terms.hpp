@@ -17,7 +17,7 @@ struct ForceTerms {
 
 /// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of (E*, W).
 struct WorkFromRoot {
-    UncertainValue work_of_adhesion;
+    Estimate work_of_adhesion;
     Eigen::Matrix2d covariance;
 };
 [[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::Matrix2d& covariance);

@@ -10,11 +10,7 @@
 namespace setae::experiment {
 namespace {
 
-UncertainValue difference(const UncertainValue& later, const UncertainValue& earlier) {
-    return {later.value - earlier.value, std::hypot(later.standard_error, earlier.standard_error)};
-}
-
-UncertainValue retraction_work(const LoopAnalysis& analysis) {
+Estimate retraction_work(const LoopAnalysis& analysis) {
     if (analysis.retraction) return analysis.retraction->work_of_adhesion;
     if (analysis.unloading) return analysis.unloading->primary().work_of_adhesion;
     throw UndefinedDataError("a reference needs the retraction: " + analysis.unloading.reason);
@@ -26,9 +22,9 @@ ReferenceLoop evaluate_reference(const LoopAnalysis& analysis) {
     if (!analysis.loop) throw UndefinedDataError("a reference needs the loop's energy: " + analysis.loop.reason);
     ReferenceLoop reference{.work_of_adhesion_loading = analysis.loading.primary().work_of_adhesion,
                             .work_of_adhesion_retraction = retraction_work(analysis),
-                            .excess_energy = {analysis.loop->energy, analysis.loop->standard_error.total},
+                            .excess_energy = analysis.loop->estimate(),
                             .ideal_loss = analysis.context.ideal_smooth_sphere_loss};
-    const UncertainValue gap = difference(reference.work_of_adhesion_retraction, reference.work_of_adhesion_loading);
+    const Estimate gap = difference(reference.work_of_adhesion_retraction, reference.work_of_adhesion_loading);
     reference.difference_in_standard_errors = std::abs(gap.value) / gap.standard_error;
     reference.beyond_ideal = reference.excess_energy.value - reference.ideal_loss;
     return reference;

@@ -35,7 +35,7 @@ LeastSquaresSolution solve_free(const BranchData& points, double radius) {
 
 }  // namespace
 
-RetractionFit fit_retraction(const BranchData& last_points, double radius, const UncertainValue& contact_modulus,
+RetractionFit fit_retraction(const BranchData& last_points, double radius, const Estimate& contact_modulus,
                              double contact_point, bool modulus_free) {
     require_data(last_points, {.radius = radius}, {.fewest = modulus_free ? 3 : 2});
     RetractionFit fit{.contact_modulus = contact_modulus,

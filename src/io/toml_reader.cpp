@@ -61,7 +61,7 @@ std::optional<std::int64_t> TomlReader::integer(const char* key) {
     fail(key, "expected a whole number");
 }
 
-UncertainValue TomlReader::parse(const char* key, const toml::node& node, const Dimension& dimension) const {
+Estimate TomlReader::parse(const char* key, const toml::node& node, const Dimension& dimension) const {
     if (node.is_number()) {
         if (dimension == dimension::none) return {*node.value<double>(), 0.0};
         fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"", *node.value<double>(), si_unit(dimension)));
@@ -75,13 +75,13 @@ UncertainValue TomlReader::parse(const char* key, const toml::node& node, const 
     }
 }
 
-std::optional<UncertainValue> TomlReader::uncertain(const char* key, const Dimension& dimension) {
+std::optional<Estimate> TomlReader::uncertain(const char* key, const Dimension& dimension) {
     const auto* node = find(key);
     if (!node) return std::nullopt;
     return parse(key, *node, dimension);
 }
 
-UncertainValue TomlReader::required_uncertain(const char* key, const Dimension& dimension) {
+Estimate TomlReader::required_uncertain(const char* key, const Dimension& dimension) {
     if (auto value = uncertain(key, dimension)) return *value;
     fail(key, fmt::format("missing; expected a quantity in {}", si_unit(dimension)));
 }
@@ -109,8 +109,8 @@ std::vector<std::string> TomlReader::texts(const char* key) {
     });
 }
 
-std::vector<UncertainValue> TomlReader::uncertains(const char* key, const Dimension& dimension) {
-    return list<UncertainValue>(key, [&](const toml::node& node) { return parse(key, node, dimension); });
+std::vector<Estimate> TomlReader::uncertains(const char* key, const Dimension& dimension) {
+    return list<Estimate>(key, [&](const toml::node& node) { return parse(key, node, dimension); });
 }
 
 std::vector<double> TomlReader::quantities(const char* key, const Dimension& dimension) {

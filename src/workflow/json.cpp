@@ -25,9 +25,16 @@ Json to_json(const std::vector<Alert>& alerts) {
 }
 
 Json to_json(const Quantity& q) {
-    Json json{{"quantity", q.quantity}, {"symbol", q.symbol}, {"value", number(q.value)}, {"unit", q.unit}};
-    if (q.standard_error) json["standard_error"] = number(*q.standard_error);
-    if (q.interval) json["interval"] = {{"lower", number(q.interval->lower)}, {"upper", number(q.interval->upper)}, {"level", q.interval->level}};
+    const auto& e = q.estimate;
+    Json json{{"quantity", q.quantity}, {"symbol", q.symbol}, {"value", number(e.value)}, {"unit", q.unit}};
+    if (e.uncertain()) json["standard_error"] = number(e.standard_error);
+    if (const auto interval = interval_of(e))
+        json["interval"] = {{"lower", number(interval->lower)}, {"upper", number(interval->upper)}, {"level", interval->level}};
+    if (e.uncertain() || e.interval) {
+        if (!e.method.empty()) json["method"] = e.method;
+        if (e.degrees_of_freedom) json["degrees_of_freedom"] = number(*e.degrees_of_freedom);
+        if (e.seed) json["seed"] = *e.seed;
+    }
     if (q.band) json["band"] = {{"lower", number(q.band->lower)}, {"upper", number(q.band->upper)}, {"unit", "1/m"}};
     if (q.n) json["n"] = *q.n;
     if (!q.source.empty()) json["source"] = q.source;
@@ -39,14 +46,14 @@ Quantity quantity(std::string name, std::string symbol, double value, std::strin
     Quantity q;
     q.quantity = std::move(name);
     q.symbol = std::move(symbol);
-    q.value = value;
+    q.estimate.value = value;
     q.unit = std::move(unit);
     return q;
 }
 
-Quantity quantity(std::string name, std::string symbol, const UncertainValue& value, std::string unit) {
-    auto q = quantity(std::move(name), std::move(symbol), value.value, std::move(unit));
-    if (value.standard_error > 0.0) q.standard_error = value.standard_error;
+Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit) {
+    auto q = quantity(std::move(name), std::move(symbol), estimate.value, std::move(unit));
+    q.estimate = estimate;
     return q;
 }
 

@@ -111,8 +111,7 @@ Json retraction_json(const experiment::RetractionFit& fit) {
 
 Json energy_json(const experiment::LoopEnergy& loop, const experiment::LoopContext& context) {
     Json json;
-    auto energy = quantity("energy", "E_loss", loop.energy, "J");
-    energy.standard_error = loop.standard_error.total;
+    auto energy = quantity("energy", "E_loss", loop.estimate(), "J");
     energy.source = "closed integral of F d(delta), baseline and linear drift removed";
     add(json, energy);
     add(json, quantity("energy_without_drift", "E_loss", loop.without_drift, "J"));

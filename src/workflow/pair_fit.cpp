@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -26,7 +28,7 @@ double square(double x) { return x * x; }
 
 FlooredMinimum minimise_with(const Pairs& pairs, const Variance& variance) {
     std::vector<FlooredTerm> terms;
-    for (const auto& pair : pairs) terms.push_back({pair.measured, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
+    for (const auto& pair : pairs) terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
     return minimise(terms, 0.0, infinity);
 }
 
@@ -61,6 +63,16 @@ double clustered_error(const Pairs& pairs, const std::vector<double>& residual, 
     return std::sqrt(scatter) / curvature;
 }
 
+/// Surfaces or elastomers, whichever are fewer.
+std::size_t fewest_groups(const Pairs& pairs) {
+    std::set<std::string> surfaces, elastomers;
+    for (const auto& pair : pairs) {
+        surfaces.insert(pair.surface);
+        elastomers.insert(pair.elastomer);
+    }
+    return std::min(surfaces.size(), elastomers.size());
+}
+
 /// τ that brings χ²(τ) down to the degrees of freedom; 0 where the errors explain the residuals already.
 double scatter_for(const std::function<double(double)>& chi_squared, int degrees_of_freedom, double largest) {
     const auto misfit = [&](double tau) { return chi_squared(tau) - degrees_of_freedom; };
@@ -72,17 +84,17 @@ double scatter_for(const std::function<double(double)>& chi_squared, int degrees
 
 double largest_scatter(const Pairs& pairs) {
     double largest = 0.0;
-    for (const auto& pair : pairs) largest = std::max(largest, std::abs(pair.measured));
+    for (const auto& pair : pairs) largest = std::max(largest, std::abs(pair.measured.value));
     return 10.0 * largest * std::sqrt(static_cast<double>(pairs.size()));
 }
 
 WorkEstimate estimate(const Pairs& pairs, const Variance& variance, double extra_scatter) {
     const auto minimum = minimise_with(pairs, variance);
-    return {minimum.x, 1.0 / std::sqrt(minimum.curvature), minimum.cost, extra_scatter};
+    return {{minimum.x, 1.0 / std::sqrt(minimum.curvature), "weighted least squares"}, minimum.cost, extra_scatter};
 }
 
 WorkEstimate with_extra_scatter(const Pairs& pairs, int degrees_of_freedom) {
-    const auto variance = [](double tau) { return [tau](const PairPoint& p) { return square(p.standard_error) + square(tau); }; };
+    const auto variance = [](double tau) { return [tau](const PairPoint& p) { return p.measured.variance() + square(tau); }; };
     const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; }, degrees_of_freedom, largest_scatter(pairs));
     return estimate(pairs, variance(tau), tau);
 }
@@ -93,12 +105,12 @@ WorkEstimate errors_in_both(const Pairs& pairs, int degrees_of_freedom, double s
     WorkEstimate result;
     for (int round = 0; round < 100; ++round) {
         const auto variance = [work](double tau) {
-            return [work, tau](const PairPoint& p) { return square(p.standard_error) + p.prediction_variance(work) + square(tau); };
+            return [work, tau](const PairPoint& p) { return p.measured.variance() + p.prediction_variance(work) + square(tau); };
         };
         const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; }, degrees_of_freedom, largest_scatter(pairs));
         result = estimate(pairs, variance(tau), tau);
-        if (std::abs(result.value - work) <= 1e-12 * std::abs(work)) break;
-        work = result.value;
+        const double before = std::exchange(work, result.work_of_adhesion.value);
+        if (std::abs(work - before) <= 1e-12 * std::abs(before)) break;
     }
     return result;
 }
@@ -109,15 +121,15 @@ double profile_deviance(const Pairs& pairs, double work, double largest) {
         const double tau2 = std::exp(2.0 * log_tau);
         double sum = 0.0;
         for (const auto& p : pairs) {
-            const double variance = square(p.standard_error) + tau2;
-            sum += std::log(variance) + square(p.measured - p.prediction(work)) / variance;
+            const double variance = p.measured.variance() + tau2;
+            sum += std::log(variance) + square(p.measured.value - p.prediction(work)) / variance;
         }
         return sum;
     };
     return boost::math::tools::brent_find_minima(deviance, std::log(1e-6 * largest), std::log(largest), 30).second;
 }
 
-std::optional<Interval> profile_interval(const Pairs& pairs, double start) {
+std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
     constexpr double chi_squared_95 = 3.841458820694124;  // 95 % quantile, one degree of freedom
     const double largest = largest_scatter(pairs);
     const auto deviance = [&](double work) { return profile_deviance(pairs, work, largest); };
@@ -137,15 +149,15 @@ std::optional<Interval> profile_interval(const Pairs& pairs, double start) {
     };
     const auto lower = end(0.95), upper = end(1.05);
     if (!lower || !upper) return std::nullopt;
-    return Interval{*lower, *upper, 0.95};
+    return Estimate{.value = best.first, .method = "profile likelihood", .interval = Interval{*lower, *upper, 0.95}};
 }
 
 void require_pairs(const Pairs& pairs) {
     if (pairs.size() < 2) throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
     for (const auto& pair : pairs)
-        if (!(pair.slope > 0.0) || !std::isfinite(pair.measured) || !std::isfinite(pair.offset))
+        if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
             throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}", pair.surface, pair.elastomer,
-                                              pair.slope, pair.offset, pair.measured));
+                                              pair.slope, pair.offset, pair.measured.value));
 }
 
 }  // namespace
@@ -164,25 +176,28 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
     require_pairs(pairs);
     WorkFit fit;
     const auto minimum = minimise_with(pairs, [](const PairPoint&) { return 1.0; });
-    fit.work_of_adhesion = minimum.x;
     fit.n = static_cast<int>(pairs.size());
     fit.degrees_of_freedom = fit.n - 1;
     fit.pairs = pairs;
     std::vector<double> measured, residual;
     for (const auto& pair : pairs) {
-        measured.push_back(pair.measured);
-        residual.push_back(pair.measured - pair.prediction(minimum.x));
+        measured.push_back(pair.measured.value);
+        residual.push_back(pair.measured.value - pair.prediction(minimum.x));
     }
     fit.r_squared = r_squared(measured, minimum.cost);
     fit.residual_standard_deviation = std::sqrt(minimum.cost / fit.degrees_of_freedom);
-    fit.standard_error = fit.residual_standard_deviation / std::sqrt(minimum.curvature);
-    fit.clustered_standard_error = clustered_error(pairs, residual, minimum.x, minimum.curvature);
-    const bool known_errors = std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.standard_error > 0.0; });
+    fit.work_of_adhesion = {.value = minimum.x,
+                            .standard_error = fit.residual_standard_deviation / std::sqrt(minimum.curvature),
+                            .method = "least squares",
+                            .degrees_of_freedom = fit.degrees_of_freedom};
+    fit.clustered = {minimum.x, clustered_error(pairs, residual, minimum.x, minimum.curvature), "two-way clustered"};
+    if (const auto groups = fewest_groups(pairs); groups > 1) fit.clustered.degrees_of_freedom = static_cast<double>(groups - 1);
+    const bool known_errors = std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.measured.uncertain(); });
     if (known_errors) {
-        fit.weighted = estimate(pairs, [](const PairPoint& p) { return square(p.standard_error); }, 0.0);
+        fit.weighted = estimate(pairs, [](const PairPoint& p) { return p.measured.variance(); }, 0.0);
         fit.with_extra_scatter = with_extra_scatter(pairs, fit.degrees_of_freedom);
         fit.errors_in_both = errors_in_both(pairs, fit.degrees_of_freedom, minimum.x);
-        fit.interval = profile_interval(pairs, minimum.x);
+        fit.likelihood = profile_likelihood(pairs, minimum.x);
     }
     return fit;
 }
@@ -199,13 +214,15 @@ LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     if (!(sxx > 0.0)) throw InvalidArgument("all x are alike, a line has no slope there");
     LineFit fit;
     fit.n = static_cast<int>(x.size());
-    fit.slope = sxy / sxx;
-    fit.intercept = mean_y - fit.slope * mean_x;
+    const double slope = sxy / sxx, intercept = mean_y - slope * mean_x;
     double residual_squares = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) residual_squares += square(y[i] - fit.intercept - fit.slope * x[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) residual_squares += square(y[i] - intercept - slope * x[i]);
     const double variance = residual_squares / (n - 2.0);
-    fit.slope_standard_error = std::sqrt(variance / sxx);
-    fit.intercept_standard_error = std::sqrt(variance * (1.0 / n + square(mean_x) / sxx));
+    const auto estimate = [n](double value, double error) {
+        return Estimate{.value = value, .standard_error = error, .method = "least squares", .degrees_of_freedom = n - 2.0};
+    };
+    fit.slope = estimate(slope, std::sqrt(variance / sxx));
+    fit.intercept = estimate(intercept, std::sqrt(variance * (1.0 / n + square(mean_x) / sxx)));
     fit.r_squared = r_squared(y, residual_squares);
     return fit;
 }

@@ -24,7 +24,7 @@ const PublishedPair* published_of(const Study& study, const PairResult& pair) {
 
 /// Values of all loops on a pair, by quantity.
 struct LoopValues {
-    std::vector<UncertainValue> approach, pull_off, retraction, loss;
+    std::vector<Estimate> approach, pull_off, retraction, loss;
     std::vector<double> area, ideal_loss;
 };
 
@@ -36,7 +36,7 @@ LoopValues loops_on(const StudyResult& result, const PairResult& pair) {
         values.approach.push_back(loop.loading.primary().work_of_adhesion);
         if (loop.pull_off) values.pull_off.push_back(loop.pull_off->work_of_adhesion);
         if (loop.retraction) values.retraction.push_back(loop.retraction->work_of_adhesion);
-        if (loop.loop) values.loss.push_back({loop.loop->energy, loop.loop->standard_error.total});
+        if (loop.loop) values.loss.push_back(loop.loop->estimate());
         values.area.push_back(loop.context.largest_contact_area);
         values.ideal_loss.push_back(loop.context.ideal_smooth_sphere_loss);
     }
@@ -76,7 +76,7 @@ private:
     using AreaRatio = double (*)(double);
 
     /// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
-    [[nodiscard]] PairPoint point(AreaRatio area_ratio, const UncertainValue& surface_energy) const {
+    [[nodiscard]] PairPoint point(AreaRatio area_ratio, const Estimate& surface_energy) const {
         const double r = area_ratio(parameters_.rms_slope), u = parameters_.elastic_energy_per_modulus;
         const auto& modulus = elastomer_.contact_modulus;
         const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p.rms_slope); };
@@ -89,8 +89,8 @@ private:
         pair.slope_centre = surface_energy.value;
         pair.slope_variance = surface_.used().spread.covariance(ratio, ratio);
         pair.slope_offset_covariance = surface_.used().spread.covariance(ratio, energy);
-        pair.offset_variance = surface_.used().spread.covariance(energy, energy) + std::pow(u * modulus.standard_error, 2) +
-                               std::pow((r - 1.0) * surface_energy.standard_error, 2);
+        pair.offset_variance = surface_.used().spread.covariance(energy, energy) + u * u * modulus.variance() +
+                               (r - 1.0) * (r - 1.0) * surface_energy.variance();
         return pair;
     }
 
@@ -119,8 +119,8 @@ std::vector<PairPoint> points(const StudyResult& result, Balance balance, const 
         if (!obstacle(surface, elastomer).empty()) continue;
         const auto index = static_cast<std::size_t>(&surface - result.surfaces.data());
         auto point = (Balances(surface, elastomer, parameters_of(index)).*balance)();
-        point.measured = std::max(0.0, pair.approach->value);
-        point.standard_error = pair.approach->standard_error;
+        point.measured = *pair.approach;
+        point.measured.value = std::max(0.0, point.measured.value);
         found.push_back(std::move(point));
     }
     return found;
@@ -141,15 +141,14 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
         PairPoint point;
         point.surface = pair.surface;
         point.elastomer = pair.elastomer;
-        point.measured = pair.loss->value;
-        point.standard_error = pair.loss->standard_error;
+        point.measured = *pair.loss;
         point.slope = surface.area_ratio() * *pair.contact_area;
         point.slope_variance = std::pow(*pair.contact_area * surface.used().spread.standard_error([](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }), 2);
         if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
         point.floored = false;
         whole.push_back(point);
         if (!pair.ideal_loss) continue;
-        point.measured -= *pair.ideal_loss;
+        point.measured.value -= *pair.ideal_loss;
         reduced.push_back(point);
     }
     if (whole.size() < 2)
@@ -158,7 +157,7 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
         std::vector<double> area, energy;
         for (const auto& p : points) {
             area.push_back(p.slope);
-            energy.push_back(p.measured);
+            energy.push_back(p.measured.value);
         }
         if (points.size() < 3 || *std::max_element(area.begin(), area.end()) == *std::min_element(area.begin(), area.end())) return std::nullopt;
         return fit_line(area, energy);
@@ -175,7 +174,7 @@ Outcome<FreeEnergyFit> fit_free(const StudyResult& result) {
     std::vector<FreeEnergyPoint> found;
     for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].used().parameters; })) {
         const auto& elastomer = result.elastomer(p.elastomer);
-        found.push_back({p.surface, p.measured, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0), elastomer.contact_modulus.value});
+        found.push_back({p.surface, p.measured.value, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0), elastomer.contact_modulus.value});
     }
     if (found.size() < 2) return Outcome<FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
     return fit_with_free_energies(found);
@@ -196,20 +195,20 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
     return scan;
 }
 
-PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const UncertainValue& work, bool known_spread) {
-    const double variance = point.prediction_variance(work.value) + std::pow(point.slope * work.standard_error, 2);
-    return {apparent, known_spread ? std::sqrt(variance) : undefined};
+PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const Estimate& work, bool known_spread) {
+    const double variance = point.prediction_variance(work.value) + point.slope * point.slope * work.variance();
+    return {apparent, {apparent.raw, known_spread ? std::sqrt(variance) : undefined, "delta"}};
 }
 
-PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
+PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const Estimate& work) {
     const double r = point.slope;
-    const double modulus = surface.used().parameters.elastic_energy_per_modulus * elastomer.contact_modulus.standard_error;
-    const double surface_energy = (r - 1.0) * elastomer.input.surface_energy.standard_error;
+    const double modulus = surface.used().parameters.elastic_energy_per_modulus * std::sqrt(elastomer.contact_modulus.variance());
+    const double surface_energy = (r - 1.0) * std::sqrt(elastomer.input.surface_energy.variance());
     const double spectrum2 = point.prediction_variance(work.value) - modulus * modulus - surface_energy * surface_energy;
-    return {std::sqrt(std::max(0.0, spectrum2)), modulus, surface_energy, r * work.standard_error};
+    return {std::sqrt(std::max(0.0, spectrum2)), modulus, surface_energy, r * std::sqrt(work.variance())};
 }
 
-void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer, const UncertainValue& work) {
+void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer, const Estimate& work) {
     const Balances balances(surface, elastomer, surface.used().parameters);
     const bool known_spread = !surface.used().spread.replicas.empty() || !surface.used().spread.sources.empty();
     const auto modified = balances.modified();
@@ -266,18 +265,18 @@ void fit_pairs(StudyResult& result) {
 }
 
 void predict_pairs(StudyResult& result) {
-    UncertainValue work;
+    Estimate work;
     if (result.study.work_of_adhesion) {
         work = *result.study.work_of_adhesion;
         result.work_of_adhesion_source = "given in the study";
     } else if (result.modified) {
-        work = {result.modified->work_of_adhesion, result.modified->clustered_standard_error};
+        work = result.modified->clustered;
         result.work_of_adhesion_source = "fit of (7) to the measured pairs";
     } else {
-        result.work_of_adhesion = Outcome<double>::missing("no work_of_adhesion in the study, and no fit: " + result.modified.reason);
+        result.work_of_adhesion = Outcome<Estimate>::missing("no work_of_adhesion in the study, and no fit: " + result.modified.reason);
         return;
     }
-    result.work_of_adhesion = work.value;
+    result.work_of_adhesion = work;
     for (auto& pair : result.pairs) {
         const auto& surface = result.surface(pair.surface);
         const auto& elastomer = result.elastomer(pair.elastomer);
@@ -286,7 +285,7 @@ void predict_pairs(StudyResult& result) {
         const double modulus = elastomer.contact_modulus.value;
         const double energy = surface.used().parameters.elastic_energy_per_modulus;
         const auto spread = surface.used().spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
-        pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * elastomer.contact_modulus.standard_error)};
+        pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * std::sqrt(elastomer.contact_modulus.variance())), "delta"};
         predict(pair, surface, elastomer, work);
     }
 }

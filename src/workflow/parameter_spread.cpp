@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/workflow/parameter_spread.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/resampling.hpp"
 
 namespace setae::workflow {
 
@@ -28,13 +28,12 @@ double ParameterSpread::standard_error(const Function& f) const {
     return replicas.size() < 2 && sources.empty() ? undefined : std::sqrt(covariance(f, f));
 }
 
-std::optional<Interval> ParameterSpread::interval(const Function& f) const {
-    if (replicas.size() < 40 || !sources.empty()) return std::nullopt;
+Estimate ParameterSpread::estimate(double value, const Function& f) const {
+    Estimate result{value, standard_error(f), "bootstrap percentile"};
     std::vector<double> values;
     for (const auto& replica : replicas) values.push_back(f(replica));
-    std::sort(values.begin(), values.end());
-    const auto at = [&](double p) { return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1) + 0.5)]; };
-    return Interval{at(0.025), at(0.975), 0.95};
+    if (replicas.size() >= 40 && sources.empty()) result.interval = percentile_interval(std::move(values));
+    return result;
 }
 
 }  // namespace setae::workflow

@@ -39,8 +39,8 @@ std::optional<double> mean_rough_loss(const StudyResult& result, const std::stri
 ReferenceResult published_reference(const PublishedPair& published, const StudyResult& result) {
     ReferenceResult reference;
     reference.elastomer = published.elastomer;
-    reference.approach = published.approach.value_or(UncertainValue{});
-    reference.retraction = published.retraction.value_or(UncertainValue{});
+    reference.approach = published.approach.value_or(Estimate{.value = undefined});
+    reference.retraction = published.retraction.value_or(Estimate{.value = undefined});
     reference.excess_energy = published.loss;
     reference.ideal_loss = ideal_loss(result.elastomer(published.elastomer), reference.approach.value);
     return reference;

@@ -39,7 +39,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
 void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
     elastomer.youngs_modulus = elastomer.input.youngs_modulus;
     if (!(elastomer.youngs_modulus.value > 0.0)) {
-        std::vector<UncertainValue> from_loops;
+        std::vector<Estimate> from_loops;
         for (const auto& e : result.experiments)
             if (e.analysis && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
         if (from_loops.empty()) return;
@@ -51,7 +51,8 @@ void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
     const auto& E = elastomer.youngs_modulus;
     elastomer.contact_modulus.value = against_rough(E.value);
     // linear propagation by a central difference over the ± itself
-    if (E.standard_error > 0.0)
+    elastomer.contact_modulus.method = "delta";
+    if (E.uncertain())
         elastomer.contact_modulus.standard_error = 0.5 * (against_rough(E.value + E.standard_error) - against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
 }
 

@@ -8,7 +8,7 @@
 namespace setae::workflow {
 
 /// Mean of estimates of one thing; its standard error is the larger of what theirs give and of what their scatter gives.
-[[nodiscard]] UncertainValue mean_of(const std::vector<UncertainValue>& values);
+[[nodiscard]] Estimate mean_of(const std::vector<Estimate>& values);
 
 [[nodiscard]] double mean_of(const std::vector<double>& values);
 

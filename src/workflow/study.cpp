@@ -90,7 +90,7 @@ adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
 ElastomerInput read_elastomer(const std::string& name, TomlReader reader) {
     ElastomerInput elastomer;
     elastomer.name = name;
-    elastomer.youngs_modulus = reader.uncertain("youngs_modulus", dimension::pressure).value_or(UncertainValue{});
+    elastomer.youngs_modulus = reader.uncertain("youngs_modulus", dimension::pressure).value_or(Estimate{});
     elastomer.poisson_ratio = reader.number("poisson_ratio").value_or(elastomer.poisson_ratio);
     elastomer.surface_energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
     reader.table("surface_energy_law", [&](TomlReader inner) { elastomer.surface_energy_law = read_surface_energy_law(std::move(inner)); });
@@ -128,7 +128,7 @@ public:
         elastomers_ = reader.texts("elastomers");
         for (const auto& name : elastomers_)
             if (!study_.elastomer(name)) reader.fail("elastomers", fmt::format("'{}' is not declared", name));
-        using Field = std::optional<UncertainValue> PublishedPair::*;
+        using Field = std::optional<Estimate> PublishedPair::*;
         const std::vector<std::pair<const char*, Field>> fields{
             {"approach", &PublishedPair::approach}, {"pull_off", &PublishedPair::pull_off}, {"retraction", &PublishedPair::retraction}};
         for (const auto& [key, field] : fields)
@@ -137,7 +137,7 @@ public:
         reader.table("contact_radius", [&](TomlReader rows) {
             for (const auto& surface : rows.keys())
                 assign(rows, surface, rows.uncertains(surface.c_str(), dimension::length),
-                       [](PublishedPair& pair, const UncertainValue& value) { pair.contact_radius = value.value; });
+                       [](PublishedPair& pair, const Estimate& value) { pair.contact_radius = value.value; });
         });
         reader.table("reference", [&](TomlReader rows) {
             for (const auto& [key, field] : fields)
@@ -153,18 +153,18 @@ private:
     void read_rows(TomlReader& rows, const Dimension& dimension, Field field) {
         for (const auto& surface : rows.keys())
             assign(rows, surface, rows.uncertains(surface.c_str(), dimension),
-                   [field](PublishedPair& pair, const UncertainValue& value) { pair.*field = value; });
+                   [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
     }
 
     template <class Assign>
-    void assign(TomlReader& rows, const std::string& surface, const std::vector<UncertainValue>& values, Assign set) {
+    void assign(TomlReader& rows, const std::string& surface, const std::vector<Estimate>& values, Assign set) {
         if (!study_.surface(surface)) rows.fail(surface.c_str(), fmt::format("surface '{}' is not declared", surface));
         require_length(rows, surface.c_str(), values.size());
         for (std::size_t i = 0; i < values.size(); ++i) set(pair(surface, elastomers_[i]), values[i]);
     }
 
     template <class Field>
-    void assign_reference(TomlReader& rows, const char* key, const std::vector<UncertainValue>& values, Field field) {
+    void assign_reference(TomlReader& rows, const char* key, const std::vector<Estimate>& values, Field field) {
         if (values.empty()) return;
         require_length(rows, key, values.size());
         for (std::size_t i = 0; i < values.size(); ++i) pair("", elastomers_[i]).*field = values[i];

@@ -21,7 +21,7 @@ Quantity named(const char* name, const char* symbol, double value, const char* u
 
 Json estimate_json(const WorkEstimate& estimate, const char* unit_of_scatter) {
     Json json;
-    add(json, quantity("work_of_adhesion", "W_int", UncertainValue{estimate.value, estimate.standard_error}, "J/m2"));
+    add(json, quantity("work_of_adhesion", "W_int", estimate.work_of_adhesion, "J/m2"));
     add(json, quantity("chi_squared", "chi2", estimate.chi_squared, "1"));
     add(json, quantity("extra_scatter", "tau", estimate.extra_scatter, unit_of_scatter));
     return json;
@@ -29,13 +29,14 @@ Json estimate_json(const WorkEstimate& estimate, const char* unit_of_scatter) {
 
 Json fit_json(const WorkFit& fit, const char* source, const char* unit) {
     Json json;
-    auto work = quantity("work_of_adhesion", "W_int", UncertainValue{fit.work_of_adhesion, fit.standard_error}, "J/m2");
+    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
     work.n = fit.n;
-    work.interval = fit.interval;
     work.source = source;
     add(json, work);
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
-    add(json, quantity("clustered_standard_error", "SE", fit.clustered_standard_error, "J/m2"));
+    add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
+    json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
+    json["likelihood"] = fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
     add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
     json["n"] = fit.n;
     json["degrees_of_freedom"] = fit.degrees_of_freedom;
@@ -44,11 +45,11 @@ Json fit_json(const WorkFit& fit, const char* source, const char* unit) {
     json["errors_in_both"] = fit.errors_in_both ? estimate_json(*fit.errors_in_both, unit) : Json(nullptr);
     json["residuals"] = Json::array();
     for (const auto& pair : fit.pairs) {
-        const double predicted = pair.prediction(fit.work_of_adhesion);
+        const double predicted = pair.prediction(fit.work_of_adhesion.value);
         Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
-        add(entry, quantity("measured", "y", UncertainValue{pair.measured, pair.standard_error}, unit));
+        add(entry, quantity("measured", "y", pair.measured, unit));
         add(entry, quantity("predicted", "f", predicted, unit));
-        add(entry, quantity("residual", "y - f", pair.measured - predicted, unit));
+        add(entry, quantity("residual", "y - f", pair.measured.value - predicted, unit));
         json["residuals"].push_back(entry);
     }
     return json;
@@ -57,8 +58,8 @@ Json fit_json(const WorkFit& fit, const char* source, const char* unit) {
 Json line_json(const std::optional<LineFit>& fit) {
     if (!fit) return nullptr;
     Json json;
-    add(json, quantity("work_of_adhesion", "W_int", UncertainValue{fit->slope, fit->slope_standard_error}, "J/m2"));
-    add(json, quantity("intercept", "E_0", UncertainValue{fit->intercept, fit->intercept_standard_error}, "J"));
+    add(json, quantity("work_of_adhesion", "W_int", fit->slope, "J/m2"));
+    add(json, quantity("intercept", "E_0", fit->intercept, "J"));
     add(json, quantity("r_squared", "R2", fit->r_squared, "1"));
     json["n"] = fit->n;
     return json;
@@ -163,7 +164,7 @@ Json elastomer_json(const ElastomerResult& elastomer) {
 }
 
 Json predicted_json(const PredictedWork& predicted, const char* source) {
-    auto q = quantity("work_of_adhesion", "W_app", UncertainValue{predicted.work.raw, predicted.standard_error}, "J/m2");
+    auto q = quantity("work_of_adhesion", "W_app", predicted.estimate, "J/m2");
     q.source = source;
     Json json;
     add(json, q);
@@ -182,7 +183,7 @@ double half_wavelength(const adhesion::ScaleBalance& scales) {
 Json pair_json(const PairResult& pair) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
-    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<UncertainValue>& value, const char* unit) {
+    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value, const char* unit) {
         measured[name] = value ? to_json(quantity(name, symbol, *value, unit)) : Json(nullptr);
     };
     add_measured("work_of_adhesion_approach", "W_app", pair.approach, "J/m2");
@@ -236,7 +237,7 @@ Json cutoff_json(const CutoffPoint& point, const StudyResult& result) {
     add(json, quantity("shortest_wavelength", "lambda_s", point.shortest_wavelength, "m"));
     const auto fit = [](const WorkFit& f) {
         Json inner;
-        add(inner, quantity("work_of_adhesion", "W_int", UncertainValue{f.work_of_adhesion, f.standard_error}, "J/m2"));
+        add(inner, quantity("work_of_adhesion", "W_int", f.work_of_adhesion, "J/m2"));
         add(inner, quantity("r_squared", "R2", f.r_squared, "1"));
         return inner;
     };
@@ -266,7 +267,7 @@ Json reported_json(const ReportedValue& reported, const StudyResult& result) {
     theirs.source = reported.source;
     return {{"fit", reported.fit},
             {"reported", to_json(theirs)},
-            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2", work ? fit->work_of_adhesion : fit->r_squared, unit)) : Json(nullptr)}};
+            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2", work ? fit->work_of_adhesion.value : fit->r_squared, unit)) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -278,7 +279,7 @@ std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
     const auto add = [&](Quantity q, const char* source) {
         q.source = source;
         q.n = static_cast<int>(r.defined);
-        if (q.value == q.value) list.push_back(std::move(q));
+        if (!std::isnan(q.estimate.value)) list.push_back(std::move(q));
     };
     add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"), "heights, unfiltered, at the resolution of the data");
     if (map) add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"), "lines along x, each about its own mean");
@@ -288,7 +289,7 @@ std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
     add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
     if (m.triangulated) add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"), "triangles through the heights; [D19] (S3)");
     if (m.slopes) {
-        add(quantity("slope_excess_kurtosis", "kurt - 3", UncertainValue{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error}, "1"),
+        add(quantity("slope_excess_kurtosis", "kurt - 3", Estimate{m.slopes->directions.front().excess_kurtosis, m.slopes->directions.front().excess_kurtosis_standard_error, "jackknife over blocks"}, "1"),
             "slopes along x; 0 for Gaussian slopes");
         add(quantity("slope_gaussian_p_value", "p", m.slopes->gaussian_p_value, "1"), "skewness and excess kurtosis are 0; jackknife over blocks");
         add(quantity("slope_isotropy_ratio", "s_max/s_min", m.slopes->isotropy_ratio, "1"), "rms slopes of perpendicular directions");
@@ -299,10 +300,8 @@ std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
 std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum, roughness::Conversion conversion) {
     const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;
     const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from, const ParameterSpread::Function& f) {
-        auto q = named(name, symbol, f(spectrum.parameters), unit, from);
-        const double error = spectrum.spread.standard_error(f);
-        if (error == error) q.standard_error = error;
-        q.interval = spectrum.spread.interval(f);
+        auto q = quantity(name, symbol, spectrum.estimate(f), unit);
+        q.source = from;
         q.band = spectrum.curve.band;
         if (!surface.measurements.empty())
             q.n = static_cast<int>(std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); }));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -22,6 +23,18 @@ std::string with_error(double value, double error, int decimals) {
     return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
 }
 
+/// "4.60 ± 0.80" in another unit.
+std::string with_error(const Estimate& estimate, double factor, int decimals) {
+    return with_error(factor * estimate.value, factor * estimate.standard_error, decimals);
+}
+
+/// "4.60 ± 0.80 [3.02, 6.18]".
+std::string with_interval(const Estimate& estimate, double factor, int decimals) {
+    const auto interval = interval_of(estimate);
+    const auto text = with_error(estimate, factor, decimals);
+    return interval ? fmt::format("{} [{:.{}f}, {:.{}f}]", text, factor * interval->lower, decimals, factor * interval->upper, decimals) : text;
+}
+
 TidyTable surfaces_for_reading(const StudyResult& result) {
     TidyTable table{"Surfaces", {"surface", "method", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n"}, {}};
     for (const auto& surface : result.surfaces) {
@@ -31,9 +44,7 @@ TidyTable surfaces_for_reading(const StudyResult& result) {
         }
         for (const auto& [method, spectrum] : spectra_of(surface)) {
             const auto q = surface_quantities(surface, *spectrum, result.study.analysis.conversion);
-            const auto cell = [&](std::size_t i, double factor, int decimals) {
-                return with_error(factor * q[i].value, factor * q[i].standard_error.value_or(0.0), decimals);
-            };
+            const auto cell = [&](std::size_t i, double factor, int decimals) { return with_interval(q[i].estimate, factor, decimals); };
             table.rows.push_back({surface.name, method, cell(0, 1e9, 2), cell(1, 1.0, 3), cell(2, 1e-9, 3), cell(3, 1.0, 4), cell(5, 1e9, 3),
                                   q[0].n ? fmt::format("{}", *q[0].n) : ""});
         }
@@ -45,9 +56,9 @@ TidyTable elastomers_for_reading(const StudyResult& result) {
     TidyTable table{"Elastomers", {"elastomer", "E [MPa]", "E* [MPa]", "γ1 [mJ/m²]", "ρRT/M_c [MPa]", "E/(ρRT/M_c)"}, {}};
     for (const auto& e : result.elastomers) {
         const double network = e.network_modulus.value_or(undefined);
-        table.rows.push_back({e.input.name, with_error(1e-6 * e.youngs_modulus.value, 1e-6 * e.youngs_modulus.standard_error, 3),
-                              with_error(1e-6 * e.contact_modulus.value, 1e-6 * e.contact_modulus.standard_error, 4),
-                              with_error(1e3 * e.input.surface_energy.value, 1e3 * e.input.surface_energy.standard_error, 1), with_error(1e-6 * network, 0.0, 3),
+        table.rows.push_back({e.input.name, with_error(e.youngs_modulus, 1e-6, 3),
+                              with_error(e.contact_modulus, 1e-6, 4),
+                              with_error(e.input.surface_energy, 1e3, 1), with_error(1e-6 * network, 0.0, 3),
                               with_error(e.youngs_modulus.value / network, 0.0, 1)});
     }
     return table;
@@ -65,7 +76,7 @@ TidyTable pairs_for_reading(const StudyResult& result) {
         else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
         table.rows.push_back({p.surface, p.elastomer, fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
                               with_error(measured, p.approach ? 1e3 * p.approach->standard_error : 0.0, 2),
-                              with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->standard_error : 0.0, 2), with_error(raw, 0.0, 2),
+                              with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->estimate.standard_error : 0.0, 2), with_error(raw, 0.0, 2),
                               with_error(predicted(p.persson_tosatti), 0.0, 2), with_error(measured - predicted(p.modified), 0.0, 2), note});
     }
     return table;
@@ -74,10 +85,15 @@ TidyTable pairs_for_reading(const StudyResult& result) {
 TidyTable fits_for_reading(const StudyResult& result) {
     TidyTable table{"Intrinsic work of adhesion from all pairs", {"fit", "variant", "W_int [mJ/m²]", "R²", "χ²", "n", "reported W_int", "reported R²"}, {}};
     const auto rows = fit_table(result);
+    const auto column = [&rows](const char* name) {
+        return static_cast<std::size_t>(std::find(rows.columns.begin(), rows.columns.end(), name) - rows.columns.begin());
+    };
     for (const auto& row : rows.rows) {
-        const auto at = [&row](std::size_t i) { return std::get<double>(row[i]); };
-        table.rows.push_back({row[0], row[1], with_error(1e3 * at(2), 1e3 * at(3), 2), with_error(at(4), 0.0, 3), with_error(at(5), 0.0, 1),
-                              fmt::format("{:.0f}", at(7)), with_error(1e3 * at(8), 1e3 * at(9), 1), with_error(at(10), 0.0, 2)});
+        const auto at = [&](const char* name) { return std::get<double>(row[column(name)]); };
+        Estimate work{at("W_int [J/m2]"), at("standard_error [J/m2]")};
+        if (const double lower = at("interval_low [J/m2]"); !std::isnan(lower)) work.interval = Interval{lower, at("interval_high [J/m2]"), at("level")};
+        table.rows.push_back({row[0], row[1], with_interval(work, 1e3, 2), with_error(at("R2"), 0.0, 3), with_error(at("chi2"), 0.0, 1), fmt::format("{:.0f}", at("n")),
+                              with_error(1e3 * at("reported W_int [J/m2]"), 1e3 * at("reported standard_error [J/m2]"), 1), with_error(at("reported R2"), 0.0, 2)});
     }
     return table;
 }
@@ -85,8 +101,8 @@ TidyTable fits_for_reading(const StudyResult& result) {
 TidyTable cutoffs_for_reading(const StudyResult& result) {
     TidyTable table{"W_int against the short cutoff", {"shortest wavelength", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"}, {}};
     for (const auto& p : result.cutoff_scan)
-        table.rows.push_back({format_value(p.shortest_wavelength, "m"), with_error(1e3 * p.modified.work_of_adhesion, 1e3 * p.modified.standard_error, 2),
-                              with_error(p.modified.r_squared, 0.0, 3), with_error(1e3 * p.persson_tosatti.work_of_adhesion, 1e3 * p.persson_tosatti.standard_error, 2),
+        table.rows.push_back({format_value(p.shortest_wavelength, "m"), with_error(p.modified.work_of_adhesion, 1e3, 2),
+                              with_error(p.modified.r_squared, 0.0, 3), with_error(p.persson_tosatti.work_of_adhesion, 1e3, 2),
                               with_error(p.persson_tosatti.r_squared, 0.0, 3)});
     return table;
 }
@@ -94,9 +110,9 @@ TidyTable cutoffs_for_reading(const StudyResult& result) {
 TidyTable references_for_reading(const StudyResult& result) {
     TidyTable table{"Smooth references", {"elastomer", "stage", "W loading [mJ/m²]", "W retraction [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"}, {}};
     for (const auto& r : result.references)
-        table.rows.push_back({r.elastomer, r.stage, with_error(1e3 * r.approach.value, 1e3 * r.approach.standard_error, 1),
-                              with_error(1e3 * r.retraction.value, 1e3 * r.retraction.standard_error, 1),
-                              r.excess_energy ? with_error(1e9 * r.excess_energy->value, 1e9 * r.excess_energy->standard_error, 2) : "–",
+        table.rows.push_back({r.elastomer, r.stage, with_error(r.approach, 1e3, 1),
+                              with_error(r.retraction, 1e3, 1),
+                              r.excess_energy ? with_error(*r.excess_energy, 1e9, 2) : "–",
                               with_error(1e9 * r.ideal_loss.value_or(undefined), 0.0, 2)});
     return table;
 }
@@ -110,11 +126,11 @@ TidyTable experiments_for_reading(const StudyResult& result) {
             continue;
         }
         const auto& a = *e.analysis;
-        const auto cell = [](const UncertainValue& v, double factor, int decimals) { return with_error(factor * v.value, factor * v.standard_error, decimals); };
+        const auto cell = [](const Estimate& v, double factor, int decimals) { return with_error(v, factor, decimals); };
         table.rows.push_back({file, e.input.reference ? "(reference)" : e.input.surface, e.input.elastomer, cell(a.loading.primary().contact_modulus, 1e-6, 3),
                               cell(a.loading.primary().work_of_adhesion, 1e3, 2), a.pull_off ? cell(a.pull_off->work_of_adhesion, 1e3, 2) : "–",
                               a.retraction ? cell(a.retraction->work_of_adhesion, 1e3, 2) : "–",
-                              a.loop ? with_error(1e9 * a.loop->energy, 1e9 * a.loop->standard_error.total, 4) : "–",
+                              a.loop ? cell(a.loop->estimate(), 1e9, 4) : "–",
                               e.alerts.empty() ? "" : fmt::format("{} alerts", e.alerts.size())});
     }
     return table;
@@ -165,6 +181,7 @@ std::string summary(const StudyResult& result) {
     append(pairs_for_reading(result));
     append(fits_for_reading(result));
     append(cutoffs_for_reading(result));
+    text += "± is one standard error, [ ] the 95 % interval; how each was found stands in the tables and in study.json.\n";
     if (!result.loop && !result.pairs.empty()) text += "No fit of loop energies: " + result.loop.reason + ".\n";
     if (!result.work_of_adhesion && !result.pairs.empty()) text += "No prediction: " + result.work_of_adhesion.reason + ".\n";
     return text;

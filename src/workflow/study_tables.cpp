@@ -9,8 +9,35 @@
 namespace setae::workflow {
 namespace {
 
-double value_of(const std::optional<UncertainValue>& value) { return value ? value->value : undefined; }
-double error_of(const std::optional<UncertainValue>& value) { return value && value->standard_error > 0.0 ? value->standard_error : undefined; }
+using Cells = std::vector<TidyTable::Cell>;
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+template <class... T>
+void add_cells(Cells& row, T&&... cells) {
+    (row.emplace_back(std::forward<T>(cells)), ...);
+}
+
+double value_of(const std::optional<Estimate>& value) { return value ? value->value : undefined; }
+
+/// Names of what uncertainty_cells() gives of a quantity.
+std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
+    const std::string of = name.empty() ? "" : " " + name, in = unit.empty() ? "" : " [" + unit + "]";
+    return {"standard_error" + of + in, "interval_low" + of + in, "interval_high" + of + in, "level" + of, "interval_method" + of, "seed" + of};
+}
+
+Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
+    const auto interval = estimate ? interval_of(*estimate) : std::nullopt;
+    const bool uncertain = estimate && estimate->uncertain(), known = uncertain || interval;
+    Cells cells;
+    add_cells(cells, uncertain ? estimate->standard_error : undefined, interval ? interval->lower : undefined, interval ? interval->upper : undefined,
+        interval ? interval->level : undefined, known ? estimate->method : std::string(),
+        known && estimate->seed ? std::to_string(*estimate->seed) : std::string());
+    return cells;
+}
 
 const ReportedValue* reported(const StudyResult& result, const std::string& fit, const std::string& quantity) {
     for (const auto& r : result.study.reported)
@@ -23,30 +50,33 @@ class FitRows {
 public:
     FitRows(TidyTable& table, const StudyResult& result) : table_(table), result_(result) {}
 
-    void add(const std::string& fit, const std::string& variant, double work, double error, double r_squared, double chi_squared,
-             double extra_scatter, int n) {
+    void add(const std::string& fit, const std::string& variant, const Estimate& work, double r_squared, double chi_squared, double extra_scatter, int n) {
         const auto* work_reported = variant.empty() ? reported(result_, fit, "work_of_adhesion") : nullptr;
         const auto* r_reported = variant.empty() ? reported(result_, fit, "r_squared") : nullptr;
-        table_.rows.push_back({fit, variant, work, error, r_squared, chi_squared, extra_scatter, static_cast<double>(n),
-                               work_reported ? work_reported->value.value : undefined,
-                               work_reported && work_reported->value.standard_error > 0.0 ? work_reported->value.standard_error : undefined,
-                               r_reported ? r_reported->value.value : undefined});
+        Cells row;
+        add_cells(row, fit, variant, work.value);
+        append(row, uncertainty_cells(work));
+        add_cells(row, r_squared, chi_squared, extra_scatter, static_cast<double>(n), work_reported ? work_reported->value.value : undefined,
+                  work_reported && work_reported->value.uncertain() ? work_reported->value.standard_error : undefined,
+                  r_reported ? r_reported->value.value : undefined);
+        table_.rows.push_back(std::move(row));
     }
 
     void add(const std::string& fit, const WorkFit& f, const std::string& variant = "") {
-        add(fit, variant, f.work_of_adhesion, f.standard_error, f.r_squared, undefined, undefined, f.n);
+        add(fit, variant, f.work_of_adhesion, f.r_squared, undefined, undefined, f.n);
         const auto joined = [&](const char* name) { return variant.empty() ? name : variant + ", " + name; };
-        add(fit, joined("clustered errors"), f.work_of_adhesion, f.clustered_standard_error, undefined, undefined, undefined, f.n);
+        add(fit, joined("clustered errors"), f.clustered, undefined, undefined, undefined, f.n);
         const auto estimate = [&](const char* name, const std::optional<WorkEstimate>& e) {
-            if (e) add(fit, joined(name), e->value, e->standard_error, undefined, e->chi_squared, e->extra_scatter, f.n);
+            if (e) add(fit, joined(name), e->work_of_adhesion, undefined, e->chi_squared, e->extra_scatter, f.n);
         };
         estimate("weighted by the measured ±", f.weighted);
         estimate("with extra scatter", f.with_extra_scatter);
         estimate("errors in both", f.errors_in_both);
+        if (f.likelihood) add(fit, joined("profile likelihood"), *f.likelihood, undefined, undefined, undefined, f.n);
     }
 
     void add(const std::string& fit, const std::optional<LineFit>& f, const std::string& variant) {
-        if (f) add(fit, variant, f->slope, f->slope_standard_error, f->r_squared, undefined, undefined, f->n);
+        if (f) add(fit, variant, f->slope, f->r_squared, undefined, undefined, f->n);
     }
 
 private:
@@ -61,46 +91,63 @@ void add_alerts(TidyTable& table, const std::vector<Alert>& alerts) {
 }  // namespace
 
 TidyTable surface_table(const StudyResult& result) {
-    TidyTable table{"", {"surface", "method", "quantity", "symbol", "value", "standard_error", "unit", "band_low [1/m]", "band_high [1/m]", "n", "source"}, {}};
+    TidyTable table{"", {"surface", "method", "quantity", "symbol", "value"}, {}};
+    append(table.columns, uncertainty_columns("", ""));
+    append(table.columns, {"unit", "band_low [1/m]", "band_high [1/m]", "n", "source"});
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
         for (const auto& [method, spectrum] : spectra_of(surface))
-            for (const auto& q : surface_quantities(surface, *spectrum, result.study.analysis.conversion))
-                table.rows.push_back({surface.name, method, q.quantity, q.symbol, q.value, q.standard_error.value_or(undefined), q.unit, q.band->lower,
-                                      q.band->upper, q.n ? static_cast<double>(*q.n) : undefined, q.source});
+            for (const auto& q : surface_quantities(surface, *spectrum, result.study.analysis.conversion)) {
+                Cells row;
+                add_cells(row, surface.name, method, q.quantity, q.symbol, q.estimate.value);
+                append(row, uncertainty_cells(q.estimate));
+                add_cells(row, q.unit, q.band->lower, q.band->upper, q.n ? static_cast<double>(*q.n) : undefined, q.source);
+                table.rows.push_back(std::move(row));
+            }
     }
     return table;
 }
 
 TidyTable pair_table(const StudyResult& result) {
-    TidyTable table{"",
-                    {"surface", "elastomer", "W_app measured [J/m2]", "standard_error [J/m2]", "W_app (7) [J/m2]", "standard_error (7) [J/m2]",
-                     "W_app (7) raw [J/m2]", "W_app (S13) [J/m2]", "W_app (2) [J/m2]", "A_true/A_app [1]", "U_el/A_app [J/m2]", "W pull-off [J/m2]",
-                     "W retraction [J/m2]", "E_loss [J]", "standard_error E_loss [J]", "contact area [m2]", "ideal smooth loss [J]"},
-                    {}};
+    TidyTable table{"", {"surface", "elastomer", "method", "W_app measured [J/m2]"}, {}};
+    append(table.columns, uncertainty_columns("measured", "J/m2"));
+    append(table.columns, {"W_app (7) [J/m2]", "W_app (7) raw [J/m2]"});
+    append(table.columns, uncertainty_columns("(7)", "J/m2"));
+    append(table.columns, {"W_app (S13) [J/m2]", "W_app (2) [J/m2]", "A_true/A_app [1]", "U_el/A_app [J/m2]"});
+    append(table.columns, uncertainty_columns("U_el/A_app", "J/m2"));
+    append(table.columns, {"W pull-off [J/m2]", "W retraction [J/m2]", "E_loss [J]"});
+    append(table.columns, uncertainty_columns("E_loss", "J"));
+    append(table.columns, {"contact area [m2]", "ideal smooth loss [J]"});
     for (const auto& p : result.pairs) {
+        const auto& surface = result.surface(p.surface);
         const bool predicted = p.modified.has_value();
-        table.rows.push_back({p.surface, p.elastomer, value_of(p.approach), error_of(p.approach), predicted ? p.modified->work.floored : undefined,
-                              predicted ? p.modified->standard_error : undefined, predicted ? p.modified->work.raw : undefined,
-                              predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
-                              predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined, value_of(p.pull_off),
-                              value_of(p.retraction), value_of(p.loss), error_of(p.loss), p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined)});
+        Cells row;
+        add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
+        append(row, uncertainty_cells(p.approach));
+        add_cells(row, predicted ? p.modified->work.floored : undefined, predicted ? p.modified->work.raw : undefined);
+        append(row, uncertainty_cells(predicted ? std::optional(p.modified->estimate) : std::nullopt));
+        add_cells(row, predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
+                     predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined);
+        append(row, uncertainty_cells(predicted ? std::optional(p.stored_energy) : std::nullopt));
+        add_cells(row, value_of(p.pull_off), value_of(p.retraction), value_of(p.loss));
+        append(row, uncertainty_cells(p.loss));
+        add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
 
 TidyTable fit_table(const StudyResult& result) {
-    TidyTable table{"",
-                    {"fit", "variant", "W_int [J/m2]", "standard_error [J/m2]", "R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
-                     "reported standard_error [J/m2]", "reported R2"},
-                    {}};
+    TidyTable table{"", {"fit", "variant", "W_int [J/m2]"}, {}};
+    append(table.columns, uncertainty_columns("", "J/m2"));
+    append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]", "reported standard_error [J/m2]", "reported R2"});
     FitRows rows(table, result);
     if (result.modified) rows.add("modified", *result.modified);
     if (result.persson_tosatti) rows.add("persson_tosatti", *result.persson_tosatti);
     if (result.without_area_change) rows.add("without_area_change", *result.without_area_change);
     if (result.free_energies)
-        rows.add("modified", "stored energy free for each surface", result.free_energies->work_of_adhesion, undefined, result.free_energies->r_squared, undefined,
-                 undefined, result.modified->n);
+        rows.add("modified", "stored energy free for each surface", Estimate{.value = result.free_energies->work_of_adhesion}, result.free_energies->r_squared,
+                 undefined, undefined, result.modified->n);
     if (result.loop) {
         rows.add("loop", result.loop->through_origin);
         rows.add("loop", result.loop->with_intercept, "with intercept");
@@ -152,10 +199,16 @@ TidyTable cumulative_table(const StudyResult& result) {
 }
 
 TidyTable cutoff_table(const StudyResult& result) {
-    TidyTable table{"", {"shortest wavelength [m]", "W_int (7) [J/m2]", "standard_error [J/m2]", "R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"}, {}};
-    for (const auto& p : result.cutoff_scan)
-        table.rows.push_back({p.shortest_wavelength, p.modified.work_of_adhesion, p.modified.standard_error, p.modified.r_squared,
-                              p.persson_tosatti.work_of_adhesion, p.persson_tosatti.r_squared});
+    TidyTable table{"", {"shortest wavelength [m]", "W_int (7) [J/m2]"}, {}};
+    append(table.columns, uncertainty_columns("(7)", "J/m2"));
+    append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"});
+    for (const auto& p : result.cutoff_scan) {
+        Cells row;
+        add_cells(row, p.shortest_wavelength, p.modified.work_of_adhesion.value);
+        append(row, uncertainty_cells(p.modified.work_of_adhesion));
+        add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
+        table.rows.push_back(std::move(row));
+    }
     return table;
 }
 

@@ -78,7 +78,7 @@ std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
     add_other_routes(list, result, threads);
     const auto predicted = [&](const char* name, const std::optional<workflow::PredictedWork>& work, const char* source) {
-        auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", UncertainValue{work->work.raw, work->standard_error}, "J/m2");
+        auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", work->estimate, "J/m2");
         raw.source = source;
         list.push_back(raw);
         list.push_back(quantity(std::string("work_of_adhesion_") + name + "_floored", "max(0, W_app)", work->work.floored, "J/m2"));

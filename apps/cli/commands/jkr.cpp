@@ -55,7 +55,7 @@ experiment::AnalysisOptions options_of(const Arguments& a) {
 void add_branch(workflow::TidyTable& table, const char* branch, const experiment::BranchAnalysis& analysis) {
     const auto add = [&](const experiment::Outcome<experiment::JkrFit>& fit) {
         if (!fit) return;
-        const auto cell = [](const UncertainValue& v, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
+        const auto cell = [](const Estimate& v, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
         table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6), cell(fit->work_of_adhesion, 1e3),
                               fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
                               fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
@@ -75,11 +75,11 @@ void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
     for (const auto& s : a.loading.sensitivity) text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
     text += '\n';
     const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<28} {}\n", what, value); };
-    const auto value = [](const UncertainValue& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
+    const auto value = [](const Estimate& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
     if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
-    line("loop energy", a.loop ? value({a.loop->energy, a.loop->standard_error.total}, "J") : a.loop.reason);
+    line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
     line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
     line("largest contact radius", format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
     line("cycles", fmt::format("{}", a.cycles.size()));

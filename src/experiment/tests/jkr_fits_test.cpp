@@ -100,7 +100,7 @@ Coverage coverage(int seeds, const Contact& truth, const std::function<JkrFit(st
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
         const JkrFit found = fit(generator);
-        const auto covers = [](const UncertainValue& value, double true_value) {
+        const auto covers = [](const Estimate& value, double true_value) {
             return std::abs(value.value - true_value) < 1.96 * value.standard_error;
         };
         result.modulus += covers(found.contact_modulus, truth.contact_modulus);

@@ -126,7 +126,7 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
     for (const double error : {0.0, 1e-6}) {
         MeasurementInput measurement;
         measurement.file = (folder_ / "walk.csv").string();
-        measurement.tip_radius = UncertainValue{5e-6, error};
+        measurement.tip_radius = Estimate{5e-6, error};
         input.measurements.push_back(measurement);
     }
     const auto surface = analyse_surface(input, {}, {1});
@@ -165,9 +165,9 @@ TEST_F(StudyOfFiles, FitsTheLossOfAllPairsAgainstTrueArea) {
         products += area * pair.loss->value;
         squares += area * area;
     }
-    EXPECT_NEAR(result.loop->through_origin.work_of_adhesion / (products / squares), 1.0, 1e-9);
+    EXPECT_NEAR(result.loop->through_origin.work_of_adhesion.value / (products / squares), 1.0, 1e-9);
     ASSERT_TRUE(result.loop->through_origin_without_ideal_loss);
-    EXPECT_LT(result.loop->through_origin_without_ideal_loss->work_of_adhesion, result.loop->through_origin.work_of_adhesion);
+    EXPECT_LT(result.loop->through_origin_without_ideal_loss->work_of_adhesion.value, result.loop->through_origin.work_of_adhesion.value);
     EXPECT_TRUE(result.loop->with_intercept);
 }
 
@@ -179,7 +179,7 @@ TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
         for (const auto& point : (*fit)->pairs)
             for (const auto& pair : result.pairs) {
                 if (pair.surface != point.surface || pair.elastomer != point.elastomer) continue;
-                EXPECT_NEAR((pair.*predicted)->work.floored, point.prediction(*result.work_of_adhesion), 1e-15);
+                EXPECT_NEAR((pair.*predicted)->work.floored, point.prediction(result.work_of_adhesion->value), 1e-15);
             }
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/estimate.hpp"
+
 namespace setae {
 
 /// Something the reader of a number must know: which alert, about what, how large its effect, what to do.
@@ -17,13 +19,6 @@ struct Alert {
     friend bool operator==(const Alert&, const Alert&) = default;
 };
 
-/// Lower and upper end of an interval at the confidence level named.
-struct Interval {
-    double lower = 0.0;
-    double upper = 0.0;
-    double level = 0.95;
-};
-
 /// Range of wavevectors [1/m] a number rests on.
 struct Band {
     double lower = 0.0;
@@ -34,10 +29,8 @@ struct Band {
 struct Quantity {
     std::string quantity;  ///< the field's term, snake_case, such as "rms_height"
     std::string symbol;    ///< such as "h_rms"
-    double value = 0.0;    ///< in `unit`; NaN where undefined
+    Estimate estimate;     ///< in `unit`; NaN where undefined
     std::string unit;      ///< SI, such as "m", "J/m2", "1"
-    std::optional<double> standard_error;
-    std::optional<Interval> interval;
     std::optional<Band> band;
     std::optional<int> n;  ///< measurements, points or pairs it rests on
     std::string source;    ///< formula and where it comes from

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "setae/core/estimate.hpp"
+
 namespace setae {
 
 /// Exponents of length, mass, time, temperature, amount of substance and electric current.
@@ -56,14 +58,10 @@ struct Unit {
 /// @throws InvalidArgument for a missing or wrong unit or a malformed number.
 [[nodiscard]] double parse_quantity(std::string_view text, const Dimension& expected);
 
-/// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or without the second part.
-struct UncertainValue {
-    double value = 0.0;
-    double standard_error = 0.0;
-};
-
+/// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or, taken for exact, without the
+/// second part; method "given".
 /// @throws InvalidArgument as parse_quantity does, and for a negative standard error.
-[[nodiscard]] UncertainValue parse_uncertain_quantity(std::string_view text, const Dimension& expected);
+[[nodiscard]] Estimate parse_uncertain_quantity(std::string_view text, const Dimension& expected);
 
 /// SI unit of a dimension as machine files spell it: "J/m2", "1/m", "Pa", "1".
 [[nodiscard]] std::string si_unit(const Dimension& dimension);

@@ -28,10 +28,10 @@ struct JkrFit {
     std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement"
     bool converged = false;  ///< and the data determine the unknowns: covariance defined
     int iterations = 0;
-    UncertainValue contact_modulus;   ///< E* [Pa]
-    UncertainValue youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
-    UncertainValue work_of_adhesion;  ///< W [J/m²]
-    UncertainValue contact_point;     ///< δ at first touch [m]; NaN where the method has none
+    Estimate contact_modulus;   ///< E* [Pa]
+    Estimate youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
+    Estimate work_of_adhesion;  ///< W [J/m²]
+    Estimate contact_point;     ///< δ at first touch [m]; NaN where the method has none
     Eigen::MatrixXd covariance;       ///< of E*, W and, where fitted, the contact point
     double correlation = 0.0;         ///< of E* and W
     Index n = 0;
@@ -80,9 +80,9 @@ enum class RadiusErrors {
 
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
 struct PointwiseModulus {
-    UncertainValue contact_modulus;   ///< slope [Pa]
-    UncertainValue youngs_modulus;    ///< [Pa]
-    UncertainValue contact_point;     ///< δ0 [m]
+    Estimate contact_modulus;   ///< slope [Pa]
+    Estimate youngs_modulus;    ///< [Pa]
+    Estimate contact_point;     ///< δ0 [m]
     Array1D pointwise;                ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
     double rms_residual = 0.0;        ///< of F/(2a) [N/m]
     double relative_residual = 0.0;
@@ -104,6 +104,6 @@ struct EnergyReleaseRate {
                                                      double contact_point);
 
 /// Young's modulus of the soft body with its standard error, from E*; NaN where the counter-body is too soft for it.
-[[nodiscard]] UncertainValue youngs_modulus(const UncertainValue& contact_modulus, const LensAndCounterBody& bodies);
+[[nodiscard]] Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies);
 
 }  // namespace setae::experiment

@@ -10,7 +10,7 @@ namespace setae::experiment {
 struct Circle {
     double centre_x = 0.0;
     double centre_y = 0.0;
-    UncertainValue radius;
+    Estimate radius;
     double rms_residual = 0.0;  ///< of the distances from the circle [m]
 };
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "setae/core/estimate.hpp"
 #include "setae/experiment/segments.hpp"
 
 namespace setae::experiment {
@@ -22,6 +23,8 @@ struct LoopEnergy {
     double without_drift = 0.0;     ///< the same with the first baseline only
     LoopErrorBudget standard_error;
     double opening = 0.0;           ///< displacement at the end minus at the start [m]; free flight, so no energy
+
+    [[nodiscard]] Estimate estimate() const { return {energy, standard_error.total, "error budget"}; }
 };
 
 /// Loss of one contact, ∮F dδ by the trapezoid rule over its extent.

@@ -10,10 +10,10 @@ namespace setae::experiment {
 
 /// What a loop on a smooth surface says about the lens: with no roughness both branches should give the same W.
 struct ReferenceLoop {
-    UncertainValue work_of_adhesion_loading;     ///< [J/m²]
-    UncertainValue work_of_adhesion_retraction;  ///< (S2), else the unloading fit's [J/m²]
+    Estimate work_of_adhesion_loading;     ///< [J/m²]
+    Estimate work_of_adhesion_retraction;  ///< (S2), else the unloading fit's [J/m²]
     double difference_in_standard_errors = 0.0;  ///< |difference| over its standard error
-    UncertainValue excess_energy;                ///< loop loss [J]
+    Estimate excess_energy;                ///< loop loss [J]
     double ideal_loss = 0.0;                     ///< the smooth sphere's own jumps [J]
     double beyond_ideal = 0.0;                   ///< excess energy minus ideal loss [J]
 };
@@ -27,9 +27,9 @@ struct ReferenceLoop {
 
 /// Change of the lens between a reference before and one after the rough contacts.
 struct ReferenceChange {
-    UncertainValue work_of_adhesion_loading;     ///< after − before [J/m²]
-    UncertainValue work_of_adhesion_retraction;  ///< after − before [J/m²]
-    UncertainValue excess_energy;                ///< after − before [J]
+    Estimate work_of_adhesion_loading;     ///< after − before [J/m²]
+    Estimate work_of_adhesion_retraction;  ///< after − before [J/m²]
+    Estimate excess_energy;                ///< after − before [J]
 };
 [[nodiscard]] ReferenceChange change(const ReferenceLoop& before, const ReferenceLoop& after);
 

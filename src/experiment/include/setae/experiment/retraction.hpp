@@ -8,16 +8,16 @@ namespace setae::experiment {
 /// Pull-off force and the work of adhesion it stands for.
 struct PullOff {
     Index index = 0;                               ///< sample of the smallest force
-    UncertainValue force;                          ///< [N], < 0; its error is the noise and the baseline's
-    UncertainValue work_of_adhesion;               ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
-    UncertainValue work_of_adhesion_fixed_grips;   ///< 6|F|/(5πR): in an infinitely stiff machine
+    Estimate force;                          ///< [N], < 0; its error is the noise and the baseline's
+    Estimate work_of_adhesion;               ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
+    Estimate work_of_adhesion_fixed_grips;   ///< 6|F|/(5πR): in an infinitely stiff machine
     double machine_stiffness = 0.0;  ///< −ΔF/Δδ of the jump [N/m]; infinite for a vertical jump, NaN where unknown
 };
 
 /// The last points before pull-off as a JKR curve (S2).
 struct RetractionFit {
-    UncertainValue work_of_adhesion;  ///< [J/m²]
-    UncertainValue contact_modulus;   ///< [Pa]; the value given, or the one fitted
+    Estimate work_of_adhesion;  ///< [J/m²]
+    Estimate contact_modulus;   ///< [Pa]; the value given, or the one fitted
     bool modulus_free = false;
     Index first = 0, last = 0;        ///< samples used
     Index n = 0;
@@ -33,7 +33,7 @@ struct RetractionFit {
 /// that of a fixed modulus, but not the contact point's.
 /// @throws UndefinedDataError for fewer points than unknowns, or E* free without measured contact radius.
 [[nodiscard]] RetractionFit fit_retraction(const BranchData& last_points, double radius,
-                                           const UncertainValue& contact_modulus, double contact_point,
+                                           const Estimate& contact_modulus, double contact_point,
                                            bool modulus_free = false);
 
 }  // namespace setae::experiment

@@ -43,11 +43,11 @@ public:
     /// "37 mJ/m2"; a plain number only where the dimension is none.
     [[nodiscard]] std::optional<double> quantity(const char* key, const Dimension& dimension);
     /// "37 ± 3.7 mJ/m2".
-    [[nodiscard]] std::optional<UncertainValue> uncertain(const char* key, const Dimension& dimension);
-    [[nodiscard]] UncertainValue required_uncertain(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Dimension& dimension);
+    [[nodiscard]] Estimate required_uncertain(const char* key, const Dimension& dimension);
     [[nodiscard]] std::vector<std::string> texts(const char* key);
     [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
-    [[nodiscard]] std::vector<UncertainValue> uncertains(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Dimension& dimension);
     [[nodiscard]] bool is_number(const char* key) const;
     [[nodiscard]] bool is_table(const char* key) const;
     /// Calls body with the table under a key, if there is one.
@@ -70,7 +70,7 @@ private:
     const toml::node* find(const char* key);
     template <class Value>
     std::vector<Value> list(const char* key, const std::function<Value(const toml::node&)>& convert);
-    UncertainValue parse(const char* key, const toml::node& node, const Dimension& dimension) const;
+    Estimate parse(const char* key, const toml::node& node, const Dimension& dimension) const;
 
     const toml::table* table_;
     std::string path_;

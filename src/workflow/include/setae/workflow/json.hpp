@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/core/quantity.hpp"
-#include "setae/core/units.hpp"
 #include "setae/experiment/analysis.hpp"
 #include "setae/workflow/study_result.hpp"
 
@@ -16,8 +15,8 @@ namespace setae::workflow {
 /// Keys keep the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval", "band", "n", "source",
-/// "alerts". SI; NaN is null; infinity is the text "infinity" or "-infinity".
+/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level), "method",
+/// "degrees_of_freedom", "seed", "band", "n", "source", "alerts". SI; NaN is null; infinity is the text "infinity" or "-infinity".
 [[nodiscard]] Json to_json(const Quantity& quantity);
 [[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
 
@@ -27,8 +26,8 @@ using Json = nlohmann::ordered_json;
 
 /// A quantity in one line.
 [[nodiscard]] Quantity quantity(std::string name, std::string symbol, double value, std::string unit);
-/// A standard error of 0 or NaN counts as unknown.
-[[nodiscard]] Quantity quantity(std::string name, std::string symbol, const UncertainValue& value, std::string unit);
+/// Without a standard error > 0 or an interval it is printed as a plain value.
+[[nodiscard]] Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit);
 
 /// All of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with "…_reason"
 /// beside it where a part is missing.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/core/quantity.hpp"
+#include "setae/core/estimate.hpp"
 
 namespace setae::workflow {
 
@@ -18,8 +18,7 @@ namespace setae::workflow {
 struct PairPoint {
     std::string surface;
     std::string elastomer;
-    double measured = 0.0;
-    double standard_error = 0.0;     ///< of the measured value; 0 where unknown
+    Estimate measured;
     double slope = 0.0;              ///< > 0
     double offset = 0.0;
     /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) + offset_variance
@@ -35,26 +34,26 @@ struct PairPoint {
 
 /// An estimate of W under one assumption on the errors.
 struct WorkEstimate {
-    double value = 0.0;
-    double standard_error = 0.0;
+    Estimate work_of_adhesion;
     double chi_squared = 0.0;    ///< under the errors assumed
     double extra_scatter = 0.0;  ///< standard deviation added to each pair's own, where the assumption has one
 };
 
 /// W from all pairs, and how well the model fits.
 struct WorkFit {
-    double work_of_adhesion = 0.0;        ///< least squares, every pair alike
-    double standard_error = 0.0;          ///< from the residuals, pairs independent
-    double clustered_standard_error = 0.0;///< pairs of one surface, and of one elastomer, correlated (two-way sandwich)
+    Estimate work_of_adhesion;            ///< least squares, every pair alike; error from the residuals, pairs independent
+    /// The same value, pairs of one surface and of one elastomer correlated (two-way sandwich); as many degrees of freedom
+    /// as the rarer kind of group has members, less one.
+    Estimate clustered;
     double r_squared = 0.0;               ///< 1 − SS_res/SS_tot
     double residual_standard_deviation = 0.0;
     int n = 0;
     int degrees_of_freedom = 0;
-    std::vector<PairPoint> pairs;         ///< what was fitted; residual = measured − prediction(work_of_adhesion)
+    std::vector<PairPoint> pairs;         ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
     std::optional<WorkEstimate> weighted;           ///< by the measured ± alone; its χ² tests the model
     std::optional<WorkEstimate> with_extra_scatter; ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
     std::optional<WorkEstimate> errors_in_both;     ///< measured and predicted ±, and the scatter still missing
-    std::optional<Interval> interval;               ///< 95 % profile likelihood over the extra scatter
+    std::optional<Estimate> likelihood;             ///< 95 % profile likelihood over the extra scatter
 };
 
 /// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.
@@ -65,8 +64,7 @@ struct WorkFit {
 
 /// A straight line through points: y = slope · x + intercept, ordinary least squares.
 struct LineFit {
-    double slope = 0.0, slope_standard_error = 0.0;
-    double intercept = 0.0, intercept_standard_error = 0.0;
+    Estimate slope, intercept;  ///< n − 2 degrees of freedom
     double r_squared = 0.0;
     int n = 0;
 };

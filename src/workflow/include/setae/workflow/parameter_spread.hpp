@@ -25,8 +25,8 @@ struct ParameterSpread {
     /// Covariance of two functions of the parameters: between replicas, plus ¼ (f₊ − f₋)(g₊ − g₋) of each source.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
     [[nodiscard]] double standard_error(const Function& f) const;
-    /// 2.5 and 97.5 % of the replicas, where there are at least 40 and no other source.
-    [[nodiscard]] std::optional<Interval> interval(const Function& f) const;
+    /// A function of the parameters, whose value is given, with what this spread says of it.
+    [[nodiscard]] Estimate estimate(double value, const Function& f) const;
 };
 
 }  // namespace setae::workflow

@@ -20,7 +20,7 @@ struct MeasurementInput {
     std::string file;                                ///< path, relative to the study file where not absolute
     std::optional<std::size_t> channel;              ///< default: the first channel of heights; of a container: every one
     std::string instrument;                          ///< type: "stylus", "afm", "tem", "optical"
-    std::optional<UncertainValue> tip_radius;        ///< [m]
+    std::optional<Estimate> tip_radius;        ///< [m]
     std::optional<double> resolution;                ///< [m]
     std::optional<topography::Trend> trend;          ///< default: what the container says, else by instrument
     std::vector<std::string> references;             ///< scans of a smooth standard: the instrument's artefact
@@ -30,9 +30,9 @@ struct MeasurementInput {
 
 /// Published moments in place of measurements.
 struct PublishedMoments {
-    UncertainValue rms_height;     ///< [m]
-    UncertainValue rms_slope;      ///< [1]
-    UncertainValue rms_curvature;  ///< [1/m]
+    Estimate rms_height;     ///< [m]
+    Estimate rms_slope;      ///< [1]
+    Estimate rms_curvature;  ///< [1/m]
     double short_wavevector = 0.0; ///< q_s of the reconstruction [1/m]
 };
 
@@ -48,9 +48,9 @@ struct SurfaceInput {
 /// A soft solid.
 struct ElastomerInput {
     std::string name;
-    UncertainValue youngs_modulus;             ///< [Pa]; 0 where loops are to give it
+    Estimate youngs_modulus;             ///< [Pa]; 0 where loops are to give it
     double poisson_ratio = 0.5;
-    UncertainValue surface_energy;             ///< γ1 [J/m²]
+    Estimate surface_energy;             ///< γ1 [J/m²]
     std::optional<adhesion::SurfaceEnergyLaw> surface_energy_law;  ///< γ1 against stretched area, for (5)–(6)
     std::optional<double> sphere_radius;       ///< [m]
     std::optional<double> sphere_height;       ///< [m]
@@ -74,10 +74,10 @@ struct ExperimentInput {
 struct PublishedPair {
     std::string surface;    ///< empty for a reference
     std::string elastomer;
-    std::optional<UncertainValue> approach;    ///< W of the approach fit [J/m²]
-    std::optional<UncertainValue> pull_off;    ///< W by (S1) [J/m²]
-    std::optional<UncertainValue> retraction;  ///< W by (S2) or of the retraction branch [J/m²]
-    std::optional<UncertainValue> loss;        ///< E_loss [J]
+    std::optional<Estimate> approach;    ///< W of the approach fit [J/m²]
+    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;  ///< W by (S2) or of the retraction branch [J/m²]
+    std::optional<Estimate> loss;        ///< E_loss [J]
     std::optional<double> contact_radius;      ///< at maximum preload [m]
 };
 
@@ -85,7 +85,7 @@ struct PublishedPair {
 struct ReportedValue {
     std::string fit;       ///< "modified", "persson_tosatti", "loop"
     std::string quantity;  ///< "work_of_adhesion", "r_squared"
-    UncertainValue value;  ///< SI
+    Estimate value;  ///< SI
     std::string source;
 };
 
@@ -117,7 +117,7 @@ struct Study {
     AnalysisOptions analysis;
     double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]
     double counter_poisson_ratio = 0.0;
-    std::optional<UncertainValue> work_of_adhesion;  ///< W_int for predictions [J/m²]; else the fitted one
+    std::optional<Estimate> work_of_adhesion;  ///< W_int for predictions [J/m²]; else the fitted one
     std::vector<SurfaceInput> surfaces;
     std::vector<ElastomerInput> elastomers;
     std::vector<ExperimentInput> experiments;

@@ -28,9 +28,9 @@ struct ExperimentResult {
 /// An elastomer with the modulus the study uses and a check of plausibility.
 struct ElastomerResult {
     ElastomerInput input;
-    UncertainValue youngs_modulus;   ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
+    Estimate youngs_modulus;   ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
     bool modulus_from_loops = false;
-    UncertainValue contact_modulus;  ///< E* against the rough solid [Pa]
+    Estimate contact_modulus;  ///< E* against the rough solid [Pa]
     std::optional<double> network_modulus;  ///< ρRT/M_c [Pa]
     std::vector<Alert> alerts;
 };
@@ -38,7 +38,7 @@ struct ElastomerResult {
 /// One balance evaluated for a pair.
 struct PredictedWork {
     adhesion::ApparentWork work;
-    double standard_error = 0.0;  ///< of the raw value, all sources together; NaN where none is known
+    Estimate estimate;  ///< the raw value, all sources of its error together
 };
 
 /// What each uncertain input adds to the standard error of a pair's prediction by (7) [J/m²].
@@ -50,16 +50,16 @@ struct PredictionBudget {
 struct PairResult {
     std::string surface;
     std::string elastomer;
-    std::optional<UncertainValue> approach;    ///< W_app of loading [J/m²]
-    std::optional<UncertainValue> pull_off;    ///< W by (S1) [J/m²]
-    std::optional<UncertainValue> retraction;  ///< W by (S2) [J/m²]
-    std::optional<UncertainValue> loss;        ///< E_loss [J]
+    std::optional<Estimate> approach;    ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;  ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;        ///< E_loss [J]
     std::optional<double> contact_area;        ///< π a_max² at maximum preload [m²]
     std::optional<double> ideal_loss;          ///< of a smooth sphere with this W and E* [J]
     int experiments = 0;                       ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
-    UncertainValue stored_energy;              ///< U_el/A_app [J/m²]
+    Estimate stored_energy;              ///< U_el/A_app [J/m²]
     std::optional<PredictedWork> modified;             ///< (7)
     std::optional<PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<PredictedWork> without_area_change;  ///< (2)
@@ -73,8 +73,8 @@ struct PairResult {
 struct ReferenceResult {
     std::string elastomer;
     std::string stage;
-    UncertainValue approach, retraction;       ///< W of both branches [J/m²]
-    std::optional<UncertainValue> excess_energy;  ///< [J]
+    Estimate approach, retraction;       ///< W of both branches [J/m²]
+    std::optional<Estimate> excess_energy;  ///< [J]
     std::optional<double> ideal_loss;             ///< [J]
     std::optional<double> loss_ratio;             ///< mean rough loss on this elastomer over the excess energy
 };
@@ -111,7 +111,7 @@ struct StudyResult {
     std::vector<PairResult> pairs;
     std::vector<ReferenceResult> references;
     std::vector<ReferenceDrift> reference_drifts;
-    Outcome<double> work_of_adhesion;  ///< W_int of the predictions [J/m²]
+    Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
     std::string work_of_adhesion_source;
     Outcome<WorkFit> modified;
     Outcome<WorkFit> persson_tosatti;

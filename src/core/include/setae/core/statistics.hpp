@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/estimate.hpp"
+
+namespace setae {
+
+/// x with P(X <= x) = probability, X normal with mean 0 and variance 1.
+/// @throws InvalidArgument unless 0 < probability < 1.
+[[nodiscard]] double normal_quantile(double probability);
+
+/// P(X <= x), X normal with mean 0 and variance 1.
+[[nodiscard]] double normal_probability(double x);
+
+/// x with P(T <= x) = probability, T distributed as Student's t; the normal quantile for infinitely many degrees of freedom.
+/// @throws InvalidArgument unless 0 < probability < 1 and degrees_of_freedom > 0.
+[[nodiscard]] double student_t_quantile(double probability, double degrees_of_freedom);
+
+/// An independent contribution to a variance with the degrees of freedom it was estimated with.
+struct VarianceTerm {
+    double variance = 0.0;
+    double degrees_of_freedom = std::numeric_limits<double>::infinity();
+};
+
+/// Degrees of freedom of a sum of variances: ν = (Σ v)²/Σ (v²/ν_i).
+/// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110; Welch, Biometrika 34 (1947) 28.
+[[nodiscard]] double satterthwaite_degrees_of_freedom(std::span<const VarianceTerm> terms);
+
+/// p-quantile of numbers in increasing order, linear between them: order (n − 1) p (type 7 of Hyndman and Fan 1996).
+/// @throws InvalidArgument for an empty list or p outside [0, 1].
+[[nodiscard]] double sorted_quantile(std::span<const double> increasing, double probability);
+
+/// A function's value by linear propagation of its inputs' covariance.
+///
+///   Var f = gᵀ Σ g,  g_i = (f(x + s_i e_i) − f(x − s_i e_i))/(2 s_i),  s_i = √Σ_ii
+///
+/// The central difference over the ± itself keeps what is even in it out. Inputs without variance are left out.
+/// function: f of the inputs. inputs: x. covariance: Σ, symmetric, of the inputs' size.
+/// @throws InvalidArgument where the sizes differ.
+/// Cost: two evaluations an uncertain input.
+[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function, const Array1D& inputs, const Array2D& covariance);
+
+/// The same for independent inputs; degrees of freedom by Satterthwaite's formula where an input has any.
+[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function, std::span<const Estimate> inputs);
+
+}  // namespace setae
