@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/synthesis/self_affine.hpp"
+#include "setae/synthesis/spectral_density.hpp"
 
 namespace setae::synthesis {
 
@@ -38,5 +39,11 @@ struct Bump {
     double wavevector = 0.0;  ///< q_b [1/m]
     double width = 0.3;       ///< w, > 0, in ln q
 };
+
+/// C_iso [m⁴] of a model.
+/// @throws InvalidArgument for parameters outside the domains above, with the contradiction.
+[[nodiscard]] SpectralDensity density(const SoftCutoff& model);
+[[nodiscard]] SpectralDensity density(const TwoSlopes& model);
+[[nodiscard]] SpectralDensity density(const Bump& model);
 
 }  // namespace setae::synthesis

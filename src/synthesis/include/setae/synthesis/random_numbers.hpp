@@ -37,7 +37,7 @@ struct RandomKey {
 /// Source: Box and Muller, Ann. Math. Stat. 29 (1958) 610; coefficients of Sun's fdlibm (e_log, k_sin, k_cos).
 [[nodiscard]] double normal_number(RandomKey key, std::uint64_t counter);
 
-/// out_i = normal_number(key, first_counter + i), about 12 ns a number.
+/// out_i = normal_number(key, first_counter + i), about 8 ns a number.
 void fill_normal(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out);
 
 /// out_i = uniform_number(key, first_counter + i).

@@ -39,7 +39,7 @@ struct Anisotropy {
 ///
 /// lower, upper [1/m]: the wavevectors C_iso is tabulated between, 200 a decade, power laws between; C_iso counts as
 /// constant below lower and as zero above upper (and where it is zero). Relative error
-/// below 1e-4, 4e-4 where C_iso bends and above 0.8 of its end, 3e-3 above 0.97. O(nodes²): 0.2 s for five decades.
+/// below 1e-4, 4e-4 where C_iso bends and above 0.8 of its end, 1e-2 above 0.97. O(nodes²): 0.2 s for five decades.
 /// @throws InvalidArgument unless 0 < lower < upper and C_iso > 0 from lower on.
 [[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, double upper);
 
