@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/inference/contour_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "natural_spline.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/fourier/buffer.hpp"
+#include "setae/fourier/transform.hpp"
+#include "setae/inference/hat_node.hpp"
+
+namespace setae::inference {
+namespace {
+
+using fourier::Buffer;
+using fourier::Complex;
+
+constexpr Index grid_points_a_step = 4;
+
+/// The operator A of one contour.
+class Operator {
+public:
+    explicit Operator(const Array1D& positions)
+        : positions_(positions - positions[0]), length_(positions_[positions_.size() - 1]),
+          grid_(grid_points_a_step * (positions.size() - 1)), spline_(positions_, grid_positions()), transform_(grid_) {
+        const Array1D x = grid_positions();
+        window_ = std::sqrt(2.0 / 3.0) * (1.0 - (x * (2.0 * pi / length_)).cos()) * (length_ / static_cast<double>(grid_));
+        const Array1D centred = positions_ - positions_.mean();
+        tilt_ = centred / std::sqrt(centred.square().sum());
+    }
+
+    [[nodiscard]] double length() const { return length_; }
+    [[nodiscard]] Index modes() const { return (positions_.size() - 1) / 2; }
+    [[nodiscard]] const Array1D& positions() const { return positions_; }
+
+    /// |A (real + i imaginary)|² at k = 1 … modes, that at −k added.
+    [[nodiscard]] Array1D power(Array1D real, Array1D imaginary) const {
+        detrend(real);
+        detrend(imaginary);
+        const Array1D re = spline_(real), im = spline_(imaginary);
+        Buffer<Complex> z(static_cast<std::size_t>(grid_));
+        for (Index g = 0; g < grid_; ++g) z[static_cast<std::size_t>(g)] = Complex(re[g], im[g]) * window_[g];
+        transform_.apply(z.data());
+        Array1D result(modes());
+        for (Index k = 1; k <= modes(); ++k) result[k - 1] = std::norm(z[static_cast<std::size_t>(k)]) + std::norm(z[static_cast<std::size_t>(grid_ - k)]);
+        return result;
+    }
+
+private:
+    [[nodiscard]] Array1D grid_positions() const {
+        return Array1D::LinSpaced(grid_, 0.0, static_cast<double>(grid_ - 1)) * (length_ / static_cast<double>(grid_));
+    }
+    void detrend(Array1D& values) const {
+        values -= values.mean();
+        values -= (values * tilt_).sum() * tilt_;
+    }
+
+    Array1D positions_;
+    double length_;
+    Index grid_;
+    NaturalSpline spline_;
+    fourier::ComplexTransform transform_;
+    Array1D window_, tilt_;
+};
+
+/// Wavevectors at which |A e^{iqx}|² is taken: dense where the contour resolves, logarithmic beyond.
+Array1D integration_grid(double length, double mean_step, double shortest) {
+    std::vector<double> q{0.0};
+    const double step = 2.0 * pi / (4.0 * length), dense_end = std::min(shortest, 2.0 * pi / mean_step);
+    for (const double part : {0.125, 0.25, 0.5}) q.push_back(part * step);
+    for (Index g = 1; static_cast<double>(g) * step < dense_end * (1.0 - 1e-9); ++g) q.push_back(static_cast<double>(g) * step);
+    constexpr double growth = 1.018;
+    for (double next = dense_end; next < shortest * (1.0 - 1e-9); next *= growth) q.push_back(next);
+    q.push_back(shortest);
+    return Eigen::Map<const Array1D>(q.data(), static_cast<Index>(q.size()));
+}
+
+/// Integrals of one node's C1D over 0 … q, tabulated: hat_node's are too dear for a matrix.
+class LineIntegralTable {
+public:
+    explicit LineIntegralTable(hat_node::LineIntegrals (*exact)(double)) : entries_(count + 3) {
+        for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i] = exact(step * static_cast<double>(i));
+        const auto [zeroth, first] = exact(small);
+        level_ = zeroth / small;
+        curvature_ = 4.0 * (first / (small * small) - 0.5 * level_) / (small * small);
+    }
+    /// Below `small` C1D = level + curvature q²; above its reach the whole.
+    [[nodiscard]] hat_node::LineIntegrals operator()(double q) const {
+        if (q < small) return {q * (level_ + curvature_ * q * q / 3.0), q * q * (0.5 * level_ + 0.25 * curvature_ * q * q)};
+        const double place = q / step;
+        if (place >= static_cast<double>(count)) return entries_[count];
+        const auto i = static_cast<std::size_t>(place);
+        const double t = place - static_cast<double>(i), t1 = t - 1.0, t2 = t - 2.0, tp = t + 1.0;
+        const double w[] = {-t * t1 * t2 / 6.0, tp * t1 * t2 / 2.0, -tp * t * t2 / 2.0, tp * t * t1 / 6.0};
+        hat_node::LineIntegrals sum;
+        for (std::size_t m = 0; m < 4; ++m) {
+            sum.zeroth += w[m] * entries_[i + m - 1].zeroth;
+            sum.first += w[m] * entries_[i + m - 1].first;
+        }
+        return sum;
+    }
+
+private:
+    static constexpr double step = 5e-4, small = 0.02;
+    static constexpr std::size_t count = 2130;  // beyond e^h = 1.0593
+    std::vector<hat_node::LineIntegrals> entries_;
+    double level_, curvature_;
+};
+
+/// Integrals of q_i's C1D times the triangle functions of the grid: E[P] = Σ_g power(q_g) weight(g, i).
+Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
+    static const LineIntegralTable whole(hat_node::line_integrals), lower(hat_node::line_integrals_of_lower_half);
+    const Index last = nodes.size() - 1;
+    Array2D weights = Array2D::Zero(grid.size(), nodes.size());
+    for (Index i = 0; i <= last; ++i) {
+        const double q_i = nodes[i], square = q_i * q_i;
+        const auto integrals = [&](double q) {
+            auto value = i == last ? lower(q / q_i) : whole(q / q_i);
+            if (i == 0) {  // constant below the first node in place of its lower half
+                const auto half = lower(q / q_i), disc = hat_node::line_integrals_of_disc(q / q_i);
+                value.zeroth += disc.zeroth - half.zeroth;
+                value.first += disc.first - half.first;
+            }
+            return hat_node::LineIntegrals{value.zeroth * square, value.first * square * q_i};
+        };
+        auto before = integrals(grid[0]);
+        for (Index g = 0; g + 1 < grid.size() && grid[g] < 1.06 * q_i; ++g) {
+            const auto after = integrals(grid[g + 1]);
+            const double zeroth = after.zeroth - before.zeroth, first = after.first - before.first;
+            const double right = (first - grid[g] * zeroth) / (grid[g + 1] - grid[g]);
+            weights(g + 1, i) += right;
+            weights(g, i) += zeroth - right;
+            before = after;
+        }
+    }
+    return weights;
+}
+
+void require_points(const topography::Profile& contour) {
+    topography::validate(contour);
+    if (contour.positions.size() < 8)
+        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8", contour.metadata.name, contour.positions.size()));
+    if (!std::isfinite(contour.heights.sum()))
+        throw UndefinedDataError(fmt::format("contour '{}' has undefined heights; clean it first", contour.metadata.name));
+}
+
+Array1D periodogram_by(const Operator& transform, const Array1D& heights) {
+    // a real curve has the same power at k and −k
+    return ModeBins(transform.modes()).means(transform.power(heights, Array1D::Zero(heights.size()))) / (2.0 * transform.length());
+}
+
+}  // namespace
+
+Array1D contour_periodogram(const topography::Profile& contour) {
+    require_points(contour);
+    return periodogram_by(Operator(contour.positions), contour.heights);
+}
+
+ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView1D& nodes, parallel::Threads threads) {
+    require_points(contour);
+    const Operator transform(contour.positions);
+    const double length = transform.length(), mean_step = length / static_cast<double>(contour.positions.size() - 1);
+    ContourKernel kernel{ModeBins(transform.modes()), length, periodogram_by(transform, contour.heights), {}};
+    const Array1D grid = integration_grid(length, mean_step, nodes[nodes.size() - 1]);
+    Array2D power(kernel.bins.size(), grid.size());
+    parallel::for_each_index(static_cast<std::size_t>(grid.size()), threads, [&](std::size_t g) {
+        const Array1D phase = transform.positions() * grid[static_cast<Index>(g)];
+        power.col(static_cast<Index>(g)) = kernel.bins.means(transform.power(phase.cos(), phase.sin()));
+    });
+    kernel.response = (power.matrix() * quadrature(grid, nodes).matrix()).array() / (2.0 * pi * length);
+    return kernel;
+}
+
+}  // namespace setae::inference

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+#include "setae/inference/mode_bins.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::inference {
+
+/// Periodogram of a traced contour and what it expects of a surface, with the same linear operator, so that neither the
+/// spacing of the points nor the curve drawn between them biases what is learnt.
+///
+///   P_k = |A h|²_k/L,   A = (L/n_f) F(w ∘ S)(I − VVᵀ),   k = 1 … L/(2 mean step)
+///   E[P_k] = (1/2πL) ∫_0^{q_s} (|A e^{iqx}|² + |A e^{−iqx}|²)_k C1D(q) dq
+///
+/// V: orthonormal basis of the line over the points. S: natural cubic spline onto n_f equidistant positions, four for a mean
+/// step. w: Hann by position with ∫w² dx = L. C_iso stands on nodes q_i = q_s e^{h(i − N)}, i = 0 … N (hat_node.hpp), the last
+/// one with its lower half alone, constant below the first. |A e^{iqx}|² is taken linear between wavevectors 2π/(4L) apart.
+/// Source: derived here; the likelihood of expected periodograms is that of Sykulski et al., Biometrika 106 (2019) 251.
+struct ContourKernel {
+    ModeBins bins;
+    double length = 0.0;    ///< L [m]
+    Array1D periodogram;    ///< means over groups of modes [m³]
+    Array2D response;       ///< (group, node): E[P] = Σ_i response C_iso(q_i) [1/m]
+};
+
+/// The periodogram alone [m³], one value for each of ModeBins(modes).
+[[nodiscard]] Array1D contour_periodogram(const topography::Profile& contour);
+
+/// nodes: q_i [1/m], increasing by the factor e^h, the last one q_s.
+/// O(q_s L · points log points) + O(groups · nodes · q_s L).
+/// @throws InvalidArgument for fewer than 8 points or a profile validate() refuses; UndefinedDataError for undefined heights.
+[[nodiscard]] ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView1D& nodes,
+                                           parallel::Threads threads = {});
+
+}  // namespace setae::inference

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/inference/contour_kernel.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/inference/hat_node.hpp"
+#include "setae/synthesis/self_affine.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::inference;
+
+/// q_s e^{h(i − N)}.
+Array1D nodes_up_to(double shortest, Index count) {
+    return shortest * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
+}
+
+TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
+    // one set of irregular points, many curves: mean step 1, waves down to wavelength 2
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> step(0.3, 1.7);
+    std::normal_distribution<double> normal;
+    topography::Profile contour{Array1D(120), Array1D(120), {}};
+    double x = 0.0;
+    for (Index i = 0; i < 120; ++i, x += step(random)) contour.positions[i] = x;
+    const synthesis::SelfAffine model{1.0, 0.08, 0.8, pi};
+    const double size = 16.0 * x;
+    const Index modes = static_cast<Index>(model.short_wavevector * size / (2.0 * pi));
+    const Array1D q = Array1D::LinSpaced(modes, 1.0, static_cast<double>(modes)) * (2.0 * pi / size);
+    const Array1D amplitude = (2.0 * synthesis::profile_power_spectrum(model, q) / size).sqrt();
+    Eigen::MatrixXd cosines(120, modes), sines(120, modes);
+    for (Index k = 0; k < modes; ++k) {
+        cosines.col(k) = ((contour.positions * q[k]).cos() * amplitude[k]).matrix();
+        sines.col(k) = ((contour.positions * q[k]).sin() * amplitude[k]).matrix();
+    }
+    const Array1D nodes = nodes_up_to(pi, 150);
+    // the operator does not see the heights, so one kernel serves all curves: only the periodogram is made again
+    constexpr int curves = 400;
+    Array1D mean;
+    for (int curve = 0; curve < curves; ++curve) {
+        const Eigen::VectorXd a = Eigen::VectorXd::NullaryExpr(modes, [&] { return normal(random); });
+        const Eigen::VectorXd b = Eigen::VectorXd::NullaryExpr(modes, [&] { return normal(random); });
+        contour.heights = (cosines * a + sines * b).array();
+        const Array1D periodogram = contour_periodogram(contour);
+        mean = curve == 0 ? periodogram : Array1D(mean + periodogram);
+    }
+    mean /= curves;
+    const auto kernel = contour_kernel(contour, nodes);
+    const Array1D expected = (kernel.response.matrix() * synthesis::isotropic_power_spectrum(model, nodes).matrix()).array();
+    const Array1D ratio = mean / expected;
+    for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
+    EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
+}
+
+TEST(ContourKernel, OfEqualStepsKeepsAWaveBelowTheBandsEnd) {
+    // equal steps, a wave of a quarter of the band: its power returns at its own mode
+    topography::Profile contour{Array1D::LinSpaced(401, 0.0, 400.0), Array1D::Zero(401), {}};
+    const double q = 2.0 * pi * 50.0 / 400.0;
+    contour.heights = (contour.positions * q).cos();
+    const auto periodogram = contour_periodogram(contour);
+    const ModeBins bins(200);
+    double sum = 0.0;
+    for (Index b = 0; b < bins.size(); ++b) sum += static_cast<double>(bins.count(b)) * periodogram[b];
+    EXPECT_NEAR(2.0 * sum / 400.0, 0.5, 0.01);  // (2/L) Σ P = ⟨h²⟩
+}
+
+TEST(ContourKernel, RefusesContoursOfFewOrUndefinedPoints) {
+    const Array1D nodes = nodes_up_to(1.0, 20);
+    EXPECT_THROW((void)contour_kernel({Array1D::LinSpaced(5, 0.0, 1.0), Array1D::Zero(5), {}}, nodes), InvalidArgument);
+    topography::Profile holed{Array1D::LinSpaced(20, 0.0, 1.0), Array1D::Zero(20), {}};
+    holed.heights[3] = undefined;
+    EXPECT_THROW((void)contour_kernel(holed, nodes), UndefinedDataError);
+}
+
+}  // namespace
