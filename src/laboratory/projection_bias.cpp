@@ -17,7 +17,7 @@ namespace {
 
 /// Sums over lines of one kind on one surface.
 struct LineSums {
-    Array1D power;  ///< mean |Σ h exp(−iqx)|² of modes 0 … n/2; mode 0 about the map's mean
+    Array1D power;  ///< mean |Σ h exp(−iqx)|² of modes 0 … n/2
     double mean = 0.0, variance = 0.0, square_difference = 0.0;
 };
 
@@ -42,6 +42,7 @@ public:
         sums_.square_difference += ((line.tail(n - 1) - line.head(n - 1)).square().sum() + std::pow(line[0] - line[n - 1], 2)) / static_cast<double>(n);
         transform_.forward(in_.data(), out_.data());
         for (Index k = 0; k < sums_.power.size(); ++k) sums_.power[k] += std::norm(out_[static_cast<std::size_t>(k)]);
+        sums_.power[0] += std::pow(mean * static_cast<double>(n), 2);
         ++count_;
     }
 
@@ -95,7 +96,7 @@ double correlation_length(const Array1D& power, Index points, double step) {
     const fourier::InverseRealTransform inverse(points);
     fourier::Buffer<fourier::Complex> spectrum(static_cast<std::size_t>(inverse.modes()));
     fourier::Buffer<double> correlation(static_cast<std::size_t>(points));
-    for (Index k = 0; k < power.size(); ++k) spectrum[static_cast<std::size_t>(k)] = k == 0 ? 0.0 : power[k];
+    for (Index k = 0; k < power.size(); ++k) spectrum[static_cast<std::size_t>(k)] = power[k];
     inverse.apply(spectrum.data(), correlation.data());
     const double level = correlation[0] * std::exp(-1.0);
     for (std::size_t i = 1; i <= static_cast<std::size_t>(points / 2); ++i)

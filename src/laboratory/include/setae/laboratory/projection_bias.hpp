@@ -40,7 +40,9 @@ struct ProjectionBias {
 ///
 /// Surfaces are simulated with that C_iso; from each, silhouettes of foils side by side and every line are transformed
 /// (periodic, no window), C1D averaged, the factor in a bin is the ratio of summed C1D. Sums over surfaces in fixed order.
-/// The silhouette is higher and smoother: valleys behind ridges are hidden.
+/// A silhouette is higher and has less power at most wavevectors, as valleys behind ridges are hidden; where one ridge takes
+/// over from the next it has a kink, which lines lack, so the factor rises above 1 where C1D of lines falls steeply. The
+/// factors do not depend on the scale of heights, only on thickness against the spectrum's wavelengths.
 /// @throws InvalidArgument as synthesis::random_surface, for fewer than two surfaces, or a foil thicker than the grid.
 /// Cost: one map and its row transforms a surface.
 [[nodiscard]] ProjectionBias projection_bias(const synthesis::SpectralDensity& C_iso, const ProjectionOptions& options);
