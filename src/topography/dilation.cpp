@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "contact_search.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "tip_contact.hpp"
 
 namespace setae::topography {
 namespace {
@@ -19,57 +19,12 @@ constexpr Index run_length = 512;
 
 std::size_t runs(Index points) { return static_cast<std::size_t>((points + run_length - 1) / run_length); }
 
-/// Highest minus lowest defined height.
-double range_of(const HeightMap& surface) {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    const double* height = surface.heights.data();
-    for (Index k = 0; k < surface.heights.size(); ++k) {
-        lowest = height[k] < lowest ? height[k] : lowest;
-        highest = height[k] > highest ? height[k] : highest;
-    }
-    if (!(lowest <= highest))
-        throw UndefinedDataError(fmt::format("{}: none of {} heights is defined; a tip needs a surface to touch", surface.metadata.name,
-                                             surface.heights.size()));
-    if (!std::isfinite(highest - lowest))
-        throw InvalidArgument(fmt::format("{}: heights from {} m to {} m; expected finite or undefined ones", surface.metadata.name,
-                                          lowest, highest));
-    return highest - lowest;
-}
-
-double height_range(const HeightMap& surface, const DilationOptions& options) {
-    const double range = range_of(surface);
-    if (!options.height_range) return range;
-    if (!(*options.height_range >= 0.0) || !std::isfinite(*options.height_range))
-        throw InvalidArgument(fmt::format("height range {} m; expected a finite one >= 0", *options.height_range));
-    return *options.height_range;
-}
-
-/// How far a tip reaches sideways on a surface.
-double reach_on(const HeightMap& surface, const Tip& tip, const DilationOptions& options) {
-    const bool measured = std::holds_alternative<ArrayTip>(tip);
-    return tip_reach(tip, measured ? std::numeric_limits<double>::infinity() : height_range(surface, options));
-}
-
-TipImage image_on(const HeightMap& surface, const Tip& tip, const DilationOptions& options) {
-    if (!(surface.size[0] > 0.0) || !(surface.size[1] > 0.0))
-        throw InvalidArgument(fmt::format("{}: surface of {} m by {} m; expected positive lengths", surface.metadata.name,
-                                          surface.size[0], surface.size[1]));
-    const double reach = reach_on(surface, tip, options);
-    if (!surface.periodic && (reach > surface.size[0] || reach > surface.size[1]))
-        throw InvalidArgument(fmt::format("{}: the tip reaches {:.4g} m from its axis, the surface measures {:.4g} m by {:.4g} m; expected "
-                                          "a tip smaller than the surface, a periodic surface or a lower height_range",
-                                          surface.metadata.name, reach, surface.size[0], surface.size[1]));
-    const auto pixel = surface.pixel_size();
-    return tip_image(tip, pixel[0], pixel[1], reach);
-}
-
 Index wrapped(Index index, Index points) { return ((index % points) + points) % points; }
 
 /// A line as a map one point wide, so wide that no tip reaches over it.
 HeightMap as_map(const LineScan& line, const Tip& tip, const DilationOptions& options) {
-    HeightMap map{line.heights.transpose(), {1.0, line.size}, line.periodic, line.metadata};
-    map.size[0] = line.size;
-    const double reach = reach_on(map, tip, options);
+    HeightMap map{line.heights.transpose(), {line.size, line.size}, line.periodic, line.metadata};
+    const double reach = contact_reach(tip, height_range(map, options));
     if (!line.periodic && reach > line.size)
         throw InvalidArgument(fmt::format("{}: the tip reaches {:.4g} m from its axis, the line measures {:.4g} m; expected a tip smaller "
                                           "than the line, a periodic line or a lower height_range",
@@ -116,7 +71,7 @@ struct Dilator::State {
 Dilator::Dilator(const HeightMap& surface, const Tip& tip, const DilationOptions& options)
     : state_(std::make_unique<State>(State{&surface, options,
                                            ContactSearch(surface.heights, surface.periodic, surface.periodic,
-                                                         image_on(surface, tip, options), options.threads)})) {}
+                                                         touching_tip(surface, tip, options), options.threads)})) {}
 
 Dilator::~Dilator() = default;
 Dilator::Dilator(Dilator&&) noexcept = default;
