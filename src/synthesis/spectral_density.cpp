@@ -5,9 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/summation.hpp"
 #include "setae/synthesis/abel.hpp"
 
 namespace setae::synthesis {
@@ -35,6 +37,11 @@ private:
     std::vector<double> nodes_, values_, exponents_;
 };
 
+void require(const Band& band) {
+    if (!(band.lower > 0.0 && band.lower < band.upper && std::isfinite(band.upper)))
+        throw InvalidArgument(fmt::format("a spectrum from {} to {} 1/m; expected 0 < lower < upper", band.lower, band.upper));
+}
+
 }  // namespace
 
 SpectralDensity density(const SelfAffine& model) {
@@ -54,7 +61,7 @@ SpectralDensity density(const SelfAffine& model) {
     };
 }
 
-SpectralDensity density(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
+SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
     if (wavevector.size() != spectrum.size() || wavevector.size() < 2)
         throw InvalidArgument(fmt::format("a spectrum of {} wavevectors and {} values; expected as many of both, at least 2",
                                           wavevector.size(), spectrum.size()));
@@ -69,9 +76,9 @@ SpectralDensity density(const ArrayView1D& wavevector, const ArrayView1D& spectr
     return PowerLaws(wavevector, spectrum);
 }
 
-SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, double upper) {
-    if (!(lower > 0.0 && lower < upper && std::isfinite(upper)))
-        throw InvalidArgument(fmt::format("a spectrum of lines from {} to {} 1/m; expected 0 < lower < upper", lower, upper));
+SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) {
+    require(band);
+    const auto [lower, upper] = band;
     constexpr double nodes_per_decade = 200.0;
     const auto count = static_cast<Index>(std::ceil(nodes_per_decade * std::log10(upper / lower))) + 2;
     Array1D nodes(count), values(count);
@@ -95,7 +102,21 @@ SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, doub
         }
     }
     const Array1D q = nodes.head(used);
-    return density(q, profile_from_isotropic(q, values.head(used), q));
+    return tabulated_density(q, profile_from_isotropic(q, values.head(used), q));
+}
+
+double moment(const SpectralDensity& density, double order, const Band& band) {
+    require(band);
+    const double span = std::log(band.upper / band.lower);
+    const auto pieces = static_cast<Index>(std::ceil(20.0 * span / std::log(10.0)));
+    const double width = span / static_cast<double>(pieces);
+    Array1D sums(pieces);
+    for (Index i = 0; i < pieces; ++i) {
+        const double from = std::log(band.lower) + static_cast<double>(i) * width;
+        const auto integrand = [&](double log_q) { return std::exp((order + 2.0) * log_q) * density(std::exp(log_q)); };
+        sums[i] = boost::math::quadrature::gauss<double, 20>::integrate(integrand, from, from + width);
+    }
+    return pairwise_sum(sums);
 }
 
 }  // namespace setae::synthesis

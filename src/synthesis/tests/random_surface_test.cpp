@@ -184,7 +184,7 @@ Complex mode_of(const topography::LineScan& scan, Index k) {
 }
 
 TEST(RandomLine, HasTheSpectrumInEveryMode) {
-    const auto C1D = density(Array1D{{1e6, 1e8, 1e9}}, Array1D{{1e-20, 1e-20, 1e-23}});
+    const auto C1D = tabulated_density(Array1D{{1e6, 1e8, 1e9}}, Array1D{{1e-20, 1e-20, 1e-23}});
     for (const Index points : {2, 64, 65}) {
         const auto scan = random_line(C1D, {points, 1e-6}, {.key = {6}, .amplitudes = Amplitudes::exact});
         EXPECT_TRUE(scan.periodic);
@@ -197,13 +197,13 @@ TEST(RandomLine, HasTheSpectrumInEveryMode) {
 }
 
 TEST(RandomLine, OnAFinerGridIsTheSameLineWithMoreModes) {
-    const auto C1D = density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
+    const auto C1D = tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto coarse = random_line(C1D, {50, 1e-6}, {.key = {8}}), fine = random_line(C1D, {101, 1e-6}, {.key = {8}});
     for (Index k = 1; k < 25; ++k) EXPECT_LT(std::abs(mode_of(coarse, k) - mode_of(fine, k)), 1e-12 * std::abs(mode_of(fine, k)) + 1e-22);
 }
 
 TEST(RandomLine, HasTheRoughnessExpectedAndTheOneAskedFor) {
-    const auto C1D = density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
+    const auto C1D = tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto expected = expected_roughness(C1D, LineGrid{500, 1e-5});
     const auto scan = random_line(C1D, {500, 1e-5}, {.key = {8}, .amplitudes = Amplitudes::exact});
     EXPECT_NEAR(std::sqrt(scan.heights.square().mean()) / expected.rms_height, 1.0, 2e-6);

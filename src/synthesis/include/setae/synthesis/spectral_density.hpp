@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/quantity.hpp"
 #include "setae/synthesis/self_affine.hpp"
 
 namespace setae::synthesis {
@@ -31,16 +32,22 @@ struct Anisotropy {
 /// wavevector: increasing, > 0 [1/m].  spectrum: >= 0 and finite; where one of two neighbours is 0 the curve between them
 /// is linear.
 /// @throws InvalidArgument for sizes that differ, fewer than two nodes, or values outside the domain, by row.
-[[nodiscard]] SpectralDensity density(const ArrayView1D& wavevector, const ArrayView1D& spectrum);
+[[nodiscard]] SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum);
 
 /// C1D of lines through an isotropic surface.
 ///
 ///   C1D(q_x) = (1/π) ∫_{q_x}^{q_s} C_iso(q) q dq/√(q² − q_x²)
 ///
-/// lower, upper [1/m]: the wavevectors C_iso is tabulated between, 200 a decade, power laws between; C_iso counts as
-/// constant below lower and as zero above upper (and where it is zero). Relative error
-/// below 1e-4, 4e-4 where C_iso bends and above 0.8 of its end, 1e-2 above 0.97. O(nodes²): 0.2 s for five decades.
+/// band [1/m]: C_iso is tabulated over it, 200 nodes a decade, power laws between; it counts as constant below the band and
+/// as zero above it (and where it is zero). Relative error below 1e-4, 4e-4 where C_iso bends and above 0.8 of its end, 1e-2
+/// above 0.97. O(nodes²): 0.2 s for five decades.
 /// @throws InvalidArgument unless 0 < lower < upper and C_iso > 0 from lower on.
-[[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, double lower, double upper);
+[[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band);
+
+/// ∫ q^(n+1) C dq over the band [m^(2−n) for C_iso]: h_rms² = moment 0/2π, h'_rms² = moment 2/2π.
+///
+/// Gauss points in ln q, twenty in each twentieth of a decade; a jump of C inside the band costs up to a few per cent of one
+/// such piece.  order: n.  @throws InvalidArgument unless 0 < lower < upper.
+[[nodiscard]] double moment(const SpectralDensity& density, double order, const Band& band);
 
 }  // namespace setae::synthesis
