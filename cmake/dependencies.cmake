@@ -16,3 +16,12 @@ pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
+
+# surfaces larger than one machine's memory: built where MPI and FFTW's part for it are there
+find_package(MPI QUIET COMPONENTS C)
+find_library(FFTW_MPI_LIBRARY fftw3_mpi)
+if(MPI_C_FOUND AND FFTW_MPI_LIBRARY)
+  set(SETAE_MPI_FOUND ON)
+else()
+  set(SETAE_MPI_FOUND OFF)
+endif()

@@ -87,7 +87,8 @@ HeightTransform curve(const HeightShape& shape, double longest_delta) {
     const double limit = kurtosis_at<Family>(shape.skewness, smallest_delta);
     const bool above = Family::moments(0.0, 1.0).kurtosis > 3.0;
     if (above ? shape.kurtosis > limit : shape.kurtosis < limit)
-        throw InvalidArgument(fmt::format("kurtosis {} with skewness {}; expected {} {:.4g}, where Johnson's curves with δ >= ½ end", shape.kurtosis, shape.skewness, above ? "at most" : "at least", limit));
+        throw InvalidArgument(fmt::format("kurtosis {} with skewness {}; expected {} {:.4g}, where Johnson's curves with δ >= ½ end",
+                                          shape.kurtosis, shape.skewness, above ? "at most" : "at least", limit));
     const auto excess = [&](double log_delta) { return kurtosis_at<Family>(shape.skewness, std::exp(log_delta)) - shape.kurtosis; };
     const double delta = std::exp(root(excess, std::log(smallest_delta), std::log(longest_delta)));
     const double shift = shift_for<Family>(shape.skewness, delta);
