@@ -7,6 +7,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/spectra/bootstrap.hpp"
+#include "setae/spectra/jackknife.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -64,6 +65,16 @@ std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectr
     return replicas;
 }
 
+std::vector<std::vector<SpectralParameters>> parameters_without_each(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options) {
+    const auto without = spectra::jackknife(binned, options.weighting);
+    std::vector<std::vector<SpectralParameters>> strata;
+    for (const auto& curves : without.C1D) {
+        auto& stratum = strata.emplace_back();
+        for (Index i = 0; i < curves.rows(); ++i) stratum.push_back(parameters_of({without.wavevector, curves.row(i), band}, options));
+    }
+    return strata;
+}
+
 }  // namespace
 
 void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
@@ -78,7 +89,11 @@ void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options,
     };
     surface.average = spectrum_result(curve_from(found, *surface.combined), options);
     auto& spread = surface.average.spread;
-    spread.replicas = resampled_parameters(spectra::binned(found, combination), curve_of(*surface.combined).band, options, threads);
+    const auto members = spectra::binned(found, combination);
+    const auto band = curve_of(*surface.combined).band;
+    spread.replicas = resampled_parameters(members, band, options, threads);
+    spread.seed = options.seed;
+    if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);
     if (!has_uncertain_tip(surface.measurements)) return;
     const auto moved = [&](std::size_t direction) {
         const auto spectra = with_moved_tips(surface.measurements, direction);

@@ -5,8 +5,11 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/resampling.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::workflow {
+
+using roughness::SpectralParameters;
 
 double ParameterSpread::covariance(const Function& f, const Function& g) const {
     double sum = 0.0;
@@ -28,11 +31,32 @@ double ParameterSpread::standard_error(const Function& f) const {
     return replicas.size() < 2 && sources.empty() ? undefined : std::sqrt(covariance(f, f));
 }
 
-Estimate ParameterSpread::estimate(double value, const Function& f) const {
-    Estimate result{value, standard_error(f), "bootstrap percentile"};
-    std::vector<double> values;
-    for (const auto& replica : replicas) values.push_back(f(replica));
-    if (replicas.size() >= 40 && sources.empty()) result.interval = percentile_interval(std::move(values));
+Estimate ParameterSpread::estimate(double value, const Function& f, double least) const {
+    Estimate result{value, standard_error(f)};
+    if (replicas.size() > 1) result.seed = seed;
+    // one that does not exceed the bound has no logarithm: NaN goes through to the interval and is refused there
+    const auto log_excess = [&](const SpectralParameters& p) { return std::log(f(p) - least); };
+    std::vector<LeaveOneOut> strata;
+    for (const auto& stratum : left_out) {
+        auto& values = strata.emplace_back();
+        for (const auto& p : stratum) values.push_back(log_excess(p));
+    }
+    const auto between = jackknife_estimate(std::log(value - least), strata);
+    std::vector<VarianceTerm> terms;
+    if (between.degrees_of_freedom) terms.push_back({between.variance(), *between.degrees_of_freedom});
+    for (const auto& source : sources) terms.push_back({0.25 * std::pow(log_excess(source.plus) - log_excess(source.minus), 2)});
+    double variance = 0.0;
+    for (const auto& term : terms) variance += term.variance;
+    result.method = sources.empty() ? "jackknife t on ln" : between.degrees_of_freedom ? "jackknife t on ln, delta" : "delta on ln";
+    if (!(variance > 0.0) || !std::isfinite(variance)) {
+        result.method = replicas.size() > 1 ? "bootstrap" : "delta";
+        return result;
+    }
+    const double freedom = satterthwaite_degrees_of_freedom(terms);
+    if (std::isfinite(freedom)) result.degrees_of_freedom = freedom;
+    constexpr double level = 0.95;
+    const double factor = std::exp(student_t_quantile(0.5 * (1.0 + level), freedom) * std::sqrt(variance));
+    result.interval = Interval{least + (value - least) / factor, least + (value - least) * factor, level};
     return result;
 }
 

@@ -299,8 +299,8 @@ std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
 
 std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum, roughness::Conversion conversion) {
     const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;
-    const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from, const ParameterSpread::Function& f) {
-        auto q = quantity(name, symbol, spectrum.estimate(f), unit);
+    const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from, const ParameterSpread::Function& f, double least = 0.0) {
+        auto q = quantity(name, symbol, spectrum.estimate(f, least), unit);
         q.source = from;
         q.band = spectrum.curve.band;
         if (!surface.measurements.empty())
@@ -311,9 +311,9 @@ std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const Spe
             make("rms_slope", "h'_rms", "1", source, [](const SpectralParameters& p) { return p.rms_slope; }),
             make("rms_curvature", "h''_rms", "1/m", source, [](const SpectralParameters& p) { return p.rms_curvature; }),
             make("true_area_ratio", "A_true/A_app", "1", "Gaussian isotropic slopes; [D19] (9)",
-                 [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }),
+                 [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }, 1.0),
             make("true_area_ratio_small_slope", "1 + h'^2/2", "1", "small slopes; [D19] (S4)",
-                 [](const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }),
+                 [](const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }, 1.0),
             make("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", source, [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; })};
 }
 

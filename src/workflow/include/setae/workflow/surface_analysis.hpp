@@ -46,8 +46,10 @@ struct SpectrumResult {
     ParameterSpread spread;
 
     [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
-    /// A function of the parameters with its uncertainty.
-    [[nodiscard]] Estimate estimate(const ParameterSpread::Function& function) const { return spread.estimate(function(parameters), function); }
+    /// A function of the parameters with its uncertainty; `least` as in ParameterSpread::estimate().
+    [[nodiscard]] Estimate estimate(const ParameterSpread::Function& function, double least = 0.0) const {
+        return spread.estimate(function(parameters), function, least);
+    }
 };
 
 /// Parameters of a whole spectrum within the limits of a study and by its conversion.
