@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/inference/tip_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/fourier/map_transform.hpp"
+#include "setae/synthesis/random_surface.hpp"
+#include "setae/topography/dilation.hpp"
+
+namespace setae::inference {
+namespace {
+
+constexpr double bins_a_decade = 8.0;
+constexpr double amplitude_step = 1.2, radius_step = 1.1;
+
+/// Every second pixel along x, every eighth line: what is read.
+constexpr Index stride_x = 2, stride_y = 8;
+
+/// Σ over lines of |F|², a line a column, for modes 1 … n/2 − 1.
+Array1D line_power(const Array2D& lines, parallel::Threads threads) {
+    const Index modes = lines.rows() / 2, blocks = fourier::block_count(lines.cols());
+    Array2D power = Array2D::Zero(blocks, modes);
+    fourier::transform_lines(
+        lines, [](Index, double*) {},
+        [&](const fourier::SpectrumBlock& block) {
+            for (Index m = 0; m < block.lines; ++m)
+                for (Index k = 1; k < modes; ++k) power(block.index, k) += std::norm(block.line(m)[k]);
+        },
+        threads);
+    Array1D sum = Array1D::Zero(modes);
+    for (Index b = 0; b < blocks; ++b) sum += power.row(b).transpose();
+    return sum.tail(modes - 1);
+}
+
+/// Readings on the coarse grid, lines along x as columns.
+Array2D read(const topography::HeightMap& surface, double radius, parallel::Threads threads) {
+    const topography::Dilator dilator(surface, topography::SphereTip{radius}, {.threads = {1}});
+    const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y;
+    Array2D lines(nx, ny);
+    parallel::for_each_index(static_cast<std::size_t>(ny), threads, [&](std::size_t j) {
+        for (Index i = 0; i < nx; ++i) lines(i, static_cast<Index>(j)) = dilator.reading(i * stride_x, static_cast<Index>(j) * stride_y);
+    });
+    return lines;
+}
+
+struct Bins {
+    explicit Bins(Index modes) {
+        for (Index k = 1; k <= modes; ++k) {
+            const auto bin = static_cast<Index>(std::floor(bins_a_decade * std::log10(static_cast<double>(k)) + 1e-9));
+            if (first.empty() || bin != last_bin) first.push_back(k);
+            last_bin = bin;
+        }
+        first.push_back(modes + 1);
+    }
+    [[nodiscard]] Index size() const { return static_cast<Index>(first.size()) - 1; }
+    [[nodiscard]] Array1D sums(const Array1D& values) const {
+        Array1D result(size());
+        for (Index b = 0; b < size(); ++b) result[b] = values.segment(first[b] - 1, first[b + 1] - first[b]).sum();
+        return result;
+    }
+    [[nodiscard]] double centre(Index b) const { return std::sqrt(static_cast<double>(first[b]) * static_cast<double>(first[b + 1] - 1)); }
+    std::vector<Index> first;
+    Index last_bin = -1;
+};
+
+/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s².
+Array1D smoothed(const Array1D& values, const Array1D& weights) {
+    constexpr double bend = 0.09;  // per bin: what ln T turns by
+    const Index n = values.size();
+    Eigen::MatrixXd matrix = weights.matrix().asDiagonal();
+    for (Index i = 0; i + 2 < n; ++i) {
+        const Eigen::Vector3d row(1.0, -2.0, 1.0);
+        matrix.block(i, i, 3, 3) += row * row.transpose() / (bend * bend);
+    }
+    matrix(0, 0) += 1.0 / (bend * bend);  // flat at long waves
+    matrix(1, 1) += 1.0 / (bend * bend);
+    matrix(0, 1) -= 1.0 / (bend * bend);
+    matrix(1, 0) -= 1.0 / (bend * bend);
+    return matrix.ldlt().solve((weights * values).matrix()).array();
+}
+
+double interpolated(const Array1D& x, const Array1D& y, double at) {
+    const Index n = x.size();
+    if (at <= x[0]) return y[0];
+    if (at >= x[n - 1]) return y[n - 1];
+    const Index i = std::upper_bound(x.data(), x.data() + n, at) - x.data() - 1;
+    const double t = (at - x[i]) / (x[i + 1] - x[i]);
+    return (1.0 - t) * y[i] + t * y[i + 1];
+}
+
+}  // namespace
+
+TipResponse tip_response(const synthesis::SpectralDensity& C_iso, double median_wavelength, const TipSimulation& simulation) {
+    const double radius = simulation.tip_radius;
+    if (!(radius > 0.0) || !(median_wavelength > 0.0))
+        throw InvalidArgument(fmt::format("a tip of radius {} m on a surface of wavelength {} m; expected both > 0", radius, median_wavelength));
+    const Index n = simulation.points;
+    TipResponse response;
+    response.step = std::max(std::min(median_wavelength / 50.0, radius / 20.0), simulation.shortest_step);
+    const double size = response.step * static_cast<double>(n);
+    const Bins bins(n / stride_x / 2 - 1);
+    const Index count = bins.size(), repetitions = simulation.repetitions;
+    // sums over repetitions of surface, tip, tip on a higher surface, larger tip; and ln T of each repetition
+    Array2D sums = Array2D::Zero(4, count), single(repetitions, count);
+    for (Index r = 0; r < repetitions; ++r) {
+        auto surface = synthesis::random_surface(C_iso, {n, n, size, size},
+                                                 {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
+        Array2D plain(n / stride_x, n / stride_y);
+        for (Index i = 0; i < plain.rows(); ++i)
+            for (Index j = 0; j < plain.cols(); ++j) plain(i, j) = surface.heights(i * stride_x, j * stride_y);
+        const Array1D base = bins.sums(line_power(plain, simulation.threads));
+        const Array1D touched = bins.sums(line_power(read(surface, radius, simulation.threads), simulation.threads));
+        const Array1D blunter = bins.sums(line_power(read(surface, radius * radius_step, simulation.threads), simulation.threads));
+        surface.heights *= std::sqrt(amplitude_step);
+        const Array1D higher = bins.sums(line_power(read(surface, radius, simulation.threads), simulation.threads));
+        sums.row(0) += base.transpose();
+        sums.row(1) += touched.transpose();
+        sums.row(2) += higher.transpose() / amplitude_step;
+        sums.row(3) += blunter.transpose();
+        single.row(r) = (touched / base).log().transpose();
+    }
+    response.wavevector = Array1D::NullaryExpr(count, [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
+    // independent values behind a bin: its modes, and lines a correlation length apart
+    const double lines = std::max(4.0, size / std::max(0.5 * median_wavelength, response.step * stride_y)) * static_cast<double>(repetitions);
+    const Array1D weights = Array1D::NullaryExpr(count, [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
+    const Array1D raw = (sums.row(1) / sums.row(0)).log().transpose();
+    response.log_transfer = smoothed(raw, weights);
+    response.amplitude_response = smoothed((sums.row(2) / sums.row(1)).log().transpose(), weights) / std::log(amplitude_step);
+    response.radius_response = smoothed((sums.row(3) / sums.row(1)).log().transpose(), weights) / std::log(radius_step);
+    response.standard_error = Array1D::Zero(count);
+    if (repetitions > 1) {
+        const Array1D mean = single.colwise().mean().transpose();
+        const Array1D spread = ((single.rowwise() - mean.transpose()).square().colwise().sum().transpose() / static_cast<double>((repetitions - 1) * repetitions)).sqrt();
+        response.standard_error = smoothed(spread, weights).max(0.0);
+    }
+    return response;
+}
+
+SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDensity& C1D, double pixel_size, const ArrayView1D& wavevectors) {
+    const Array1D x = response.wavevector.log();
+    constexpr int aliases = 12;
+    SampledResponse result{wavevectors, wavevectors, wavevectors, wavevectors};
+    for (Index k = 0; k < wavevectors.size(); ++k) {
+        double plain = 0.0, read = 0.0, amplitude = 0.0, radius = 0.0, error = 0.0;
+        for (int m = -aliases; m <= aliases; ++m) {
+            const double q = std::abs(wavevectors[k] + 2.0 * pi * m / pixel_size), u = std::log(q), power = C1D(q);
+            const double kept = power * std::exp(interpolated(x, response.log_transfer, u));
+            plain += power;
+            read += kept;
+            amplitude += kept * interpolated(x, response.amplitude_response, u);
+            radius += kept * interpolated(x, response.radius_response, u);
+            error += kept * interpolated(x, response.standard_error, u);
+        }
+        result.log_transfer[k] = plain > 0.0 ? std::log(read / plain) : 0.0;
+        result.amplitude_response[k] = read > 0.0 ? amplitude / read : 0.0;
+        result.radius_response[k] = read > 0.0 ? radius / read : 0.0;
+        result.standard_error[k] = read > 0.0 ? error / read : 0.0;
+    }
+    return result;
+}
+
+}  // namespace setae::inference

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/inference/whittle_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::inference {
+namespace {
+
+constexpr double noise_prior_deviation = 2.3;  // of ln σ²: a factor of ten either way
+
+/// Parameters: theta, then one ln σ² for each class that has noise.
+class Problem {
+public:
+    Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
+        : classes_(classes), spline_(spline), parameters_(spline.coefficients()) {
+        for (const auto& c : classes) {
+            designs_.push_back(spline.design(c.nodes));
+            noise_index_.push_back(c.noise_response.size() > 0 ? parameters_++ : -1);
+        }
+        prior_centre_ = Eigen::VectorXd::Zero(parameters_);
+        precision_ = Eigen::MatrixXd::Zero(parameters_, parameters_);
+        add_smoothness(smoothness);
+        for (std::size_t c = 0; c < classes.size(); ++c) add_noise_prior(c);
+    }
+
+    [[nodiscard]] Index parameters() const { return parameters_; }
+    [[nodiscard]] Index noise_index(std::size_t c) const { return noise_index_[c]; }
+    [[nodiscard]] const Eigen::VectorXd& prior_centre() const { return prior_centre_; }
+    [[nodiscard]] const Eigen::MatrixXd& precision() const { return precision_; }
+
+    struct State {
+        double objective = 0.0;
+        Eigen::VectorXd score;          // J₀ᵀνr − Q(x − centre)
+        Eigen::MatrixXd information;    // J₀ᵀνJ₀
+        Eigen::MatrixXd with_response;  // J₀ᵀν(J₀ + J_T)
+        std::vector<Eigen::MatrixXd> jacobian;
+        std::vector<Array1D> expected;
+    };
+
+    [[nodiscard]] State state(const Eigen::VectorXd& x) const {
+        State s;
+        const Eigen::VectorXd away = x - prior_centre_;
+        s.score = -(precision_ * away);
+        s.objective = -0.5 * away.dot(precision_ * away);
+        s.information = Eigen::MatrixXd::Zero(parameters_, parameters_);
+        s.with_response = s.information;
+        for (std::size_t c = 0; c < classes_.size(); ++c) add_class(c, x, s);
+        return s;
+    }
+
+    /// A quadratic through ln(P/response) against ln q, by least squares with the freedoms as weights.
+    [[nodiscard]] Eigen::VectorXd start() const {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (const auto& c : classes_)
+            for (Index k = 0; k < c.wavevector.size(); ++k) {
+                if (!(c.freedom[k] > 0.0) || !(c.periodogram[k] > 0.0)) continue;
+                const double u = std::log(c.wavevector[k]);
+                const Eigen::Vector3d row(1.0, u, u * u);
+                const double weight = std::min(c.freedom[k], 10.0);
+                normal += weight * row * row.transpose();
+                right += weight * row * std::log(c.periodogram[k] * pi / c.wavevector[k]);
+            }
+        if (!(normal(0, 0) > 0.0)) throw InvalidArgument("no periodogram has a value inside its reliable band; nothing to fit a spectrum to");
+        const Eigen::Vector3d fit = normal.colPivHouseholderQr().solve(right);
+        Eigen::VectorXd x = prior_centre_;
+        for (Index m = 0; m < spline_.coefficients(); ++m) {
+            const double u = spline_.position(m);
+            x[m] = fit[0] + fit[1] * u + fit[2] * u * u;
+        }
+        return x;
+    }
+
+private:
+    void add_smoothness(const Smoothness& smoothness) {
+        const Index n = spline_.coefficients();
+        const double bend = 1.0 / (smoothness.bend * smoothness.bend), slope = 1.0 / (smoothness.slope * smoothness.slope);
+        for (Index m = 0; m + 2 < n; ++m) {
+            Eigen::Vector3d row(1.0, -2.0, 1.0);
+            precision_.block(m, m, 3, 3) += bend * row * row.transpose();
+        }
+        for (Index m = 0; m + 1 < n; ++m) {
+            if (std::exp(spline_.position(m + 1)) > smoothness.slope_end) break;
+            Eigen::Vector2d row(1.0, -1.0);
+            precision_.block(m, m, 2, 2) += slope * row * row.transpose();
+        }
+    }
+
+    void add_noise_prior(std::size_t c) {
+        const Index at = noise_index_[c];
+        if (at < 0) return;
+        double lowest = 0.0;
+        const auto& data = classes_[c];
+        for (Index k = 0; k < data.periodogram.size(); ++k) {
+            const double level = data.periodogram[k] / data.noise_response[k];
+            if (k == 0 || level < lowest) lowest = level;
+        }
+        prior_centre_[at] = std::log(0.1 * std::max(lowest, 1e-60));
+        precision_(at, at) = 1.0 / (noise_prior_deviation * noise_prior_deviation);
+    }
+
+    void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
+        const auto& c = classes_[index];
+        const Eigen::VectorXd theta = x.head(spline_.coefficients());
+        const Array1D f = (designs_[index] * theta).array().exp();
+        const Eigen::MatrixXd scaled = c.response.matrix() * f.matrix().asDiagonal();
+        Array1D plain = scaled.rowwise().sum().array();
+        Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
+        derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
+        if (const Index at = noise_index_[index]; at >= 0) {
+            const Array1D noise = c.noise_response * std::exp(x[at]);
+            plain += noise;
+            derivative.col(at) = noise.matrix();
+        }
+        plain = plain.max(1e-300);
+        derivative = plain.inverse().matrix().asDiagonal() * derivative;
+        Array1D log_transfer = c.log_transfer;
+        Eigen::MatrixXd total = derivative;
+        if (c.reference_amplitude > 0.0) {
+            const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
+            const double change = std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            log_transfer += c.amplitude_response * change;
+            total.leftCols(spline_.coefficients()) += c.amplitude_response.matrix() * (amplitude.gradient / amplitude.value).transpose();
+        }
+        const Array1D expected = plain * log_transfer.exp();
+        const Array1D ratio = c.periodogram / expected;
+        for (Index k = 0; k < ratio.size(); ++k)
+            if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
+        const Eigen::MatrixXd weighted = c.freedom.matrix().asDiagonal() * derivative;
+        s.score += weighted.transpose() * (ratio - 1.0).matrix();
+        s.information += weighted.transpose() * derivative;
+        s.with_response += weighted.transpose() * total;
+        s.jacobian.push_back(derivative.leftCols(spline_.coefficients()));
+        s.expected.push_back(expected);
+    }
+
+    const std::vector<PeriodogramClass>& classes_;
+    const LogSpline& spline_;
+    std::vector<Eigen::MatrixXd> designs_;
+    std::vector<Index> noise_index_;
+    Index parameters_;
+    Eigen::VectorXd prior_centre_;
+    Eigen::MatrixXd precision_;
+};
+
+}  // namespace
+
+WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness,
+                       const Eigen::VectorXd& start) {
+    constexpr int most_iterations = 60;
+    constexpr double longest_step = 3.0, small_decrement = 1e-4;
+    const Problem problem(classes, spline, smoothness);
+    Eigen::VectorXd x = problem.start();
+    if (start.size() > 0) x.head(spline.coefficients()) = start;
+    WhittleFit fit;
+    auto state = problem.state(x);
+    double damping = 1e-3;
+    while (fit.iterations < most_iterations && !fit.converged) {
+        ++fit.iterations;
+        Eigen::MatrixXd matrix = state.with_response + problem.precision();
+        matrix.diagonal() += damping * (state.information + problem.precision()).diagonal();
+        Eigen::VectorXd step = matrix.partialPivLu().solve(state.score);
+        const double largest = step.cwiseAbs().maxCoeff();
+        if (largest > longest_step) step *= longest_step / largest;
+        auto next = problem.state(x + step);
+        // with a responding tip the root of the score is sought, which need not raise the objective: the score decides then
+        const bool better = next.objective > state.objective - 1e-9 * std::abs(state.objective) || next.score.norm() < state.score.norm();
+        if (better && std::isfinite(next.objective)) {
+            fit.converged = std::abs(step.dot(state.score)) < small_decrement;
+            x += step;
+            state = std::move(next);
+            damping = std::max(damping / 10.0, 1e-9);
+        } else {
+            damping *= 10.0;
+            if (damping > 1e8) break;
+        }
+    }
+    const Eigen::MatrixXd gain = (state.with_response + problem.precision()).inverse();
+    const Index n = spline.coefficients();
+    fit.covariance = (gain * (state.information + problem.precision()) * gain.transpose()).topLeftCorner(n, n);
+    fit.gain = gain.topLeftCorner(n, n);
+    fit.theta = x.head(n);
+    fit.log_noise = Array1D::Constant(static_cast<Index>(classes.size()), undefined);
+    for (std::size_t c = 0; c < classes.size(); ++c)
+        if (problem.noise_index(c) >= 0) fit.log_noise[static_cast<Index>(c)] = x[problem.noise_index(c)];
+    fit.jacobian = std::move(state.jacobian);
+    fit.expected = std::move(state.expected);
+    fit.log_likelihood = state.objective;
+    return fit;
+}
+
+SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order, double end) {
+    // ∫ q^{order+1} C d(ln q) by the midpoint rule, 40 a decade, and the closed form of the constant part
+    const double lowest = std::exp(spline.position(1)), upper = std::min(end, spline.shortest());
+    const double below = std::pow(std::min(lowest, upper), order + 1.0) / (order + 1.0);
+    const Index pieces = upper > lowest ? std::max<Index>(1, static_cast<Index>(std::ceil(40.0 * std::log10(upper / lowest)))) : 0;
+    const double width = pieces > 0 ? std::log(upper / lowest) / static_cast<double>(pieces) : 0.0;
+    Array1D q(pieces + 1), weight(pieces + 1);
+    q[0] = lowest;
+    weight[0] = below;
+    for (Index i = 0; i < pieces; ++i) {
+        q[i + 1] = lowest * std::exp(width * (static_cast<double>(i) + 0.5));
+        weight[i + 1] = width * std::pow(q[i + 1], order + 1.0);
+    }
+    const Eigen::MatrixXd design = spline.design(q);
+    const Array1D part = weight * (design * theta).array().exp();
+    return {part.sum(), design.transpose() * part.matrix()};
+}
+
+}  // namespace setae::inference
