@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     add_params(program, action);
     add_adhesion(program, action);
     add_jkr(program, action);
+    add_synthesize(program, action);
     add_study(program, action);
     if (const auto message = unknown_verb(program, argc, argv); !message.empty()) {
         complain(message);

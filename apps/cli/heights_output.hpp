@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/topography/measurement.hpp"
+
+namespace setae::cli {
+
+/// Writes the heights [m] of a measurement in the format its path ends with.
+///
+/// .npy: float64 in C order, shape (nx, ny) or (n). .csv: a map as a matrix, one line for each x, no header; a line with
+/// columns x [m], h [m]. NaN is undefined.
+/// @throws InvalidArgument for another ending; FileError.
+void write_heights(const std::string& path, const topography::Measurement& measurement);
+
+/// What the two look like, for --explain.
+inline constexpr const char* heights_output_explanation =
+    ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"
+    ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n";
+
+}  // namespace setae::cli
