@@ -159,6 +159,18 @@ TEST(DilatedAt, EqualsTheDilatedMapAtItsPoints) {
     for (Index k = 0; k < n; ++k) EXPECT_EQ(readings[k], image.heights((k + 100) % 200, (k * k) % 150));
 }
 
+TEST(Dilator, ReadsSinglePointsAsTheMap) {
+    const auto surface = rough_map(40, 30, true);
+    const Dilator dilator(surface, SphereTip{6.0});
+    const Array2D image = dilator.readings();
+    for (const Index k : {0, 7, 29}) {
+        EXPECT_EQ(dilator.reading(k, 29 - k), image(k, 29 - k));
+        EXPECT_EQ(dilator.reading(k - 40, 59 - k), image(k, 29 - k));
+    }
+    const auto cut = rough_map(40, 30);
+    EXPECT_THROW((void)Dilator(cut, SphereTip{6.0}).reading(40, 0), InvalidArgument);
+}
+
 TEST(DilatedAt, RefusesPointsOutsideAndUnequalLists) {
     const auto surface = rough_map(50, 50);
     EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Constant(1, 50.0), Array1D::Zero(1)), InvalidArgument);

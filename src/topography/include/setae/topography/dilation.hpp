@@ -26,8 +26,8 @@ struct DilationOptions {
 /// Same points, same reading at both ends of the window: beyond it there is no surface (a periodic map goes on). Undefined
 /// heights never touch. Trends stay. Axis of the tip along z, tilt of the map not removed. i >= h; exact in double
 /// precision, the same bytes for any number of threads.
-/// Cost: search of the highest candidate over blocks of 8² and 64² pixels whose highest point could still touch; about
-/// 100 comparisons a point on rough surfaces instead of the tip's number of pixels.
+/// Cost: search of the highest candidate over blocks of 8², 64², … pixels whose highest point could still touch; on rough
+/// surfaces 0.2 µs a point under a tip of 41² pixels, 0.6 µs under one of 321² (src/topography/benchmarks).
 /// @throws InvalidArgument for a tip outside its domain, or one that reaches farther than a map that is not periodic (an
 /// analytic tip reaches as far as the height range lets it, an ArrayTip to its last finite point).
 /// Source: Villarrubia, J. Res. Natl. Inst. Stand. Technol. 102, 425 (1997), eq. (2).
@@ -65,6 +65,7 @@ public:
 
     /// The reading at a grid point; NaN where the tip reaches no defined height (or by keep_undefined).
     /// Indices outside a periodic map wrap.
+    /// @throws InvalidArgument for a point outside a map that is not periodic.
     [[nodiscard]] double reading(Index x, Index y) const;
 
     /// Readings at the nearest grid points of scattered positions [m], in the given order.
