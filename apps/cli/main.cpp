@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     add_jkr(program, action);
     add_synthesize(program, action);
     add_study(program, action);
+    add_lab(program, action);
     if (const auto message = unknown_verb(program, argc, argv); !message.empty()) {
         complain(message);
         return static_cast<int>(ExitCode::nothing_done);

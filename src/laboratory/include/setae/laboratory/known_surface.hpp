@@ -34,14 +34,16 @@ struct SurfaceTruth {
 
 /// Moments and true area of a surface.
 ///
-/// Gaussian: integrals of C_iso (Gauss points, exact to 1e-6) and [D19] (9).
-/// Otherwise, with z and ∇z independent of each other at a point,
+/// Gaussian: integrals of C_iso (exact to 1e-6) and [D19] (9).
+/// Otherwise, with z and ∇z independent of each other at a point, s = h'_z/h_rms and ⟨(∇²z)²⟩ = v + s⁴,
 ///
-///   h'² = ⟨g'²⟩ h'_z²,   A_true/A_app = ⟨r(|g'(z)| h'_z)⟩ with r of (9),   C1D: transform of h_rms² Σ_n c_n² ρ(x)^n,
+///   h'² = ⟨g'²⟩ h'_z²,   A_true/A_app = ⟨r(|g'(z)| h'_z)⟩ with r of (9),
+///   h''² = ¼ h_rms² ⟨g'² (v + s⁴z²) − 2 g'g'' s⁴ z + 2 g''² s⁴⟩,   U_el/(A E*) = ¼ ∫ [R(0) − R(r)]/r² dr,
 ///
-/// ρ the autocorrelation of z along a line (synthesis::CorrelationOfTransform), on 2^20 points over 100 roll-off
-/// wavelengths or of a quarter of the short one, whichever is shorter; energy and curvature are integrals of that C1D.
+/// R(r) = h_rms² Σ_n c_n² ρ(r)^n the autocorrelation of the heights (synthesis::TransformCorrelation), ρ that of z; the
+/// energy to 1e-3, the rest as above. C1D is then left empty.
 /// @throws InvalidArgument for wavelengths that contradict each other or a spectrum that is not positive and finite.
+/// Source: cov(z, ∇²z) = −s², ∫ (1 − J0(qr))/r² dr = q.
 [[nodiscard]] SurfaceTruth surface_truth(const KnownSurface& surface);
 
 }  // namespace setae::laboratory

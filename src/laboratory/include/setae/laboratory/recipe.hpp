@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/core/units.hpp"
+#include "setae/core/estimate.hpp"
 #include "setae/laboratory/known_surface.hpp"
 #include "setae/laboratory/loop_simulation.hpp"
 
@@ -53,7 +53,7 @@ struct ElastomerRecipe {
     std::string name;
     double youngs_modulus = 0.0;       ///< E [Pa], > 0
     double poisson_ratio = 0.5;        ///< ν
-    UncertainValue surface_energy;     ///< γ1 [J/m²]: the value is true, the study is told both
+    Estimate surface_energy;           ///< γ1 [J/m²]: the value is true, the study is told both
     double sphere_radius = 0.0;        ///< R [m], > 0
 };
 
