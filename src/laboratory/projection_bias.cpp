@@ -119,13 +119,17 @@ void fill_bins(ProjectionBias& bias, const std::vector<SurfaceSums>& surfaces, c
         const double wavevector = 2.0 * pi * static_cast<double>(mode) / options.grid.size_x;
         return static_cast<Index>(std::floor(std::log10(wavevector) * options.bins_per_decade + 1e-9));
     };
+    // what is left of lines beyond the spectrum's end is rounding
+    double strongest = 0.0;
+    for (const auto& surface : surfaces) strongest = std::max(strongest, surface.lines.power.tail(modes - 1).maxCoeff());
+    const double rounding = 1e-16 * strongest * static_cast<double>(surfaces.size());
     std::vector<double> centres, values, errors;
     for (Index first = 1; first < modes;) {
         Index last = first;
         while (last + 1 < modes && bin_of(last + 1) == bin_of(first)) ++last;
         const auto power_in = [&](const LineSums& sums) { return sums.power.segment(first, last - first + 1).sum(); };
         const auto denominator = of_each(surfaces, [&](const SurfaceSums& s) { return power_in(s.lines); });
-        if (denominator.sum() > 0.0) {
+        if (denominator.sum() > rounding * static_cast<double>(last - first + 1)) {
             const auto factor = ratio(of_each(surfaces, [&](const SurfaceSums& s) { return power_in(s.silhouettes); }), denominator);
             centres.push_back(std::pow(10.0, (static_cast<double>(bin_of(first)) + 0.5) / options.bins_per_decade));
             values.push_back(factor.value);

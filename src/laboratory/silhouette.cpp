@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/laboratory/silhouette.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -23,13 +25,17 @@ topography::LineScan silhouette(const topography::HeightMap& surface, double thi
                                           "surface", start_y, start_y + thickness, static_cast<double>(ny - 1) * step));
     lines = std::min(lines, ny);
     topography::LineScan result{Array1D(nx), surface.size[0], surface.periodic, surface.metadata};
+    // the foil may cross a periodic map's end: two runs of contiguous heights
+    const Index begin = (first % ny + ny) % ny, before_end = std::min(lines, ny - begin);
     for (Index i = 0; i < nx; ++i) {
-        double highest = undefined;
-        for (Index k = 0; k < lines; ++k) {
-            const double height = surface.heights(i, ((first + k) % ny + ny) % ny);
-            if (height == height && !(highest >= height)) highest = height;
-        }
-        result.heights[i] = highest;
+        double highest = -std::numeric_limits<double>::infinity();
+        const auto run = [&](const double* heights, Index count) {
+            for (Index k = 0; k < count; ++k) highest = heights[k] > highest ? heights[k] : highest;
+        };
+        const double* row = surface.heights.data() + i * ny;
+        run(row + begin, before_end);
+        run(row, lines - before_end);
+        result.heights[i] = std::isinf(highest) ? undefined : highest;
     }
     return result;
 }

@@ -30,7 +30,7 @@ struct BiasFactor {
 struct ProjectionBias {
     double thickness = 0.0;           ///< [m]
     double correlation_length = 0.0;  ///< where the line scans' autocorrelation falls to 1/e [m]
-    Array1D wavevector;               ///< geometric centres of bins with modes [1/m]
+    Array1D wavevector;               ///< geometric centres of bins where lines have power [1/m]
     Array1D C1D, C1D_standard_error;  ///< factor on C1D in each bin
     BiasFactor rms_height, rms_slope; ///< of the silhouette about its mean; slope by differences of neighbours
     double mean_height_shift = 0.0;   ///< of silhouettes over line scans, in rms heights of the line scans
