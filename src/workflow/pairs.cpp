@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -195,9 +196,24 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
     return scan;
 }
 
-PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const Estimate& work, bool known_spread) {
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// A term of a sum of variances from an input and how fast the sum's square root moves with it.
+VarianceTerm term(const Estimate& input, double derivative) {
+    return {derivative * derivative * input.variance(), input.degrees_of_freedom.value_or(unlimited)};
+}
+
+/// Degrees of freedom of a sum of variances, absent where they count as known.
+std::optional<double> freedom(const std::vector<VarianceTerm>& terms) {
+    const double found = satterthwaite_degrees_of_freedom(terms);
+    return std::isfinite(found) ? std::optional(found) : std::nullopt;
+}
+
+PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const Estimate& work, std::optional<double> degrees_of_freedom, bool known_spread) {
     const double variance = point.prediction_variance(work.value) + point.slope * point.slope * work.variance();
-    return {apparent, {apparent.raw, known_spread ? std::sqrt(variance) : undefined, "delta"}};
+    PredictedWork result{apparent, {apparent.raw, known_spread ? std::sqrt(variance) : undefined, "delta"}};
+    result.estimate.degrees_of_freedom = degrees_of_freedom;
+    return result;
 }
 
 PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const Estimate& work) {
@@ -214,10 +230,21 @@ void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResu
     const auto modified = balances.modified();
     const adhesion::ConformalState state{pair.area_ratio, pair.stored_energy.value};
     const double surface_energy = elastomer.input.surface_energy.value;
-    pair.modified = predicted(adhesion::modified_balance(work.value, surface_energy, state), modified, work, known_spread);
+    const auto& parameters = surface.used().parameters;
+    const auto freedom_with = [&](double (*area_ratio)(double), const Estimate& soft_surface_energy) {
+        const auto prediction = [&](const SpectralParameters& p) {
+            return (work.value - soft_surface_energy.value) * area_ratio(p.rms_slope) - elastomer.contact_modulus.value * p.elastic_energy_per_modulus;
+        };
+        const double ratio = area_ratio(parameters.rms_slope);
+        return freedom({surface.used().spread.variance_term(prediction), term(elastomer.contact_modulus, parameters.elastic_energy_per_modulus),
+                        term(soft_surface_energy, ratio - 1.0), term(work, ratio)});
+    };
+    pair.modified = predicted(adhesion::modified_balance(work.value, surface_energy, state), modified, work,
+                              freedom_with(roughness::gaussian_area_ratio, elastomer.input.surface_energy), known_spread);
     pair.persson_tosatti = predicted(adhesion::persson_tosatti_balance(work.value, surface.used().parameters.rms_slope, state.stored_energy),
-                                     balances.persson_tosatti(), work, known_spread);
-    pair.without_area_change = predicted(adhesion::balance_without_area_change(work.value, state), balances.without_area_change(), work, known_spread);
+                                     balances.persson_tosatti(), work, freedom_with(roughness::small_slope_area_ratio, Estimate{}), known_spread);
+    pair.without_area_change = predicted(adhesion::balance_without_area_change(work.value, state), balances.without_area_change(), work,
+                                         freedom_with(roughness::gaussian_area_ratio, Estimate{}), known_spread);
     if (const auto& law = elastomer.input.surface_energy_law) pair.general = adhesion::general_balance(work.value, *law, state);
     pair.budget = budget(modified, surface, elastomer, work);
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.used().curve), elastomer.contact_modulus.value, work.value, surface_energy);
@@ -286,6 +313,8 @@ void predict_pairs(StudyResult& result) {
         const double energy = surface.used().parameters.elastic_energy_per_modulus;
         const auto spread = surface.used().spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
         pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * std::sqrt(elastomer.contact_modulus.variance())), "delta"};
+        pair.stored_energy.degrees_of_freedom = freedom({surface.used().spread.variance_term([modulus](const SpectralParameters& p) { return modulus * p.elastic_energy_per_modulus; }),
+                                                         term(elastomer.contact_modulus, energy)});
         predict(pair, surface, elastomer, work);
     }
 }

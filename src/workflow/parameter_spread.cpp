@@ -31,6 +31,21 @@ double ParameterSpread::standard_error(const Function& f) const {
     return replicas.size() < 2 && sources.empty() ? undefined : std::sqrt(covariance(f, f));
 }
 
+VarianceTerm ParameterSpread::variance_term(const Function& f) const {
+    VarianceTerm result{covariance(f, f)};
+    std::vector<LeaveOneOut> strata;
+    for (const auto& stratum : left_out) {
+        auto& values = strata.emplace_back();
+        for (const auto& p : stratum) values.push_back(f(p));
+    }
+    const auto between = jackknife_estimate(undefined, strata);  // its value does not enter the freedom
+    if (!between.degrees_of_freedom) return result;
+    std::vector<VarianceTerm> terms{{between.variance(), *between.degrees_of_freedom}};
+    for (const auto& source : sources) terms.push_back({0.25 * std::pow(f(source.plus) - f(source.minus), 2)});
+    result.degrees_of_freedom = satterthwaite_degrees_of_freedom(terms);
+    return result;
+}
+
 Estimate ParameterSpread::estimate(double value, const Function& f, double least) const {
     Estimate result{value, standard_error(f)};
     if (replicas.size() > 1) result.seed = seed;

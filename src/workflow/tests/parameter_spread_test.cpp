@@ -51,6 +51,17 @@ TEST(ParameterSpread, KeepsAreaRatiosAboveOne) {
     EXPECT_NEAR((estimate.interval->lower - 1.0) * (estimate.interval->upper - 1.0), 0.02 * 0.02, 1e-12);
 }
 
+TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
+    ParameterSpread spread;
+    spread.replicas = {of_height(1.0), of_height(3.0)};
+    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.5)}, {of_height(1.1), of_height(1.1)}};
+    const auto term = spread.variance_term(height);
+    EXPECT_NEAR(term.variance, 2.0, 1e-12);
+    EXPECT_NEAR(term.degrees_of_freedom, 2.0, 1e-12);  // the second stratum adds nothing
+    EXPECT_EQ(ParameterSpread{}.variance_term(height).variance, 0.0);
+    EXPECT_TRUE(std::isinf(ParameterSpread{}.variance_term(height).degrees_of_freedom));
+}
+
 TEST(ParameterSpread, HasNoIntervalWithoutAnythingToRestOn) {
     EXPECT_FALSE(ParameterSpread{}.estimate(1.0, height).interval);
     ParameterSpread spread;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 
 namespace setae::workflow {
@@ -29,6 +30,9 @@ struct ParameterSpread {
     /// Covariance of two functions of the parameters: between replicas, plus ¼ (f₊ − f₋)(g₊ − g₋) of each source.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
     [[nodiscard]] double standard_error(const Function& f) const;
+    /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom that the measurements
+    /// of each stratum leave it, the sources' share counting as known. Variance 0 where nothing is known.
+    [[nodiscard]] VarianceTerm variance_term(const Function& f) const;
     /// A function of the parameters, whose value is given, with what this spread says of it.
     ///
     ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = jackknife variance of x + Σ ¼ (x₊ − x₋)² of the sources
