@@ -94,7 +94,7 @@ SurfaceTruth truth_of_gaussian(const KnownSurface& surface) {
     parameters.elastic_energy_per_modulus = moment(surface, 1.0) / (8.0 * pi);
     truth.area_ratio = roughness::gaussian_area_ratio(parameters.rms_slope);
     const Band band = surface.band();
-    const auto C1D = synthesis::profile_density(surface.C_iso, band);
+    const auto C1D = synthesis::profile_density(surface.C_iso, {0.01 * band.lower, band.upper});
     const double lower = std::log10(band.lower) - decades_below;
     const auto count = static_cast<Index>(std::ceil(nodes_a_decade * (std::log10(band.upper) - lower)));
     auto& curve = truth.C1D;

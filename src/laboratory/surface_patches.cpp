@@ -138,7 +138,7 @@ topography::Profile tem_contour(const KnownSurface& surface, const TemProtocol& 
     const RandomKey own = substream(key, index);
     const double length = protocol.lengths[index], extent = contours_a_line * length;
     const Index n = fast_length(extent / (surface.short_wavelength / points_a_wave));
-    const auto C1D = synthesis::profile_density(surface.C_iso, surface.band());
+    const auto C1D = synthesis::profile_density(surface.C_iso, {0.01 * surface.band().lower, surface.band().upper});
     auto line = synthesis::random_line(C1D, {.points = n, .size = extent},
                                        {.key = substream(own, of_heights), .threads = one_thread});
     PatchHeights(surface, extent, own)(line.heights.data(), n);
