@@ -63,10 +63,10 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
     const Baseline& baseline = segments.before;
     PullOff result{.index = contact.pull_off->first};
     result.force = {loop.force[result.index] - baseline.force,
-                    std::hypot(baseline.force_noise, baseline.force_standard_error)};
+                    std::hypot(baseline.force_noise, baseline.force_standard_error), "baseline noise"};
     const auto work = [&](contact::jkr::Control control) -> Estimate {
         return {contact::jkr::work_of_adhesion_from_pull_off(result.force.value, radius, control),
-                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control)};
+                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control), "baseline noise"};
     };
     result.work_of_adhesion = work(contact::jkr::Control::fixed_load);
     result.work_of_adhesion_fixed_grips = work(contact::jkr::Control::fixed_grips);

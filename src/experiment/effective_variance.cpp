@@ -26,7 +26,7 @@ JkrFit fit_with_both_errors(const BranchData& data, const LensAndCounterBody& bo
     Eigen::MatrixXd design(data.force.size(), 2);
     design << terms.hertz, -terms.adhesion;
     LeastSquaresSolution solution = solve_linear(design, data.force);
-    JkrFit fit{.method = "radius_force_effective_variance", .contact_point = {undefined, undefined}, .residual_unit = "N"};
+    JkrFit fit{.method = "radius_force_effective_variance", .contact_point = {undefined}, .residual_unit = "N"};
     constexpr int most_rounds = 100;
     while (!fit.converged && fit.iterations < most_rounds) {
         const Array1D weights = variances(data, terms, solution.parameters).rsqrt();
@@ -36,13 +36,13 @@ JkrFit fit_with_both_errors(const BranchData& data, const LensAndCounterBody& bo
         ++fit.iterations;
     }
     require_modulus(solution.parameters[0]);
-    const WorkFromRoot work = work_from_root(solution.parameters, solution.covariance);
-    fit.contact_modulus = {solution.parameters[0], std::sqrt(solution.covariance(0, 0))};
-    fit.work_of_adhesion = work.work_of_adhesion;
+    const WorkFromRoot work = work_from_root(solution.parameters, solution.uncertainty.covariance);
+    fit.contact_modulus = solution.estimate(solution.parameters[0], std::sqrt(solution.uncertainty.covariance(0, 0)));
+    fit.work_of_adhesion = solution.estimate(work.work_of_adhesion, work.standard_error);
     fit.covariance = work.covariance;
     fit.residuals = data.force - (design * solution.parameters).array();
     fit.chi2_reduced = reduced_chi2(fit.residuals, variances(data, terms, solution.parameters), 2);
-    complete(fit, bodies, data.force.maxCoeff() - data.force.minCoeff());
+    complete(fit, solution, bodies, data.force.maxCoeff() - data.force.minCoeff());
     return fit;
 }
 

@@ -47,19 +47,24 @@ Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBod
     const contact::ElasticSolid counter = bodies.counter_body();
     const bool rigid = std::isinf(counter.youngs_modulus);
     const double stiffest = rigid ? INFINITY : contact::contact_modulus(counter, {.youngs_modulus = INFINITY});
-    if (!(contact_modulus.value > 0.0 && contact_modulus.value < stiffest)) return {undefined, undefined};
+    if (!(contact_modulus.value > 0.0 && contact_modulus.value < stiffest)) return {undefined};
     const double modulus = contact::youngs_modulus_from(contact_modulus.value, bodies.lens_poisson_ratio, counter);
     // dE/dE* = (E/E*)² / (1 − ν²)
     const double ratio = modulus / contact_modulus.value;
     const double compliance = 1.0 - bodies.lens_poisson_ratio * bodies.lens_poisson_ratio;
-    return {modulus, contact_modulus.standard_error * ratio * ratio / compliance};
+    Estimate result = contact_modulus;
+    result.value = modulus;
+    result.standard_error *= ratio * ratio / compliance;
+    result.interval.reset();
+    return result;
 }
 
-void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
+void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCounterBody& bodies, double fitted_range) {
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
     fit.converged = fit.converged && fit.covariance.allFinite();
     fit.n = fit.residuals.size();
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
     fit.rms_residual = std::sqrt(fit.residuals.square().mean());
     fit.relative_residual = fit.rms_residual / fitted_range;
 }

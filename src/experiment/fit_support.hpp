@@ -25,8 +25,8 @@ void require_modulus(double contact_modulus);
 /// Standard error of W ∝ p|p| from that of p: sqrt((2|p| σ)² + 2σ⁴) c, which stays finite at W = 0.
 [[nodiscard]] double square_standard_error(double root, double root_standard_error, double factor);
 
-/// Fills E, standard errors, correlation, rms and relative residual from covariance, residuals and E*, W.
-void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
+/// Fills E, correlations, rms and relative residual from the solution, covariance, residuals and E*, W.
+void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCounterBody& bodies, double fitted_range);
 
 /// Σ r²/variance over n − p; undefined where a variance is not > 0.
 [[nodiscard]] double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters);

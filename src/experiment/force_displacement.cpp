@@ -90,15 +90,15 @@ JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& 
                .converged = solution.converged,
                .iterations = solution.iterations,
                .residual_unit = "m"};
-    fit.covariance = transform.asDiagonal() * solution.covariance * transform.asDiagonal();
-    fit.contact_modulus = {modulus, std::sqrt(fit.covariance(0, 0))};
-    fit.work_of_adhesion = {reduced::work_of_adhesion(shape, force_unit, bodies.radius),
-                            square_standard_error(shape, std::sqrt(solution.covariance(1, 1)), work_unit)};
-    fit.contact_point = {origin + solution.parameters[2] * depth_unit, std::sqrt(fit.covariance(2, 2))};
+    fit.covariance = transform.asDiagonal() * solution.uncertainty.covariance * transform.asDiagonal();
+    fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
+    fit.work_of_adhesion = solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
+                                             square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
+    fit.contact_point = solution.estimate(origin + solution.parameters[2] * depth_unit, std::sqrt(fit.covariance(2, 2)));
     fit.residuals = solution.residuals.array() * depth_unit;
     fit.chi2_reduced =
         reduced_chi2(fit.residuals, depth_variances(data, problem, solution.parameters, force_unit, depth_unit), 3);
-    complete(fit, bodies, depth_unit);
+    complete(fit, solution, bodies, depth_unit);
     return fit;
 }
 

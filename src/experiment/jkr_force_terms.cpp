@@ -18,10 +18,10 @@ WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen
     Eigen::Matrix2d slopes;
     slopes << 1.0, 0.0,  //
         -work / modulus, 2.0 * std::abs(root) / modulus;
-    WorkFromRoot result{.covariance = slopes * covariance * slopes.transpose()};
+    WorkFromRoot result{.work_of_adhesion = work, .covariance = slopes * covariance * slopes.transpose()};
     // the second-order term keeps the error finite at W = 0
     const double second = covariance(1, 1) / modulus;
-    result.work_of_adhesion = {work, std::sqrt(result.covariance(1, 1) + 2.0 * second * second)};
+    result.standard_error = std::sqrt(result.covariance(1, 1) + 2.0 * second * second);
     return result;
 }
 

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "setae/core/arrays.hpp"
-#include "setae/core/units.hpp"
 
 namespace setae::experiment {
 
@@ -17,7 +16,8 @@ struct ForceTerms {
 
 /// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of (E*, W).
 struct WorkFromRoot {
-    Estimate work_of_adhesion;
+    double work_of_adhesion = 0.0;
+    double standard_error = 0.0;
     Eigen::Matrix2d covariance;
 };
 [[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::Matrix2d& covariance);

@@ -5,8 +5,6 @@
 
 #include <Eigen/Dense>
 
-#include "setae/core/constants.hpp"
-
 namespace setae::experiment {
 namespace {
 
@@ -35,22 +33,14 @@ private:
     const ResidualFunction& function_;
 };
 
-Eigen::MatrixXd scaled_covariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals) {
-    const Eigen::Index parameters = jacobian.cols();
-    const Eigen::Index freedom = jacobian.rows() - parameters;
-    const Eigen::MatrixXd nothing = Eigen::MatrixXd::Constant(parameters, parameters, undefined);
-    if (freedom <= 0) return nothing;
-    // columns of unit length keep the inverse well conditioned
-    const Eigen::VectorXd inverse_lengths = jacobian.colwise().norm().cwiseInverse();
-    if (!inverse_lengths.allFinite()) return nothing;
-    const Eigen::MatrixXd unit = jacobian * inverse_lengths.asDiagonal();
-    const Eigen::FullPivLU<Eigen::MatrixXd> normal(unit.transpose() * unit);
-    if (!normal.isInvertible()) return nothing;
-    const double variance = residuals.squaredNorm() / static_cast<double>(freedom);
-    return inverse_lengths.asDiagonal() * (variance * normal.inverse()) * inverse_lengths.asDiagonal();
-}
-
 }  // namespace
+
+Estimate LeastSquaresSolution::estimate(double value, double standard_error) const {
+    return {.value = value,
+            .standard_error = standard_error,
+            .method = "fit covariance, correlated residuals",
+            .degrees_of_freedom = uncertainty.degrees_of_freedom};
+}
 
 LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::VectorXd& start) {
     LeastSquaresSolution solution{.parameters = start};
@@ -73,14 +63,14 @@ LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::Vec
     solution.residuals.resize(function.residuals);
     Eigen::MatrixXd jacobian(function.residuals, function.parameters);
     function.evaluate(solution.parameters, solution.residuals, &jacobian);
-    solution.covariance = scaled_covariance(jacobian, solution.residuals);
+    solution.uncertainty = correlated_covariance(jacobian, solution.residuals);
     return solution;
 }
 
 LeastSquaresSolution solve_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& values) {
     LeastSquaresSolution solution{.parameters = design.colPivHouseholderQr().solve(values), .converged = true};
     solution.residuals = values - design * solution.parameters;
-    solution.covariance = scaled_covariance(design, solution.residuals);
+    solution.uncertainty = correlated_covariance(design, solution.residuals);
     return solution;
 }
 

@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "correlated_residuals.hpp"
+#include "setae/core/estimate.hpp"
+
 namespace setae::experiment {
 
 /// Residuals that make up a sum of squares, and their derivatives.
@@ -18,9 +21,12 @@ struct ResidualFunction {
 struct LeastSquaresSolution {
     Eigen::VectorXd parameters;
     Eigen::VectorXd residuals;
-    Eigen::MatrixXd covariance;  ///< s² (JᵀJ)⁻¹ with s² = Σr²/(n − p); undefined where JᵀJ is singular or n = p
+    FitCovariance uncertainty;
     bool converged = false;
     int iterations = 0;
+
+    /// A value that follows from the parameters, with its standard error and these degrees of freedom.
+    [[nodiscard]] Estimate estimate(double value, double standard_error) const;
 };
 
 /// Least squares by Levenberg and Marquardt's method from a start that lies near the solution.

@@ -46,7 +46,7 @@ Eigen::Vector3d algebraic_circle(const Scaled& points) {
 Circle unscaled(const Scaled& points, const Eigen::Vector3d& circle) {
     return {.centre_x = points.centre_x + points.unit * circle[0],
             .centre_y = points.centre_y + points.unit * circle[1],
-            .radius = {points.unit * circle[2], 0.0}};
+            .radius = {points.unit * circle[2]}};
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Circle fit_circle(const ArrayView1D& x, const ArrayView1D& y) {
         }};
     const LeastSquaresSolution solution = minimise(distances, algebraic_circle(points));
     Circle circle = unscaled(points, solution.parameters);
-    circle.radius.standard_error = points.unit * std::sqrt(solution.covariance(2, 2));
+    circle.radius = solution.estimate(circle.radius.value, points.unit * std::sqrt(solution.uncertainty.covariance(2, 2)));
     circle.rms_residual = points.unit * std::sqrt(solution.residuals.array().square().mean());
     return circle;
 }

@@ -20,23 +20,23 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
 
     JkrFit fit{.method = "linear_form",
                .converged = true,
-               .contact_point = {undefined, undefined},
+               .contact_point = {undefined},
                .residual_unit = "N/m^1.5"};
     require_modulus(stiffness);
     // K = 4E*/3, so c = √(KW) = √(4/3) √(E*W)
     const Eigen::Vector2d scale(0.75, std::sqrt(0.75));
     const WorkFromRoot work = work_from_root(scale.asDiagonal() * Eigen::Vector2d(solution.parameters),
-                                             scale.asDiagonal() * solution.covariance * scale.asDiagonal());
+                                             scale.asDiagonal() * solution.uncertainty.covariance * scale.asDiagonal());
     fit.covariance = work.covariance;
-    fit.contact_modulus = {0.75 * stiffness, std::sqrt(work.covariance(0, 0))};
-    fit.work_of_adhesion = work.work_of_adhesion;
+    fit.contact_modulus = solution.estimate(0.75 * stiffness, std::sqrt(work.covariance(0, 0)));
+    fit.work_of_adhesion = solution.estimate(work.work_of_adhesion, work.standard_error);
     fit.residuals = solution.residuals.array();
     // with y = F/√(6πa³), x ∝ a^(3/2): d(y − Kx)/da = −(3/2) (y + Kx)/a
     const Array1D by_radius = 1.5 * (ordinate + stiffness * abscissa) / data.contact_radius;
     const Array1D by_force = (std::sqrt(6.0 * pi) * root).inverse();
     fit.chi2_reduced = reduced_chi2(fit.residuals, (by_radius * data.contact_radius_noise).square() +
                                                        (by_force * data.force_noise).square(), 2);
-    complete(fit, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
+    complete(fit, solution, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
     return fit;
 }
 
@@ -54,9 +54,9 @@ PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCoun
     const Eigen::Vector2d offset_by(-offset / modulus, 1.0 / modulus);
 
     PointwiseModulus result;
-    result.contact_modulus = {modulus, std::sqrt(solution.covariance(0, 0))};
+    result.contact_modulus = solution.estimate(modulus, std::sqrt(solution.uncertainty.covariance(0, 0)));
     result.youngs_modulus = youngs_modulus(result.contact_modulus, bodies);
-    result.contact_point = {origin + offset, std::sqrt(offset_by.dot(solution.covariance * offset_by))};
+    result.contact_point = solution.estimate(origin + offset, std::sqrt(offset_by.dot(solution.uncertainty.covariance * offset_by)));
     result.pointwise = (approach - offset == 0.0).select(undefined, ordinate / (approach - offset));
     result.n = approach.size();
     result.rms_residual = std::sqrt(solution.residuals.array().square().mean());

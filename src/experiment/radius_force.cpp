@@ -86,18 +86,18 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
     JkrFit fit{.method = "radius_force",
                .converged = solution.converged,
                .iterations = solution.iterations,
-               .contact_point = {undefined, undefined},
+               .contact_point = {undefined},
                .residual_unit = "m"};
-    fit.covariance = transform.asDiagonal() * solution.covariance * transform.asDiagonal();
-    fit.contact_modulus = {modulus, std::sqrt(fit.covariance(0, 0))};
-    fit.work_of_adhesion = {reduced::work_of_adhesion(shape, force_unit, bodies.radius),
-                            square_standard_error(shape, std::sqrt(solution.covariance(1, 1)), work_unit)};
+    fit.covariance = transform.asDiagonal() * solution.uncertainty.covariance * transform.asDiagonal();
+    fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
+    fit.work_of_adhesion = solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
+                                             square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
     fit.residuals = solution.residuals.array() * length_unit;
     const Array1D variances = problem.force_variances(solution.parameters, data.force_noise / force_unit) * length_unit *
                                   length_unit +
                               data.contact_radius_noise * data.contact_radius_noise;
     fit.chi2_reduced = reduced_chi2(fit.residuals, variances, 2);
-    complete(fit, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
+    complete(fit, solution, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
     return fit;
 }
 

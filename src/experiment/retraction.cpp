@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/experiment/retraction.hpp"
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "fit_support.hpp"
 #include "jkr_force_terms.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -48,20 +51,24 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
     if (modulus_free) {
         solution = solve_free(last_points, radius);
         require_modulus(solution.parameters[0]);
-        fit.contact_modulus = {solution.parameters[0], std::sqrt(solution.covariance(0, 0))};
-        fit.work_of_adhesion = work_from_root(solution.parameters, solution.covariance).work_of_adhesion;
+        fit.contact_modulus = solution.estimate(solution.parameters[0], std::sqrt(solution.uncertainty.covariance(0, 0)));
+        const WorkFromRoot work = work_from_root(solution.parameters, solution.uncertainty.covariance);
+        fit.work_of_adhesion = solution.estimate(work.work_of_adhesion, work.standard_error);
     } else {
         const double modulus = contact_modulus.value;
         const auto work = [](double root, double stiffness) { return root * std::abs(root) / stiffness; };
         solution = solve_fixed(last_points, radius, modulus, contact_point);
         const double root = solution.parameters[0];
-        const double scatter = square_standard_error(root, std::sqrt(solution.covariance(0, 0)), 1.0 / modulus);
+        const double scatter = square_standard_error(root, std::sqrt(solution.uncertainty.covariance(0, 0)), 1.0 / modulus);
         const double stiffer = modulus + contact_modulus.standard_error;
         const double shift =
             std::isnan(stiffer)
                 ? undefined
                 : work(solve_fixed(last_points, radius, stiffer, contact_point).parameters[0], stiffer) - work(root, modulus);
-        fit.work_of_adhesion = {work(root, modulus), std::hypot(scatter, shift)};
+        fit.work_of_adhesion = solution.estimate(work(root, modulus), std::hypot(scatter, shift));
+        const double modulus_freedom = contact_modulus.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity());
+        const std::array terms{VarianceTerm{scatter * scatter, solution.uncertainty.degrees_of_freedom}, VarianceTerm{shift * shift, modulus_freedom}};
+        fit.work_of_adhesion.degrees_of_freedom = satterthwaite_degrees_of_freedom(terms);
     }
     fit.rms_residual = std::sqrt(solution.residuals.array().square().mean());
     return fit;

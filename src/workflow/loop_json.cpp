@@ -21,6 +21,7 @@ Json fit_json(const JkrFit& fit) {
     add_moduli_and_work(json, fit);
     if (fit.contact_point.value == fit.contact_point.value) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["correlation"] = number(fit.correlation);
+    json["correlated_samples"] = number(fit.correlated_samples);
     Json covariance = Json::array();
     for (Index i = 0; i < fit.covariance.rows(); ++i) covariance.push_back(numbers(fit.covariance.row(i).array()));
     json["covariance"] = covariance;

@@ -21,8 +21,9 @@ struct BranchData {
 
 /// Least-squares estimate of E* and W by one of several routes.
 ///
-/// Standard errors and covariance are scaled by the scatter of the residuals themselves and hold for independent
-/// residuals; `chi2_reduced` compares that scatter with the noise of free flight, so that a value far above 1 says that
+/// Standard errors and covariance are scaled by the scatter of the residuals themselves and allow for residuals that
+/// follow their neighbours, as autoregressive; where fewer than about ten independent ones are left (n over
+/// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight, so that a value far above 1 says that
 /// the model, not the noise, makes the residuals. A negative W means a contact smaller than Hertz's.
 struct JkrFit {
     std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement"
@@ -34,6 +35,7 @@ struct JkrFit {
     Estimate contact_point;     ///< δ at first touch [m]; NaN where the method has none
     Eigen::MatrixXd covariance;       ///< of E*, W and, where fitted, the contact point
     double correlation = 0.0;         ///< of E* and W
+    double correlated_samples = 1.0;  ///< τ = 1 + 2 Σ ρ_k of the residuals: n/τ of them count as independent
     Index n = 0;
     Array1D residuals;               ///< measured − fitted, in `residual_unit`
     std::string residual_unit;       ///< "m"; "N" with effective variance, "N/m^1.5" for the linear form
