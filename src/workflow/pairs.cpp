@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "balances.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -63,50 +64,6 @@ void take_loops(PairResult& pair, const LoopValues& values) {
     pair.ideal_loss = mean_of(values.ideal_loss);
 }
 
-/// Balances of one pair as lines in W_int, with the covariances their uncertain inputs give them.
-class Balances {
-public:
-    Balances(const SurfaceResult& surface, const ElastomerResult& elastomer, const SpectralParameters& parameters)
-        : surface_(surface), elastomer_(elastomer), parameters_(parameters) {}
-
-    [[nodiscard]] PairPoint modified() const { return point(roughness::gaussian_area_ratio, elastomer_.input.surface_energy); }
-    [[nodiscard]] PairPoint persson_tosatti() const { return point(roughness::small_slope_area_ratio, {}); }
-    [[nodiscard]] PairPoint without_area_change() const { return point(roughness::gaussian_area_ratio, {}); }
-
-private:
-    using AreaRatio = double (*)(double);
-
-    /// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
-    [[nodiscard]] PairPoint point(AreaRatio area_ratio, const Estimate& surface_energy) const {
-        const double r = area_ratio(parameters_.rms_slope), u = parameters_.elastic_energy_per_modulus;
-        const auto& modulus = elastomer_.contact_modulus;
-        const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p.rms_slope); };
-        const auto energy = [&modulus](const SpectralParameters& p) { return modulus.value * p.elastic_energy_per_modulus; };
-        PairPoint pair;
-        pair.surface = surface_.name;
-        pair.elastomer = elastomer_.input.name;
-        pair.slope = r;
-        pair.offset = surface_energy.value * (r - 1.0) + modulus.value * u;
-        pair.slope_centre = surface_energy.value;
-        pair.slope_variance = surface_.used().spread.covariance(ratio, ratio);
-        pair.slope_offset_covariance = surface_.used().spread.covariance(ratio, energy);
-        pair.offset_variance = surface_.used().spread.covariance(energy, energy) + u * u * modulus.variance() +
-                               (r - 1.0) * (r - 1.0) * surface_energy.variance();
-        return pair;
-    }
-
-    const SurfaceResult& surface_;
-    const ElastomerResult& elastomer_;
-    const SpectralParameters& parameters_;
-};
-
-/// Why a pair cannot be predicted, or empty.
-std::string obstacle(const SurfaceResult& surface, const ElastomerResult& elastomer) {
-    if (surface.failed()) return fmt::format("surface '{}' failed", surface.name);
-    if (!(elastomer.contact_modulus.value > 0.0)) return fmt::format("no modulus of elastomer '{}'", elastomer.input.name);
-    return {};
-}
-
 using Balance = PairPoint (Balances::*)() const;
 using ParametersOf = std::function<const SpectralParameters&(std::size_t surface)>;
 
@@ -117,7 +74,7 @@ std::vector<PairPoint> points(const StudyResult& result, Balance balance, const 
         if (!pair.approach) continue;
         const auto& surface = result.surface(pair.surface);
         const auto& elastomer = result.elastomer(pair.elastomer);
-        if (!obstacle(surface, elastomer).empty()) continue;
+        if (!predictable(surface, elastomer)) continue;
         const auto index = static_cast<std::size_t>(&surface - result.surfaces.data());
         auto point = (Balances(surface, elastomer, parameters_of(index)).*balance)();
         point.measured = *pair.approach;
@@ -196,69 +153,6 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
     return scan;
 }
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-/// A term of a sum of variances from an input and how fast the sum's square root moves with it.
-VarianceTerm term(const Estimate& input, double derivative) {
-    return {derivative * derivative * input.variance(), input.degrees_of_freedom.value_or(unlimited)};
-}
-
-/// Degrees of freedom of a sum of variances, absent where they count as known.
-std::optional<double> freedom(const std::vector<VarianceTerm>& terms) {
-    const double found = satterthwaite_degrees_of_freedom(terms);
-    return std::isfinite(found) ? std::optional(found) : std::nullopt;
-}
-
-PredictedWork predicted(const adhesion::ApparentWork& apparent, const PairPoint& point, const Estimate& work, std::optional<double> degrees_of_freedom, bool known_spread) {
-    const double variance = point.prediction_variance(work.value) + point.slope * point.slope * work.variance();
-    PredictedWork result{apparent, {apparent.raw, known_spread ? std::sqrt(variance) : undefined, "delta"}};
-    result.estimate.degrees_of_freedom = degrees_of_freedom;
-    return result;
-}
-
-PredictionBudget budget(const PairPoint& point, const SurfaceResult& surface, const ElastomerResult& elastomer, const Estimate& work) {
-    const double r = point.slope;
-    const double modulus = surface.used().parameters.elastic_energy_per_modulus * std::sqrt(elastomer.contact_modulus.variance());
-    const double surface_energy = (r - 1.0) * std::sqrt(elastomer.input.surface_energy.variance());
-    const double spectrum2 = point.prediction_variance(work.value) - modulus * modulus - surface_energy * surface_energy;
-    return {std::sqrt(std::max(0.0, spectrum2)), modulus, surface_energy, r * std::sqrt(work.variance())};
-}
-
-void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer, const Estimate& work) {
-    const Balances balances(surface, elastomer, surface.used().parameters);
-    const bool known_spread = !surface.used().spread.replicas.empty() || !surface.used().spread.sources.empty();
-    const auto modified = balances.modified();
-    const adhesion::ConformalState state{pair.area_ratio, pair.stored_energy.value};
-    const double surface_energy = elastomer.input.surface_energy.value;
-    const auto& parameters = surface.used().parameters;
-    const auto freedom_with = [&](double (*area_ratio)(double), const Estimate& soft_surface_energy) {
-        const auto prediction = [&](const SpectralParameters& p) {
-            return (work.value - soft_surface_energy.value) * area_ratio(p.rms_slope) - elastomer.contact_modulus.value * p.elastic_energy_per_modulus;
-        };
-        const double ratio = area_ratio(parameters.rms_slope);
-        return freedom({surface.used().spread.variance_term(prediction), term(elastomer.contact_modulus, parameters.elastic_energy_per_modulus),
-                        term(soft_surface_energy, ratio - 1.0), term(work, ratio)});
-    };
-    pair.modified = predicted(adhesion::modified_balance(work.value, surface_energy, state), modified, work,
-                              freedom_with(roughness::gaussian_area_ratio, elastomer.input.surface_energy), known_spread);
-    pair.persson_tosatti = predicted(adhesion::persson_tosatti_balance(work.value, surface.used().parameters.rms_slope, state.stored_energy),
-                                     balances.persson_tosatti(), work, freedom_with(roughness::small_slope_area_ratio, Estimate{}), known_spread);
-    pair.without_area_change = predicted(adhesion::balance_without_area_change(work.value, state), balances.without_area_change(), work,
-                                         freedom_with(roughness::gaussian_area_ratio, Estimate{}), known_spread);
-    if (const auto& law = elastomer.input.surface_energy_law) pair.general = adhesion::general_balance(work.value, *law, state);
-    pair.budget = budget(modified, surface, elastomer, work);
-    pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(surface.used().curve), elastomer.contact_modulus.value, work.value, surface_energy);
-    const auto subject = pair.surface + " × " + pair.elastomer;
-    if (!pair.modified->work.conforms)
-        pair.alerts.push_back({"WILL_NOT_CONFORM", subject, fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),
-                               "conformal contact is not predicted; area and energy of full contact do not apply"});
-    if (const auto& band = pair.scales->bridging)
-        pair.alerts.push_back({"CONFORMAL_INVALID", subject,
-                               fmt::format("the roughness above q stores more than it gains for q between {:.3g} and {:.3g} 1/m (wavelengths {:.3g} to {:.3g} m)",
-                                           band->lower, band->upper, 2.0 * pi / band->upper, 2.0 * pi / band->lower),
-                               "the solid would rather bridge these wavelengths than conform"});
-}
-
 }  // namespace
 
 std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion) {
@@ -289,34 +183,6 @@ void fit_pairs(StudyResult& result) {
     result.loop = fit_loops(result);
     result.free_energies = fit_free(result);
     if (result.modified) result.cutoff_scan = scan_cutoffs(result);
-}
-
-void predict_pairs(StudyResult& result) {
-    Estimate work;
-    if (result.study.work_of_adhesion) {
-        work = *result.study.work_of_adhesion;
-        result.work_of_adhesion_source = "given in the study";
-    } else if (result.modified) {
-        work = result.modified->clustered;
-        result.work_of_adhesion_source = "fit of (7) to the measured pairs";
-    } else {
-        result.work_of_adhesion = Outcome<Estimate>::missing("no work_of_adhesion in the study, and no fit: " + result.modified.reason);
-        return;
-    }
-    result.work_of_adhesion = work;
-    for (auto& pair : result.pairs) {
-        const auto& surface = result.surface(pair.surface);
-        const auto& elastomer = result.elastomer(pair.elastomer);
-        if (!obstacle(surface, elastomer).empty()) continue;
-        pair.area_ratio = surface.area_ratio();
-        const double modulus = elastomer.contact_modulus.value;
-        const double energy = surface.used().parameters.elastic_energy_per_modulus;
-        const auto spread = surface.used().spread.standard_error([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
-        pair.stored_energy = {modulus * energy, std::hypot(modulus * spread, energy * std::sqrt(elastomer.contact_modulus.variance())), "delta"};
-        pair.stored_energy.degrees_of_freedom = freedom({surface.used().spread.variance_term([modulus](const SpectralParameters& p) { return modulus * p.elastic_energy_per_modulus; }),
-                                                         term(elastomer.contact_modulus, energy)});
-        predict(pair, surface, elastomer, work);
-    }
 }
 
 }  // namespace setae::workflow

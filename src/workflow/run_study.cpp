@@ -67,6 +67,20 @@ void check_plausibility(ElastomerResult& elastomer) {
                                 "check the unit of the modulus and of the molar mass between crosslinks"});
 }
 
+/// Surfaces, elastomers and loops brought together: pairs, references, fits, predictions.
+StudyResult related(StudyResult result) {
+    result.pairs = measured_pairs(result);
+    evaluate_references(result);
+    fit_pairs(result);
+    predict_pairs(result);
+    return result;
+}
+
+StudyResult with_averages(StudyResult result) {
+    for (auto& surface : result.surfaces) surface.method = SpectrumMethod::average;
+    return result;
+}
+
 }  // namespace
 
 int StudyResult::failures() const {
@@ -111,11 +125,9 @@ StudyResult run_study(Study study, parallel::Threads threads) {
         check_plausibility(elastomer);
         result.elastomers.push_back(std::move(elastomer));
     }
-    result.pairs = measured_pairs(result);
-    evaluate_references(result);
-    fit_pairs(result);
-    predict_pairs(result);
-    return result;
+    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
+    if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
+    return related(std::move(result));
 }
 
 }  // namespace setae::workflow

@@ -180,6 +180,12 @@ double half_wavelength(const adhesion::ScaleBalance& scales) {
     return undefined;
 }
 
+Quantity predicted_loss(const Estimate& loss) {
+    auto q = quantity("predicted_energy_loss", "W_int A_true", loss, "J");
+    q.source = "[D19] (10) at W_int of the predictions and the contact area at maximum preload";
+    return q;
+}
+
 Json pair_json(const PairResult& pair) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
@@ -202,6 +208,7 @@ Json pair_json(const PairResult& pair) {
                                                      {"surface_energy", number(pair.budget->surface_energy)},
                                                      {"work_of_adhesion", number(pair.budget->work_of_adhesion)},
                                                      {"unit", "J/m2"}};
+        json["predicted_energy_loss"] = pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
         json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
         json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
         if (pair.general) json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2", "[D19] (5), (6) with the elastomer's surface energy law"));
@@ -212,6 +219,12 @@ Json pair_json(const PairResult& pair) {
     }
     json["alerts"] = to_json(pair.alerts);
     return json;
+}
+
+Json pairs_json(const StudyResult& result) {
+    Json pairs = Json::array();
+    for (const auto& pair : result.pairs) pairs.push_back(pair_json(pair));
+    return pairs;
 }
 
 Json reference_json(const ReferenceResult& reference) {
@@ -333,8 +346,8 @@ Json to_json(const StudyResult& result) {
     for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
     json["elastomers"] = Json::object();
     for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
-    json["pairs"] = Json::array();
-    for (const auto& pair : result.pairs) json["pairs"].push_back(pair_json(pair));
+    json["pairs"] = pairs_json(result);
+    if (result.by_average) json["by_average"] = {{"fits", fits_json(*result.by_average)}, {"pairs", pairs_json(*result.by_average)}};
     json["experiments"] = Json::array();
     for (const auto& e : result.experiments) {
         Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};

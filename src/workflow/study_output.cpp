@@ -83,7 +83,7 @@ TidyTable pairs_for_reading(const StudyResult& result) {
 }
 
 TidyTable fits_for_reading(const StudyResult& result) {
-    TidyTable table{"Intrinsic work of adhesion from all pairs", {"fit", "variant", "W_int [mJ/m²]", "R²", "χ²", "n", "reported W_int", "reported R²"}, {}};
+    TidyTable table{"Intrinsic work of adhesion from all pairs", {"fit", "variant", "method", "W_int [mJ/m²]", "R²", "χ²", "n", "reported W_int", "reported R²"}, {}};
     const auto rows = fit_table(result);
     const auto column = [&rows](const char* name) {
         return static_cast<std::size_t>(std::find(rows.columns.begin(), rows.columns.end(), name) - rows.columns.begin());
@@ -92,7 +92,7 @@ TidyTable fits_for_reading(const StudyResult& result) {
         const auto at = [&](const char* name) { return std::get<double>(row[column(name)]); };
         Estimate work{at("W_int [J/m2]"), at("standard_error [J/m2]")};
         if (const double lower = at("interval_low [J/m2]"); !std::isnan(lower)) work.interval = Interval{lower, at("interval_high [J/m2]"), at("level")};
-        table.rows.push_back({row[0], row[1], with_interval(work, 1e3, 2), with_error(at("R2"), 0.0, 3), with_error(at("chi2"), 0.0, 1), fmt::format("{:.0f}", at("n")),
+        table.rows.push_back({row[0], row[1], row[2], with_interval(work, 1e3, 2), with_error(at("R2"), 0.0, 3), with_error(at("chi2"), 0.0, 1), fmt::format("{:.0f}", at("n")),
                               with_error(1e3 * at("reported W_int [J/m2]"), 1e3 * at("reported standard_error [J/m2]"), 1), with_error(at("reported R2"), 0.0, 2)});
     }
     return table;

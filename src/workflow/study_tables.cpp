@@ -39,6 +39,22 @@ Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
     return cells;
 }
 
+/// A study and, where it rests on likelihoods, the same on averages.
+std::vector<const StudyResult*> by_method(const StudyResult& result) {
+    std::vector<const StudyResult*> found{&result};
+    if (result.by_average) found.push_back(result.by_average.get());
+    return found;
+}
+
+/// The method behind numbers that rest on all surfaces; those without measurements have no choice.
+std::string method_name(const StudyResult& result) {
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed() && surface.method == SpectrumMethod::likelihood) return method_name(surface, surface.method);
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed()) return method_name(surface, surface.method);
+    return "";
+}
+
 const ReportedValue* reported(const StudyResult& result, const std::string& fit, const std::string& quantity) {
     for (const auto& r : result.study.reported)
         if (r.fit == fit && r.quantity == quantity) return &r;
@@ -48,13 +64,13 @@ const ReportedValue* reported(const StudyResult& result, const std::string& fit,
 /// Rows of the fit table.
 class FitRows {
 public:
-    FitRows(TidyTable& table, const StudyResult& result) : table_(table), result_(result) {}
+    FitRows(TidyTable& table, const StudyResult& result) : table_(table), result_(result), method_(method_name(result)) {}
 
     void add(const std::string& fit, const std::string& variant, const Estimate& work, double r_squared, double chi_squared, double extra_scatter, int n) {
         const auto* work_reported = variant.empty() ? reported(result_, fit, "work_of_adhesion") : nullptr;
         const auto* r_reported = variant.empty() ? reported(result_, fit, "r_squared") : nullptr;
         Cells row;
-        add_cells(row, fit, variant, work.value);
+        add_cells(row, fit, variant, method_, work.value);
         append(row, uncertainty_cells(work));
         add_cells(row, r_squared, chi_squared, extra_scatter, static_cast<double>(n), work_reported ? work_reported->value.value : undefined,
                   work_reported && work_reported->value.uncertain() ? work_reported->value.standard_error : undefined,
@@ -82,6 +98,7 @@ public:
 private:
     TidyTable& table_;
     const StudyResult& result_;
+    std::string method_;
 };
 
 void add_alerts(TidyTable& table, const std::vector<Alert>& alerts) {
@@ -117,42 +134,49 @@ TidyTable pair_table(const StudyResult& result) {
     append(table.columns, uncertainty_columns("U_el/A_app", "J/m2"));
     append(table.columns, {"W pull-off [J/m2]", "W retraction [J/m2]", "E_loss [J]"});
     append(table.columns, uncertainty_columns("E_loss", "J"));
+    table.columns.emplace_back("E_loss (10) [J]");
+    append(table.columns, uncertainty_columns("E_loss (10)", "J"));
     append(table.columns, {"contact area [m2]", "ideal smooth loss [J]"});
-    for (const auto& p : result.pairs) {
-        const auto& surface = result.surface(p.surface);
-        const bool predicted = p.modified.has_value();
-        Cells row;
-        add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
-        append(row, uncertainty_cells(p.approach));
-        add_cells(row, predicted ? p.modified->work.floored : undefined, predicted ? p.modified->work.raw : undefined);
-        append(row, uncertainty_cells(predicted ? std::optional(p.modified->estimate) : std::nullopt));
-        add_cells(row, predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
-                     predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined);
-        append(row, uncertainty_cells(predicted ? std::optional(p.stored_energy) : std::nullopt));
-        add_cells(row, value_of(p.pull_off), value_of(p.retraction), value_of(p.loss));
-        append(row, uncertainty_cells(p.loss));
-        add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined));
-        table.rows.push_back(std::move(row));
-    }
+    for (const auto* study : by_method(result))
+        for (const auto& p : study->pairs) {
+            const auto& surface = study->surface(p.surface);
+            const bool predicted = p.modified.has_value();
+            Cells row;
+            add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
+            append(row, uncertainty_cells(p.approach));
+            add_cells(row, predicted ? p.modified->work.floored : undefined, predicted ? p.modified->work.raw : undefined);
+            append(row, uncertainty_cells(predicted ? std::optional(p.modified->estimate) : std::nullopt));
+            add_cells(row, predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
+                         predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined);
+            append(row, uncertainty_cells(predicted ? std::optional(p.stored_energy) : std::nullopt));
+            add_cells(row, value_of(p.pull_off), value_of(p.retraction), value_of(p.loss));
+            append(row, uncertainty_cells(p.loss));
+            add_cells(row, value_of(p.predicted_loss));
+            append(row, uncertainty_cells(p.predicted_loss));
+            add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined));
+            table.rows.push_back(std::move(row));
+        }
     return table;
 }
 
 TidyTable fit_table(const StudyResult& result) {
-    TidyTable table{"", {"fit", "variant", "W_int [J/m2]"}, {}};
+    TidyTable table{"", {"fit", "variant", "method", "W_int [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("", "J/m2"));
     append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]", "reported standard_error [J/m2]", "reported R2"});
-    FitRows rows(table, result);
-    if (result.modified) rows.add("modified", *result.modified);
-    if (result.persson_tosatti) rows.add("persson_tosatti", *result.persson_tosatti);
-    if (result.without_area_change) rows.add("without_area_change", *result.without_area_change);
-    if (result.free_energies)
-        rows.add("modified", "stored energy free for each surface", Estimate{.value = result.free_energies->work_of_adhesion}, result.free_energies->r_squared,
-                 undefined, undefined, result.modified->n);
-    if (result.loop) {
-        rows.add("loop", result.loop->through_origin);
-        rows.add("loop", result.loop->with_intercept, "with intercept");
-        if (const auto& reduced = result.loop->through_origin_without_ideal_loss) rows.add("loop", *reduced, "without the smooth sphere's loss");
-        rows.add("loop", result.loop->with_intercept_without_ideal_loss, "without the smooth sphere's loss, with intercept");
+    for (const auto* study : by_method(result)) {
+        FitRows rows(table, *study);
+        if (study->modified) rows.add("modified", *study->modified);
+        if (study->persson_tosatti) rows.add("persson_tosatti", *study->persson_tosatti);
+        if (study->without_area_change) rows.add("without_area_change", *study->without_area_change);
+        if (study->free_energies)
+            rows.add("modified", "stored energy free for each surface", Estimate{.value = study->free_energies->work_of_adhesion}, study->free_energies->r_squared,
+                     undefined, undefined, study->modified->n);
+        if (study->loop) {
+            rows.add("loop", study->loop->through_origin);
+            rows.add("loop", study->loop->with_intercept, "with intercept");
+            if (const auto& reduced = study->loop->through_origin_without_ideal_loss) rows.add("loop", *reduced, "without the smooth sphere's loss");
+            rows.add("loop", study->loop->with_intercept_without_ideal_loss, "without the smooth sphere's loss, with intercept");
+        }
     }
     return table;
 }
@@ -199,16 +223,17 @@ TidyTable cumulative_table(const StudyResult& result) {
 }
 
 TidyTable cutoff_table(const StudyResult& result) {
-    TidyTable table{"", {"shortest wavelength [m]", "W_int (7) [J/m2]"}, {}};
+    TidyTable table{"", {"shortest wavelength [m]", "method", "W_int (7) [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("(7)", "J/m2"));
     append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"});
-    for (const auto& p : result.cutoff_scan) {
-        Cells row;
-        add_cells(row, p.shortest_wavelength, p.modified.work_of_adhesion.value);
-        append(row, uncertainty_cells(p.modified.work_of_adhesion));
-        add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
-        table.rows.push_back(std::move(row));
-    }
+    for (const auto* study : by_method(result))
+        for (const auto& p : study->cutoff_scan) {
+            Cells row;
+            add_cells(row, p.shortest_wavelength, method_name(*study), p.modified.work_of_adhesion.value);
+            append(row, uncertainty_cells(p.modified.work_of_adhesion));
+            add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
+            table.rows.push_back(std::move(row));
+        }
     return table;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,7 @@ struct PairResult {
     std::optional<PredictedWork> modified;             ///< (7)
     std::optional<PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<PredictedWork> without_area_change;  ///< (2)
+    std::optional<Estimate> predicted_loss;            ///< (10) at W_int and the contact area [J]
     std::optional<adhesion::ApparentWork> general;     ///< (5)–(6), where the elastomer has a surface energy law
     std::optional<PredictionBudget> budget;            ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;
@@ -120,6 +122,8 @@ struct StudyResult {
     Outcome<FreeEnergyFit> free_energies;
     std::vector<CutoffPoint> cutoff_scan;
     std::vector<Alert> alerts;
+    /// Pairs, fits and predictions once more with the average over measurements, where likelihoods are used here.
+    std::shared_ptr<const StudyResult> by_average;
 
     [[nodiscard]] int failures() const;   ///< measurements, surfaces and experiments that failed
     [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not
