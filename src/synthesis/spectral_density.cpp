@@ -102,7 +102,7 @@ SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) 
         }
     }
     const Array1D q = nodes.head(used);
-    return tabulated_density(q, profile_from_isotropic(q, values.head(used), q));
+    return tabulated_density(q, profile_from_isotropic(q, values.head(used), q).max(0.0));
 }
 
 double moment(const SpectralDensity& density, double order, const Band& band) {

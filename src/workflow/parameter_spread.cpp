@@ -58,11 +58,13 @@ Estimate ParameterSpread::estimate(double value, const Function& f, double least
     }
     const auto between = jackknife_estimate(std::log(value - least), strata);
     std::vector<VarianceTerm> terms;
+    if (replicas_are_draws) terms.push_back({covariance(log_excess, log_excess)});
     if (between.degrees_of_freedom) terms.push_back({between.variance(), *between.degrees_of_freedom});
-    for (const auto& source : sources) terms.push_back({0.25 * std::pow(log_excess(source.plus) - log_excess(source.minus), 2)});
+    for (const auto& source : sources)
+        if (!replicas_are_draws) terms.push_back({0.25 * std::pow(log_excess(source.plus) - log_excess(source.minus), 2)});
     double variance = 0.0;
     for (const auto& term : terms) variance += term.variance;
-    result.method = sources.empty() ? "jackknife t on ln" : between.degrees_of_freedom ? "jackknife t on ln, delta" : "delta on ln";
+    result.method = replicas_are_draws ? "likelihood" : sources.empty() ? "jackknife t on ln" : between.degrees_of_freedom ? "jackknife t on ln, delta" : "delta on ln";
     if (!(variance > 0.0) || !std::isfinite(variance)) {
         result.method = replicas.size() > 1 ? "bootstrap" : "delta";
         return result;

@@ -24,6 +24,7 @@ struct ParameterSpread {
 
     std::vector<roughness::SpectralParameters> replicas;
     std::uint64_t seed = 0;  ///< of the replicas
+    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit: their scatter is the uncertainty itself
     std::vector<std::vector<roughness::SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
 
@@ -37,6 +38,7 @@ struct ParameterSpread {
     ///
     ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = jackknife variance of x + Σ ¼ (x₊ − x₋)² of the sources
     ///
+    /// Where the replicas are draws, s² is the variance of x between them and ν infinite (method "likelihood").
     /// least: what f exceeds, 0 but for area ratios, 1. The standard error is that of standard_error(); without values that
     /// exceed `least`, or without strata and sources, there is no interval of its own.
     /// Source: coverage measured in docs/uncertainty.md.
