@@ -82,9 +82,9 @@ enum class RadiusErrors {
 
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
 struct PointwiseModulus {
-    Estimate contact_modulus;   ///< slope [Pa]
-    Estimate youngs_modulus;    ///< [Pa]
-    Estimate contact_point;     ///< δ0 [m]
+    Estimate contact_modulus;         ///< slope [Pa]
+    Estimate youngs_modulus;          ///< [Pa]
+    Estimate contact_point;           ///< δ0 [m]
     Array1D pointwise;                ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
     double rms_residual = 0.0;        ///< of F/(2a) [N/m]
     double relative_residual = 0.0;

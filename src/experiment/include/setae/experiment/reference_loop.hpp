@@ -10,10 +10,10 @@ namespace setae::experiment {
 
 /// What a loop on a smooth surface says about the lens: with no roughness both branches should give the same W.
 struct ReferenceLoop {
-    Estimate work_of_adhesion_loading;     ///< [J/m²]
-    Estimate work_of_adhesion_retraction;  ///< (S2), else the unloading fit's [J/m²]
+    Estimate work_of_adhesion_loading;           ///< [J/m²]
+    Estimate work_of_adhesion_retraction;        ///< (S2), else the unloading fit's [J/m²]
     double difference_in_standard_errors = 0.0;  ///< |difference| over its standard error
-    Estimate excess_energy;                ///< loop loss [J]
+    Estimate excess_energy;                      ///< loop loss [J]
     double ideal_loss = 0.0;                     ///< the smooth sphere's own jumps [J]
     double beyond_ideal = 0.0;                   ///< excess energy minus ideal loss [J]
 };

@@ -8,9 +8,9 @@ namespace setae::experiment {
 /// Pull-off force and the work of adhesion it stands for.
 struct PullOff {
     Index index = 0;                               ///< sample of the smallest force
-    Estimate force;                          ///< [N], < 0; its error is the noise and the baseline's
-    Estimate work_of_adhesion;               ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
-    Estimate work_of_adhesion_fixed_grips;   ///< 6|F|/(5πR): in an infinitely stiff machine
+    Estimate force;                                ///< [N], < 0; its error is the noise and the baseline's
+    Estimate work_of_adhesion;                     ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
+    Estimate work_of_adhesion_fixed_grips;         ///< 6|F|/(5πR): in an infinitely stiff machine
     double machine_stiffness = 0.0;  ///< −ΔF/Δδ of the jump [N/m]; infinite for a vertical jump, NaN where unknown
 };
 

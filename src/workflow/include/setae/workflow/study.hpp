@@ -20,7 +20,7 @@ struct MeasurementInput {
     std::string file;                                ///< path, relative to the study file where not absolute
     std::optional<std::size_t> channel;              ///< default: the first channel of heights; of a container: every one
     std::string instrument;                          ///< type: "stylus", "afm", "tem", "optical"
-    std::optional<Estimate> tip_radius;        ///< [m]
+    std::optional<Estimate> tip_radius;              ///< [m]
     std::optional<double> resolution;                ///< [m]
     std::optional<topography::Trend> trend;          ///< default: what the container says, else by instrument
     std::vector<std::string> references;             ///< scans of a smooth standard: the instrument's artefact
@@ -85,7 +85,7 @@ struct PublishedPair {
 struct ReportedValue {
     std::string fit;       ///< "modified", "persson_tosatti", "loop"
     std::string quantity;  ///< "work_of_adhesion", "r_squared"
-    Estimate value;  ///< SI
+    Estimate value;        ///< SI
     std::string source;
 };
 

@@ -51,16 +51,16 @@ struct PredictionBudget {
 struct PairResult {
     std::string surface;
     std::string elastomer;
-    std::optional<Estimate> approach;    ///< W_app of loading [J/m²]
-    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
-    std::optional<Estimate> retraction;  ///< W by (S2) [J/m²]
-    std::optional<Estimate> loss;        ///< E_loss [J]
+    std::optional<Estimate> approach;          ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;          ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;        ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;              ///< E_loss [J]
     std::optional<double> contact_area;        ///< π a_max² at maximum preload [m²]
     std::optional<double> ideal_loss;          ///< of a smooth sphere with this W and E* [J]
     int experiments = 0;                       ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
-    Estimate stored_energy;              ///< U_el/A_app [J/m²]
+    Estimate stored_energy;                    ///< U_el/A_app [J/m²]
     std::optional<PredictedWork> modified;             ///< (7)
     std::optional<PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<PredictedWork> without_area_change;  ///< (2)
