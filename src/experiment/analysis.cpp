@@ -9,7 +9,9 @@
 #include "alerts.hpp"
 #include "attempt.hpp"
 #include "branch.hpp"
+#include "drift.hpp"
 #include "jump.hpp"
+#include "pinned_stretch.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
@@ -40,12 +42,14 @@ BranchAnalysis analyse_loading(const Loop& loop, const Segments& segments, const
 }
 
 Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                                          const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+                                          const std::optional<IndexRange>& pinned, const LensAndCounterBody& bodies,
+                                          const AnalysisOptions& options) {
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
-    const char* name = contact.pull_off ? "unloading, from the last press to the pull-off minimum"
-                                        : "unloading, from the last press to the last sample in contact";
-    return attempt(
-        [&] { return analyse_branch(loop, segments.before, range_selection(*contact.unloading, name), bodies, options); });
+    IndexRange range = *contact.unloading;
+    if (pinned) range.first = pinned->last + 1;
+    const std::string name = fmt::format("unloading, from {} to the {}", pinned ? "where the contact edge lets go" : "the last press",
+                                         contact.pull_off ? "pull-off minimum" : "last sample in contact");
+    return attempt([&] { return analyse_branch(loop, segments.before, range_selection(range, name), bodies, options); });
 }
 
 /// −ΔF/Δδ of the largest step of the jump.
@@ -74,24 +78,50 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
     return result;
 }
 
+/// The last samples before pull-off in which the contact is seen: between camera frames there is no radius.
+Selection last_points(const Loop& loop, const IndexRange& unloading, Index count) {
+    Selection selection{.name = "last points before pull-off"};
+    const bool measured = loop.contact_radius.size() > 0;
+    for (Index i = unloading.last; i >= unloading.first && static_cast<Index>(selection.samples.size()) < count; --i)
+        if (!measured || loop.contact_radius[i] > 0.0) selection.samples.push_back(i);
+    std::reverse(selection.samples.begin(), selection.samples.end());
+    return selection;
+}
+
 Outcome<RetractionFit> analyse_retraction(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
                                           const AnalysisOptions& options) {
     const ContactSegments& contact = analysis.segments.contacts.front();
     if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
-    IndexRange range = *contact.unloading;
-    range.first = std::max(range.first, range.last - options.retraction_points + 1);
     return attempt([&] {
-        const BranchData points =
-            branch_data(loop, analysis.segments.before, range_selection(range, "last points before pull-off"), options);
+        const Selection selection = last_points(loop, *contact.unloading, options.retraction_points);
+        const BranchData points = branch_data(loop, analysis.segments.before, selection, options);
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
         const bool known = analysis.unloading && analysis.unloading->force_displacement;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
         RetractionFit fit = fit_retraction(points, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
                                            options.retraction_modulus_free);
-        fit.first = range.first;
-        fit.last = range.last;
+        fit.first = selection.samples.front();
+        fit.last = selection.samples.back();
         return fit;
     });
+}
+
+/// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
+/// differ from the fit. The largest of noisy frames would be too large.
+double radius_at_largest_force(const Loop& loop, const LoopAnalysis& analysis, const contact::jkr::Contact& lens) {
+    constexpr Index frames = 5;
+    const IndexRange& loading = analysis.segments.contacts.front().loading;
+    const double zero = analysis.segments.before.force;
+    const double fitted = contact::jkr::contact_radius_at_force(loop.force[loading.last] - zero, lens);
+    if (loop.contact_radius.size() == 0) return fitted;
+    double difference = 0.0;
+    Index n = 0;
+    for (Index i = loading.last; i >= loading.first && n < frames; --i) {
+        if (!(loop.contact_radius[i] > 0.0)) continue;
+        difference += loop.contact_radius[i] - contact::jkr::contact_radius_at_force(loop.force[i] - zero, lens);
+        ++n;
+    }
+    return n > 0 && std::isfinite(difference) ? fitted + difference / static_cast<double>(n) : fitted;
 }
 
 LoopContext find_context(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
@@ -100,12 +130,8 @@ LoopContext find_context(const Loop& loop, const LoopAnalysis& analysis, const L
     const contact::jkr::Contact lens{.radius = bodies.radius,
                                      .contact_modulus = fit.contact_modulus.value,
                                      .work_of_adhesion = std::max(fit.work_of_adhesion.value, 0.0)};
-    const IndexRange& extent = analysis.segments.contacts.front().extent;
     LoopContext context{.radius_measured = loop.contact_radius.size() > 0};
-    context.largest_contact_radius =
-        context.radius_measured
-            ? loop.contact_radius.segment(extent.first, extent.count()).maxCoeff<Eigen::PropagateNumbers>()
-            : contact::jkr::contact_radius_at_force(analysis.loading.range.force_last, lens);
+    context.largest_contact_radius = radius_at_largest_force(loop, analysis, lens);
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
@@ -142,7 +168,6 @@ CycleAnalysis analyse_cycle(const Loop& loop, const LoopAnalysis& analysis, Inde
                             const AnalysisOptions& options) {
     CycleAnalysis result{.cycle = analysis.segments.cycles[static_cast<std::size_t>(index)]};
     const ContactSegments& contact = analysis.segments.contacts[static_cast<std::size_t>(result.cycle.contact)];
-    result.energy = cycle_energy(loop, analysis, index);
     if (analysis.segments.cycles.size() == 1) {
         result.loading = analysis.loading;
         result.unloading = analysis.unloading;
@@ -174,17 +199,21 @@ CycleAnalysis analyse_cycle(const Loop& loop, const LoopAnalysis& analysis, Inde
 
 LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
                      const std::string& subject) {
-    const Loop loop = without_compliance(recorded, options.machine_stiffness);
-    LoopAnalysis analysis{.segments = find_segments(loop, options.segments)};
+    const Loop corrected = without_compliance(recorded, options.machine_stiffness);
+    LoopAnalysis analysis{.segments = find_segments(corrected, options.segments)};
     const ContactSegments& contact = analysis.segments.contacts.front();
+    const Loop loop = options.force_drift ? without_force_drift(corrected, analysis.segments) : corrected;
     analysis.loading = analyse_loading(loop, analysis.segments, contact, bodies, options);
-    analysis.unloading = analyse_unloading(loop, analysis.segments, contact, bodies, options);
+    analysis.context = find_context(loop, analysis, bodies, options);
+    if (options.leave_pinned_out) analysis.pinned = pinned_stretch(loop, analysis, bodies, options);
+    analysis.unloading = analyse_unloading(loop, analysis.segments, contact, analysis.pinned, bodies, options);
     analysis.pull_off = find_pull_off(loop, analysis.segments, contact, bodies.radius);
     analysis.retraction = analyse_retraction(loop, analysis, bodies, options);
-    analysis.loop = attempt([&] { return loop_energy(loop, analysis.segments); });
-    analysis.context = find_context(loop, analysis, bodies, options);
-    for (Index i = 0; i < static_cast<Index>(analysis.segments.cycles.size()); ++i)
+    analysis.loop = attempt([&] { return loop_energy(corrected, analysis.segments); });
+    for (Index i = 0; i < static_cast<Index>(analysis.segments.cycles.size()); ++i) {
         analysis.cycles.push_back(analyse_cycle(loop, analysis, i, bodies, options));
+        analysis.cycles.back().energy = cycle_energy(corrected, analysis, i);
+    }
     analysis.alerts = alerts_of(analysis, loop, bodies, options.limits, subject);
     return analysis;
 }

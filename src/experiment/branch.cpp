@@ -8,6 +8,7 @@
 
 #include "attempt.hpp"
 #include "baseline.hpp"
+#include "fit_support.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::experiment {
@@ -26,6 +27,17 @@ std::vector<Index> in_contact(const Loop& loop, const std::vector<Index>& sample
     for (const Index i : samples)
         if (loop.contact_radius[i] > 0.0) kept.push_back(i);
     return kept;
+}
+
+/// A fit with what the zero of force leaves open in its covariance, or why there is none.
+template <class Fit>
+Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies, const Fit& fit) {
+    Outcome<JkrFit> result = attempt([&] { return fit(data); });
+    if (!result || !(data.force_zero_standard_error > 0.0)) return result;
+    BranchData higher = data;
+    higher.force += data.force_zero_standard_error;
+    if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); })) add_force_zero_error(*result.value, *shifted, bodies);
+    return result;
 }
 
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
@@ -64,14 +76,16 @@ BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selecti
                     .contact_radius = picked(loop.contact_radius, samples),
                     .force_noise = baseline.force_noise,
                     .displacement_noise = baseline.displacement_noise,
-                    .force_displacement_covariance = baseline.force_displacement_covariance};
+                    .force_displacement_covariance = baseline.force_displacement_covariance,
+                    .force_zero_standard_error = baseline.force_standard_error};
     data.contact_radius_noise =
         options.contact_radius_noise ? *options.contact_radius_noise : white_noise(data.contact_radius);
     return data;
 }
 
 JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    if (data.contact_radius.size() == 0) return fit_force_displacement(data, bodies);
+    const auto depth = options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only;
+    if (data.contact_radius.size() == 0) return fit_force_displacement(data, bodies, depth);
     const bool both = options.effective_variance && can_weigh_both(data);
     return fit_radius_force(data, bodies, both ? RadiusErrors::effective_variance : RadiusErrors::radius_only);
 }
@@ -85,12 +99,18 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                               const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const BranchData data = branch_data(loop, baseline, selection, options);
     BranchAnalysis branch{.effective_variance_first = options.effective_variance};
-    branch.radius_force = attempt([&] { return fit_radius_force(data, bodies); });
+    const auto radius_fit = [&](RadiusErrors errors) {
+        return fitted(data, bodies, [&](const BranchData& samples) { return fit_radius_force(samples, bodies, errors); });
+    };
+    branch.radius_force = radius_fit(RadiusErrors::radius_only);
     branch.radius_force_effective_variance =
-        can_weigh_both(data) ? attempt([&] { return fit_radius_force(data, bodies, RadiusErrors::effective_variance); })
+        can_weigh_both(data) ? radius_fit(RadiusErrors::effective_variance)
                              : Outcome<JkrFit>::missing("the noise of force or contact radius is not known");
-    branch.linear_form = attempt([&] { return fit_linear_form(data, bodies); });
-    branch.force_displacement = attempt([&] { return fit_force_displacement(data, bodies); });
+    branch.linear_form =
+        fitted(data, bodies, [&](const BranchData& samples) { return fit_linear_form(samples, bodies); });
+    const auto depth = options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only;
+    branch.force_displacement =
+        fitted(data, bodies, [&](const BranchData& samples) { return fit_force_displacement(samples, bodies, depth); });
     branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });
     if (!branch.radius_force && !branch.force_displacement)
         throw UndefinedDataError(

@@ -69,6 +69,20 @@ void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCo
     fit.relative_residual = fit.rms_residual / fitted_range;
 }
 
+void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCounterBody& bodies) {
+    Eigen::VectorXd change(fit.covariance.rows());
+    change[0] = shifted.contact_modulus.value - fit.contact_modulus.value;
+    change[1] = shifted.work_of_adhesion.value - fit.work_of_adhesion.value;
+    if (change.size() > 2) change[2] = shifted.contact_point.value - fit.contact_point.value;
+    if (!change.allFinite() || !shifted.converged) return;
+    fit.covariance += change * change.transpose();
+    fit.contact_modulus.standard_error = std::hypot(fit.contact_modulus.standard_error, change[0]);
+    fit.work_of_adhesion.standard_error = std::hypot(fit.work_of_adhesion.standard_error, change[1]);
+    if (change.size() > 2) fit.contact_point.standard_error = std::hypot(fit.contact_point.standard_error, change[2]);
+    fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
+    fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
+}
+
 double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters) {
     const Index freedom = residuals.size() - parameters;
     if (freedom <= 0 || !(variances.minCoeff() > 0.0)) return undefined;

@@ -28,6 +28,10 @@ void require_modulus(double contact_modulus);
 /// Fills E, correlations, rms and relative residual from the solution, covariance, residuals and E*, W.
 void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCounterBody& bodies, double fitted_range);
 
+/// Adds to the covariance of a fit what the zero of force leaves open: the square of the change to `shifted`, the same fit
+/// of the same data with all forces one standard error of their zero higher. An unusable shifted fit changes nothing.
+void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCounterBody& bodies);
+
 /// Σ r²/variance over n − p; undefined where a variance is not > 0.
 [[nodiscard]] double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters);
 

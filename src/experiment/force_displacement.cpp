@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,7 @@ namespace {
 struct DepthProblem {
     Array1D force;
     Array1D depth;
+    Array1D weight;  ///< of each residual
 
     /// The best of many shapes, c and δ0 by linear regression.
     [[nodiscard]] Eigen::VectorXd start() const {
@@ -38,27 +40,30 @@ struct DepthProblem {
         return best;
     }
 
-    [[nodiscard]] LeastSquaresSolution solve() const {
+    [[nodiscard]] LeastSquaresSolution solve(const Eigen::VectorXd& from) const {
         const ResidualFunction function{
             .residuals = force.size(),
             .parameters = 3,
             .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
                 for (Index i = 0; i < force.size(); ++i) {
                     const reduced::Point point = reduced::depth(force[i], at[1]);
-                    residuals[i] = depth[i] - at[0] * point.value - at[2];
-                    if (jacobian) jacobian->row(i) << -point.value, -at[0] * point.by_shape, -1.0;
+                    residuals[i] = weight[i] * (depth[i] - at[0] * point.value - at[2]);
+                    if (jacobian) jacobian->row(i) << -weight[i] * point.value, -weight[i] * at[0] * point.by_shape, -weight[i];
                 }
             }};
-        return minimise(function, start());
+        return minimise(function, from);
     }
 };
 
-/// Variance of δ − δ(F) [m²] from the noise of both channels and its covariance.
+/// Variance of δ − δ(F) [m²] from the noise of both channels and its covariance. At and beyond the pull-off, where δ(F) is
+/// vertical, the slope is that one standard deviation of force above it.
 Array1D depth_variances(const BranchData& data, const DepthProblem& problem, const Eigen::VectorXd& at, double force_unit,
                         double depth_unit) {
     Array1D variances(data.force.size());
+    const double weakest = -at[1] * at[1] + data.force_noise / force_unit;
     for (Index i = 0; i < variances.size(); ++i) {
-        const double slope = at[0] * reduced::depth(problem.force[i], at[1]).by_force * depth_unit / force_unit;
+        const double force = std::max(problem.force[i], weakest);
+        const double slope = at[0] * reduced::depth(force, at[1]).by_force * depth_unit / force_unit;
         variances[i] = data.displacement_noise * data.displacement_noise +
                        slope * slope * data.force_noise * data.force_noise -
                        2.0 * slope * data.force_displacement_covariance;
@@ -66,17 +71,35 @@ Array1D depth_variances(const BranchData& data, const DepthProblem& problem, con
     return variances;
 }
 
+/// From the solution of ordinary least squares, rounds with each residual weighed by its own variance: near pull-off δ(F)
+/// is steep, and noise of force moves the depth most.
+LeastSquaresSolution solve_weighted(DepthProblem& problem, const BranchData& data, double force_unit, double depth_unit,
+                                    LeastSquaresSolution solution) {
+    constexpr int rounds = 3;  // the weights follow parameters that move within their errors
+    for (int round = 0; round < rounds && solution.converged; ++round) {
+        const Array1D variances = depth_variances(data, problem, solution.parameters, force_unit, depth_unit);
+        if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
+        problem.weight = (variances.mean() / variances).sqrt();
+        solution = problem.solve(solution.parameters);
+    }
+    solution.residuals.array() /= problem.weight;
+    return solution;
+}
+
 }  // namespace
 
-JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies) {
+JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
     require_data(data, bodies, {.displacement = true, .fewest = 4});
     const double force_unit = force_scale(data);
     const double origin = data.displacement[0];
     const double depth_unit = data.displacement.maxCoeff() - data.displacement.minCoeff();
     if (!(depth_unit > 0.0))
         throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
-    const DepthProblem problem{.force = data.force / force_unit, .depth = (data.displacement - origin) / depth_unit};
-    const LeastSquaresSolution solution = problem.solve();
+    DepthProblem problem{.force = data.force / force_unit,
+                         .depth = (data.displacement - origin) / depth_unit,
+                         .weight = Array1D::Ones(data.force.size())};
+    LeastSquaresSolution solution = problem.solve(problem.start());
+    if (errors == DepthErrors::effective_variance) solution = solve_weighted(problem, data, force_unit, depth_unit, solution);
     const double scale = solution.parameters[0];
 
     const double length = std::sqrt(scale * depth_unit * bodies.radius);

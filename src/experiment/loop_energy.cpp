@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "drift.hpp"
 #include "jump.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -23,20 +24,6 @@ double work(const Array1D& force, const Array1D& displacement, const IndexRange&
         i = next;
     }
     return sum;
-}
-
-double middle(const IndexRange& range) { return 0.5 * static_cast<double>(range.first + range.last); }
-
-/// Where each sample lies between the two baselines: 0 at the first, 1 at the second, by time where it is known.
-Array1D share_of_drift(const Loop& loop, const IndexRange& before, const IndexRange& after) {
-    Array1D clock = Array1D::LinSpaced(loop.force.size(), 0.0, static_cast<double>(loop.force.size() - 1));
-    double start = middle(before), end = middle(after);
-    if (loop.time.size() > 0 && loop.time.allFinite() && loop.time[after.last] > loop.time[before.first]) {
-        start = 0.5 * (loop.time[before.first] + loop.time[before.last]);
-        end = 0.5 * (loop.time[after.first] + loop.time[after.last]);
-        clock = loop.time;
-    }
-    return (clock - start) / (end - start);
 }
 
 /// Error of the sums from independent noise of each sample.

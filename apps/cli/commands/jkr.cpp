@@ -28,7 +28,7 @@ struct Arguments {
     std::string map, radius, lens_height, layer_thickness, counter_modulus, machine_stiffness;
     double poisson_ratio = 0.5, counter_poisson_ratio = 0.0;
     long samples_dropped = 3;
-    bool effective_variance = false, modulus_free = false;
+    bool unweighted = false, modulus_free = false, no_drift = false, whole_retraction = false;
 };
 
 experiment::LensAndCounterBody bodies_of(const Arguments& a) {
@@ -46,7 +46,9 @@ experiment::LensAndCounterBody bodies_of(const Arguments& a) {
 experiment::AnalysisOptions options_of(const Arguments& a) {
     experiment::AnalysisOptions options;
     options.samples_dropped = a.samples_dropped;
-    options.effective_variance = a.effective_variance;
+    options.effective_variance = !a.unweighted;
+    options.force_drift = !a.no_drift;
+    options.leave_pinned_out = !a.whole_retraction;
     options.retraction_modulus_free = a.modulus_free;
     if (!a.machine_stiffness.empty()) options.machine_stiffness = parse_quantity(a.machine_stiffness, dimension::stiffness);
     return options;
@@ -124,7 +126,9 @@ void add_jkr(CLI::App& program, Action& action) {
     verb->add_option("--layer-thickness", arguments->layer_thickness, "thickness of the soft layer on a rigid base");
     verb->add_option("--machine-stiffness", arguments->machine_stiffness, "where displacement is the stage's, such as \"30 N/m\"");
     verb->add_option("--samples-dropped", arguments->samples_dropped, "samples left out after the jump into contact")->check(CLI::Range(0L, 1000000L));
-    verb->add_flag("--effective-variance", arguments->effective_variance, "Eq. (1) with errors in force and radius");
+    verb->add_flag("--unweighted", arguments->unweighted, "ordinary least squares in radius or depth, errors of force left out");
+    verb->add_flag("--no-drift", arguments->no_drift, "one zero of force, from free flight before contact");
+    verb->add_flag("--whole-retraction", arguments->whole_retraction, "fit the retraction from the largest force, its pinned stretch included");
     verb->add_flag("--retraction-modulus-free", arguments->modulus_free, "fit E* in (S2) too");
     on_named(*verb, action, arguments, explanation, run);
 }

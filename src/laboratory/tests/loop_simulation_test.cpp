@@ -86,12 +86,12 @@ TEST(LoopTruth, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState)
 
 TEST(SimulatedLoop, EnclosesTheEnergyOfItsBalance) {
     for (const double stiffness : {30.0, 300.0, std::numeric_limits<double>::infinity()}) {
-        const LoadingProtocol protocol{.force_rate = 500.0, .camera_rate = 1.0, .machine_stiffness = stiffness};
+        const LoadingProtocol protocol{.force_rate = 100.0, .camera_rate = 1.0, .machine_stiffness = stiffness};
         const SimulatedLoop simulated = simulated_loop(rough, protocol);
-        // what the two steps in which the jumps fall leave open: a force of order πRW times the step, 0.12 nm
+        // what the two steps in which the jumps fall leave open: a force of order πRW times the step, 0.6 nm
         const double jumps = 4.0 * pi * rough.radius * rough.work_retraction * protocol.approach_speed / protocol.force_rate;
         EXPECT_NEAR(loop_area(simulated.loop), simulated.truth.energy_loss(), jumps) << stiffness;
-        EXPECT_LT(jumps, 1e-4 * simulated.truth.energy_loss());
+        EXPECT_LT(jumps, 5e-4 * simulated.truth.energy_loss());
     }
 }
 

@@ -32,7 +32,9 @@ struct AnalysisOptions {
     SegmentOptions segments;
     Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
-    bool effective_variance = false;               ///< Eq. (1) allows for the errors of force too
+    bool effective_variance = true;                ///< fits allow for the errors of force too, where they are known
+    bool force_drift = true;                       ///< the zero of force runs from the first baseline to the second
+    bool leave_pinned_out = true;                  ///< the unloading fits begin where the contact edge lets go
     std::optional<double> contact_radius_noise;    ///< σ_a [m]; else from the radii's second differences
     std::optional<double> machine_stiffness;       ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
     Index retraction_points = 6;                   ///< of (S2)
@@ -74,8 +76,8 @@ struct BranchAnalysis {
 
 /// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
 struct LoopContext {
-    double largest_contact_radius = 0.0;     ///< [m]
-    bool radius_measured = false;            ///< else from the loading fit at the largest force
+    double largest_contact_radius = 0.0;     ///< [m]: loading fit at the largest force, moved to the last five frames
+    bool radius_measured = false;            ///< else from the fit alone
     double largest_contact_area = 0.0;       ///< π a_max² [m²]
     double ideal_smooth_sphere_loss = 0.0;   ///< of the jumps under fixed grips, with E* and W of loading [J]
     double tabor_parameter = 0.0;            ///< with W and E* of loading
@@ -94,7 +96,8 @@ struct CycleAnalysis {
 struct LoopAnalysis {
     Segments segments;
     BranchAnalysis loading;  ///< of the first contact, partial releases left out
-    Outcome<BranchAnalysis> unloading;
+    std::optional<IndexRange> pinned;   ///< after the last press, while the contact radius stays at its largest
+    Outcome<BranchAnalysis> unloading;  ///< behind the pinned stretch where that is left out
     Outcome<PullOff> pull_off;
     Outcome<RetractionFit> retraction;
     Outcome<LoopEnergy> loop;

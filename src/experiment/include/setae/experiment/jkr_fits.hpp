@@ -17,6 +17,7 @@ struct BranchData {
     double displacement_noise = 0.0;
     double force_displacement_covariance = 0.0;
     double contact_radius_noise = 0.0;
+    double force_zero_standard_error = 0.0;  ///< of the zero all forces are counted from [N]
 };
 
 /// Least-squares estimate of E* and W by one of several routes.
@@ -70,6 +71,12 @@ enum class RadiusErrors {
 /// @throws as fit_radius_force.
 [[nodiscard]] JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies);
 
+/// Which errors the fit of δ(F) allows for.
+enum class DepthErrors {
+    depth_only,          ///< ordinary least squares in δ
+    effective_variance,  ///< each residual weighed by σ_δ² + (dδ/dF)² σ_F², where the noise is known
+};
+
 /// Displacement against force, nonlinear least squares in depth; unknown E*, W and the contact point.
 ///
 ///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by (1)
@@ -78,7 +85,8 @@ enum class RadiusErrors {
 /// linear.
 /// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that falls as the force
 /// rises; InvalidArgument for R <= 0.
-[[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies);
+[[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies,
+                                            DepthErrors errors = DepthErrors::effective_variance);
 
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
 struct PointwiseModulus {

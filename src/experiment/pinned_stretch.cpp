@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pinned_stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "baseline.hpp"
+#include "branch.hpp"
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::experiment {
+namespace {
+
+/// Contact radii of the samples in which they are known.
+struct Radii {
+    std::vector<Index> samples;
+    Array1D values;  ///< [m]
+    double noise = 0.0;
+};
+
+Radii measured_radii(const Loop& loop, const IndexRange& range, const AnalysisOptions& options) {
+    Radii radii;
+    for (Index i = range.first; i <= range.last; ++i)
+        if (loop.contact_radius[i] > 0.0) radii.samples.push_back(i);
+    radii.values.resize(static_cast<Index>(radii.samples.size()));
+    for (Index k = 0; k < radii.values.size(); ++k)
+        radii.values[k] = loop.contact_radius[radii.samples[static_cast<std::size_t>(k)]];
+    radii.noise = options.contact_radius_noise ? *options.contact_radius_noise : white_noise(radii.values);
+    return radii;
+}
+
+Radii implied_radii(const Loop& loop, const LoopAnalysis& analysis, const IndexRange& range, double sphere_radius) {
+    Radii radii;
+    const JkrFit& fit = *analysis.loading.force_displacement;
+    const contact::SphereOnFlat bodies{sphere_radius, fit.contact_modulus.value};
+    radii.values.resize(range.count());
+    for (Index k = 0; k < range.count(); ++k) {
+        const Index i = range.first + k;
+        radii.samples.push_back(i);
+        radii.values[k] = contact::jkr::contact_radius_at(loop.force[i] - analysis.segments.before.force,
+                                                          loop.displacement[i] - fit.contact_point.value, bodies);
+    }
+    radii.noise = white_noise(radii.values);
+    return radii;
+}
+
+}  // namespace
+
+std::optional<IndexRange> pinned_stretch(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
+                                         const AnalysisOptions& options) {
+    const ContactSegments& contact = analysis.segments.contacts.front();
+    if (!contact.unloading) return std::nullopt;
+    const IndexRange& unloading = *contact.unloading;
+    const bool measured = loop.contact_radius.size() > 0;
+    if (!measured && !analysis.loading.force_displacement) return std::nullopt;
+    const Radii radii = measured ? measured_radii(loop, unloading, options)
+                                 : implied_radii(loop, analysis, unloading, bodies.radius);
+    constexpr double deviations = 4.0, rounding = 1e-6;
+    constexpr Index fewest_left = 10, fewest_pinned = 2;
+    const double largest = analysis.context.largest_contact_radius;
+    // the largest radius belongs to a noisy force: a ∝ F^(1/3)
+    const double by_force = largest * analysis.segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
+    const double noise = std::hypot(radii.noise, by_force);
+    const double least = largest - std::max(deviations * noise, rounding * largest);
+    Index pinned = radii.values.size();
+    while (pinned > 0 && !(radii.values[pinned - 1] >= least)) --pinned;
+    if (pinned < fewest_pinned || radii.values.size() - pinned < fewest_left) return std::nullopt;
+    return IndexRange{.first = unloading.first, .last = radii.samples[static_cast<std::size_t>(pinned) - 1]};
+}
+
+}  // namespace setae::experiment

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "setae/core/estimate.hpp"
+#include "setae/experiment/analysis.hpp"
+#include "setae/laboratory/loop_simulation.hpp"
+
+/// What the analysis of a contact experiment finds in loops whose every property is known.
+namespace setae::laboratory {
+namespace {
+
+constexpr LoopSpecimen rough{
+    .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.075};
+constexpr LoopArtefacts noise{.force_noise = 1e-7, .displacement_noise = 5e-10, .radius_noise = 1e-7};
+
+experiment::LoopAnalysis analysed(const experiment::Loop& loop, const LoopSpecimen& specimen) {
+    return experiment::analyse(
+        loop, {.radius = specimen.radius, .counter_youngs_modulus = std::numeric_limits<double>::infinity()});
+}
+
+bool has_alert(const experiment::LoopAnalysis& analysis, const std::string& code) {
+    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+}
+
+TEST(LoopRecovery, FindsWhatWasPlantedWithoutNoise) {
+    for (const double stiffness : {300.0, std::numeric_limits<double>::infinity()}) {
+        const SimulatedLoop made = simulated_loop(rough, {.hold_time = 5.0, .machine_stiffness = stiffness});
+        const experiment::LoopAnalysis analysis = analysed(made.loop, rough);
+        EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / rough.work_approach, 1.0, 1e-8);
+        EXPECT_NEAR(analysis.loading.primary().contact_modulus.value / rough.contact_modulus, 1.0, 1e-8);
+        EXPECT_NEAR(analysis.unloading->primary().work_of_adhesion.value / rough.work_retraction, 1.0, 1e-6);
+        EXPECT_NEAR(analysis.unloading->primary().contact_modulus.value / rough.contact_modulus, 1.0, 1e-6);
+        EXPECT_NEAR(analysis.retraction->work_of_adhesion.value / rough.work_retraction, 1.0, 1e-6);
+        // the smallest sample lies within a step of the fold, or of the instability of the spring
+        EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / rough.work_retraction, 1.0, 3e-4);
+        EXPECT_NEAR(analysis.context.largest_contact_radius / made.truth.turning_point.contact_radius, 1.0, 1e-4);
+        // each jump falls somewhere within a step: half a step of 6 nm times a force of 4/3 and 5/6 πRW
+        EXPECT_NEAR(analysis.loop->energy / made.truth.energy_loss(), 1.0, 1e-3);
+        EXPECT_FALSE(has_alert(analysis, "POOR_FIT"));
+    }
+}
+
+TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
+    const SimulatedLoop made = simulated_loop(rough, {});
+    const experiment::LoopAnalysis analysis = analysed(made.loop, rough);
+    ASSERT_TRUE(analysis.pinned);
+    EXPECT_NEAR(made.loop.force[analysis.pinned->first], made.truth.turning_point.force, 1e-5);
+    // frames come every tenth sample
+    constexpr double force_between_frames = 1.6e-5;
+    EXPECT_NEAR(made.loop.force[analysis.pinned->last], made.truth.unpinned.force, force_between_frames);
+}
+
+TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
+    LoopSpecimen smooth = rough;
+    smooth.work_retraction = smooth.work_approach;
+    const experiment::LoopAnalysis analysis = analysed(simulated_loop(smooth, {}).loop, smooth);
+    EXPECT_FALSE(analysis.pinned);
+    EXPECT_NEAR(analysis.unloading->primary().work_of_adhesion.value / smooth.work_approach, 1.0, 1e-6);
+    EXPECT_NEAR(analysis.loop->energy / analysis.context.ideal_smooth_sphere_loss, 1.0, 3e-3);
+}
+
+/// How often an interval holds the truth, and how far off the values are in their own standard errors.
+struct Coverage {
+    int loops = 0;
+    int held = 0;
+    double deviation = 0.0;
+
+    void add(const Estimate& estimate, double truth) {
+        const Interval interval = *interval_of(estimate);
+        ++loops;
+        held += interval.lower <= truth && truth <= interval.upper ? 1 : 0;
+        deviation += (estimate.value - truth) / estimate.standard_error;
+    }
+};
+
+TEST(LoopRecovery, CoversThePlantedValuesWithNoiseAndDrift) {
+    constexpr int loops = 40;
+    std::map<std::string, Coverage> found;
+    LoopArtefacts artefacts = noise;
+    artefacts.force_drift_rate = 2e-9;
+    artefacts.baseline_offset = 2e-5;
+    for (std::uint64_t seed = 1; seed <= loops; ++seed) {
+        artefacts.key = {.seed = seed};
+        // where within a sample the jumps fall is another chance
+        const LoadingProtocol protocol{.start_gap = 2e-6 + 6e-9 * synthesis::uniform_number({.seed = seed, .stream = 1}, 0)};
+        const SimulatedLoop made = simulated_loop(rough, protocol, artefacts);
+        const experiment::LoopAnalysis analysis = analysed(made.loop, rough);
+        EXPECT_FALSE(has_alert(analysis, "POOR_FIT")) << seed;
+        const auto add_branch = [&](const std::string& name, const experiment::BranchAnalysis& branch, double work) {
+            for (const auto* fit : {&branch.radius_force_effective_variance, &branch.force_displacement}) {
+                found[name + " W, " + (*fit)->method].add((*fit)->work_of_adhesion, work);
+                found[name + " E*, " + (*fit)->method].add((*fit)->contact_modulus, rough.contact_modulus);
+            }
+        };
+        add_branch("loading", analysis.loading, rough.work_approach);
+        add_branch("unloading", *analysis.unloading, rough.work_retraction);
+        found["retraction W"].add(analysis.retraction->work_of_adhesion, rough.work_retraction);
+        found["loss"].add(analysis.loop->estimate(), made.truth.energy_loss());
+        // five frames: σ_a/√5; the worst of forty lies within four standard errors
+        EXPECT_NEAR(analysis.context.largest_contact_radius, made.truth.turning_point.contact_radius,
+                    4.0 * noise.radius_noise / std::sqrt(5.0));
+    }
+    for (const auto& [name, coverage] : found) {
+        // 95 % of 40 loops is 38 ± 1.4: fewer than 33 has a probability of 7e-4
+        EXPECT_GE(coverage.held, 33) << name;
+        EXPECT_LT(std::abs(coverage.deviation) / loops, 4.0 / std::sqrt(loops)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace setae::laboratory
