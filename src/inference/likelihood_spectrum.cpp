@@ -4,21 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include <Eigen/Cholesky>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
 #include "independent_lines.hpp"
+#include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
-#include "setae/inference/scan_kernel.hpp"
-#include "setae/inference/tip_response.hpp"
-#include "setae/inference/whittle_fit.hpp"
-#include "setae/spectra/reliability.hpp"
 #include "setae/synthesis/abel.hpp"
 #include "setae/synthesis/random_numbers.hpp"
 
@@ -28,124 +23,13 @@ namespace {
 /// Neighbouring modes of a Hann window share their data: Σ |ρ|² = 1 + 2 (4/9 + 1/36).
 constexpr double share_of_independent_modes = 0.5142857142857142;
 
-/// A class with what its measurements were.
-struct Group {
-    PeriodogramClass data;
-    double tip_radius = 0.0;
-    double tip_radius_error = 0.0;
-    double pixel_size = 0.0;
-    Index lines = 1;
-    double pitch = 0.0;
-    int measurements = 0;
-    double band_end = 0.0;
-    Array1D mode_counts;
-    SampledResponse tip;
-};
-
-struct Range {
-    double shortest = 0.0;  ///< q_s
-    double lowest = 0.0;    ///< of the spline
-};
-
-int trend_degree(topography::Trend trend) { return trend == topography::Trend::parabola ? 2 : 1; }
-
-topography::HeightMap as_map(const topography::LineScan& scan) {
-    topography::HeightMap map{Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, scan.pixel_size()}, false, scan.metadata};
-    return map;
-}
-
-double length_of(const topography::Measurement& measurement) {
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->size[0];
-    if (const auto* scan = std::get_if<topography::LineScan>(&measurement)) return scan->size;
-    return std::get<topography::Profile>(measurement).size();
-}
-
-Range range_of(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
-    if (observed.empty()) throw InvalidArgument("no measurement to fit a spectrum to");
-    if (!(options.shortest_wavelength > 0.0)) throw InvalidArgument(fmt::format("shortest wavelength {} m; expected > 0", options.shortest_wavelength));
-    Range range{2.0 * pi / options.shortest_wavelength, 0.0};
-    double longest = 0.0;
-    for (const auto& o : observed) longest = std::max(longest, length_of(o.measurement));
-    range.lowest = 0.6 * 2.0 * pi / longest;
-    return range;
-}
-
-/// Nodes and response of an equidistant class, the flat part and the end at q_s folded into the outer columns.
-void add_response(Group& group, const ScanShape& shape, const Range& range, double length, parallel::Threads threads) {
-    const double step = group.pixel_size;
-    const auto first = static_cast<Index>(std::floor(std::log(0.03 * 2.0 * pi / length * step) / node_spacing));
-    const double end = std::log(range.shortest * step) / node_spacing;
-    const auto last = static_cast<Index>(std::floor(end + 1e-9));
-    if (last <= first + 1) throw InvalidArgument(fmt::format("pixels of {} m below the surface's shortest wavelength", step));
-    auto kernel = scan_kernel(shape, first, last + 1, threads);
-    // between the last node and q_s C goes on, beyond it there is nothing: the hat of the node behind takes what is missing
-    const double rest = end - static_cast<double>(last) - 0.5;
-    const Index count = last - first + 1;
-    kernel.response.col(count - 1) += rest * std::exp(-2.0 * node_spacing) * kernel.response.col(count);
-    kernel.response.col(0) += kernel.flat_response;
-    group.data.nodes = (Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
-    group.data.response = kernel.response.leftCols(count) / step;
-    group.data.noise_response = kernel.noise_response * step;
-}
-
-std::string class_name(const topography::Metadata& metadata, Index points, double size) {
-    return fmt::format("{} of {} points over {:.4g} um", metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
-}
-
-void add_uniform(std::vector<Group>& groups, const topography::HeightMap& map, const ObservedSurface& observed, const Range& range,
-                 const LikelihoodOptions& options) {
-    const ScanShape shape{map.heights.rows(), trend_degree(observed.trend)};
-    const auto& instrument = map.metadata.instrument;
-    const double step = map.pixel_size()[0];
-    const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
-    double band_end = pi / step * (1.0 + 1e-9);
-    if (options.tip_band) band_end = std::min(band_end, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
-    const std::string name = class_name(map.metadata, map.heights.rows(), map.size[0]);
-    auto place = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-        return g.data.name == name && g.data.instrument == instrument.type && g.lines == map.heights.cols() && g.tip_radius == instrument.tip_radius.value_or(0.0) &&
-               std::abs(g.pixel_size / step - 1.0) < 1e-6 && g.data.periodogram.size() == periodogram.size();
-    });
-    if (place == groups.end()) {
-        Group group;
-        group.data.instrument = instrument.type;
-        group.data.name = name;
-        group.tip_radius = instrument.tip_radius.value_or(0.0);
-        group.tip_radius_error = instrument.tip_radius_standard_error.value_or(0.0);
-        group.pixel_size = step;
-        group.lines = map.heights.cols();
-        group.pitch = map.pixel_size()[1];
-        add_response(group, shape, range, map.size[0], options.threads);
-        const ModeBins bins(shape.points / 2);
-        group.data.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / map.size[0] * bins.centre(b); });
-        group.mode_counts = Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
-        group.data.periodogram = Array1D::Zero(bins.size());
-        groups.push_back(std::move(group));
-        place = groups.end() - 1;
-    }
-    const double n = ++place->measurements;
-    place->data.periodogram += (periodogram - place->data.periodogram) / n;
-    place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(band_end)) / n);
-}
-
-void add_contour(std::vector<Group>& groups, const topography::Profile& contour, const Array1D& nodes, const LikelihoodOptions& options) {
-    auto kernel = contour_kernel(contour, nodes, options.threads);
-    Group group;
-    group.data.instrument = contour.metadata.instrument.type;
-    group.data.name = class_name(contour.metadata, contour.positions.size(), kernel.length);
-    group.data.nodes = nodes;
-    group.data.response = std::move(kernel.response);
-    group.data.wavevector = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return 2.0 * pi / kernel.length * kernel.bins.centre(b); });
-    group.mode_counts = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
-    group.data.periodogram = std::move(kernel.periodogram);
-    group.measurements = 1;
-    group.band_end = pi * static_cast<double>(contour.positions.size() - 1) / kernel.length;
-    groups.push_back(std::move(group));
-}
+/// rms change of ln T, weighted by freedoms, that ends the rounds.
+constexpr double small_change = 0.005;
 
 /// Fit and everything it is repeated with.
-class Estimate {
+class JointFit {
 public:
-    Estimate(std::vector<Group> groups, const Range& range, const LikelihoodOptions& options)
+    JointFit(std::vector<ObservedGroup> groups, const SpectrumRange& range, const LikelihoodOptions& options)
         : groups_(std::move(groups)), options_(options), spline_(range.lowest, range.shortest),
           smoothness_{options.bend, 0.5, 8.0 * range.lowest / 0.6} {
         for (auto& g : groups_) {
@@ -159,8 +43,9 @@ public:
         refit();
         count_lines();
         refit();
-        for (int round = 0; options_.tip_factor && round < options_.rounds; ++round) {
-            simulate_tips();
+        bool settled = !options_.tip_factor;
+        while (!settled && rounds_ < options_.rounds) {
+            settled = simulate_tips();
             refit();
             count_lines();
             ++rounds_;
@@ -191,7 +76,7 @@ public:
 
 private:
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
-    [[nodiscard]] Array1D freedom(const Group& g, const Array1D& lines, const Array1D& transfer) const {
+    [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines, const Array1D& transfer) const {
         Array1D result = share_of_independent_modes * g.mode_counts * lines * static_cast<double>(g.measurements);
         for (Index k = 0; k < result.size(); ++k)
             if (g.data.wavevector[k] > g.band_end || transfer[k] < options_.least_transfer || !(g.data.periodogram[k] > 0.0)) result[k] = 0.0;
@@ -243,26 +128,57 @@ private:
         return synthesis::tabulated_density(at, line);
     }
 
-    void simulate_tips() {
-        const double wavelength = median_wavelength();
+    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others. Whether T was what the derivatives had
+    /// led the fit to expect.
+    bool simulate_tips() {
+        if (rounds_ == 0) wavelength_ = median_wavelength();
         const auto line_density = C1D();
-        std::map<double, TipResponse> responses;
+        std::map<double, bool> done;
+        double change = 0.0, weight = 0.0;
         for (auto& g : groups_) {
             if (!(g.tip_radius > 0.0)) continue;
-            auto found = responses.find(g.tip_radius);
-            if (found == responses.end()) {
-                const TipSimulation simulation{.tip_radius = g.tip_radius, .shortest_step = 0.5 * options_.shortest_wavelength, .points = options_.tip_points,
-                                               .seed = options_.seed, .threads = options_.threads};
-                found = responses.emplace(g.tip_radius, tip_response(C_iso(), wavelength, simulation)).first;
-            }
-            g.tip = sampled(found->second, line_density, g.pixel_size, g.data.wavevector);
+            if (!done[g.tip_radius]) simulate_tip(g.tip_radius);
+            done[g.tip_radius] = true;
+            const Array1D expected = expected_transfer(g);
+            g.tip = sampled(responses_.at(g.tip_radius), line_density, g.pixel_size, g.data.wavevector);
+            change += (g.data.freedom * (g.tip.log_transfer - expected).square()).sum();
+            weight += g.data.freedom.sum();
             g.data.log_transfer = g.tip.log_transfer;
             g.data.amplitude_response = g.tip.amplitude_response;
-            const bool fine = g.tip_radius < 0.25 * wavelength;
+            const bool fine = g.tip_radius < 0.25 * wavelength_;
             g.data.amplitude_order = fine ? 5.0 : 1.0;
             g.data.amplitude_end = fine ? pi / g.tip_radius : spline_.shortest();
-            g.data.reference_amplitude = spline_moment(spline_, fit_.theta, g.data.amplitude_order, g.data.amplitude_end).value;
+            g.data.reference_amplitude = amplitude(g);
         }
+        return rounds_ > 0 && change < small_change * small_change * weight;
+    }
+
+    void simulate_tip(double radius) {
+        const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) { return g.tip_radius == radius && g.tip_radius_error > 0.0; });
+        TipSimulation simulation{.tip_radius = radius,
+                                 .step = simulation_step(radius, wavelength_, 0.5 * options_.shortest_wavelength),
+                                 .points = options_.tip_points,
+                                 .radius_response = uncertain,
+                                 .correlation_length = 0.5 * wavelength_,
+                                 .seed = options_.seed,
+                                 .threads = options_.threads};
+        if (rounds_ == 0) {
+            simulation.repetitions = 1;
+            responses_[radius] = tip_response(C_iso(), simulation);
+        } else {
+            responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
+        }
+    }
+
+    /// A that T answers to.
+    [[nodiscard]] double amplitude(const ObservedGroup& g) const {
+        return spline_moment(spline_, fit_.theta, g.data.amplitude_order, g.data.amplitude_end).value;
+    }
+
+    /// ln T the fit has used.
+    [[nodiscard]] Array1D expected_transfer(const ObservedGroup& g) const {
+        if (!(g.data.reference_amplitude > 0.0)) return g.data.log_transfer;
+        return g.data.log_transfer + g.data.amplitude_response * std::log(amplitude(g) / g.data.reference_amplitude);
     }
 
     /// Of the fit, plus what uncertain radii and the noise of the simulation do, each tip by itself.
@@ -321,29 +237,23 @@ private:
         }
     }
 
-    std::vector<Group> groups_;
+    std::vector<ObservedGroup> groups_;
     LikelihoodOptions options_;
     LogSpline spline_;
     Smoothness smoothness_;
     WhittleFit fit_;
+    std::map<double, TipResponse> responses_;  ///< by radius
+    double wavelength_ = 0.0;                  ///< half of ∫ q C_iso dq lies below it
     int rounds_ = 0;
 };
 
 }  // namespace
 
 LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
-    const auto range = range_of(observed, options);
-    const auto count = static_cast<Index>(std::ceil(std::log(range.shortest / (0.03 * range.lowest)) / node_spacing)) + 1;
-    const Array1D nodes = range.shortest * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
-    std::vector<Group> groups;
-    for (const auto& o : observed) {
-        if (const auto* map = std::get_if<topography::HeightMap>(&o.measurement)) add_uniform(groups, *map, o, range, options);
-        else if (const auto* scan = std::get_if<topography::LineScan>(&o.measurement)) add_uniform(groups, as_map(*scan), o, range, options);
-        else add_contour(groups, std::get<topography::Profile>(o.measurement), nodes, options);
-    }
-    Estimate estimate(std::move(groups), range, options);
-    estimate.run();
-    return estimate.result();
+    const auto range = spectrum_range(observed, options);
+    JointFit fit(observed_groups(observed, range, options), range, options);
+    fit.run();
+    return fit.result();
 }
 
 Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed) {

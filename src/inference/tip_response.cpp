@@ -39,7 +39,13 @@ Array1D line_power(const Array2D& lines, parallel::Threads threads) {
     return sum.tail(modes - 1);
 }
 
-/// Readings on the coarse grid, lines along x as columns.
+/// Heights on the coarse grid, lines along x as columns.
+Array2D every_point_read(const topography::HeightMap& surface) {
+    return Array2D::NullaryExpr(surface.heights.rows() / stride_x, surface.heights.cols() / stride_y,
+                                [&](Index i, Index j) { return surface.heights(i * stride_x, j * stride_y); });
+}
+
+/// Readings of the tip there.
 Array2D read(const topography::HeightMap& surface, double radius, parallel::Threads threads) {
     const topography::Dilator dilator(surface, topography::SphereTip{radius}, {.threads = {1}});
     const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y;
@@ -95,51 +101,78 @@ double interpolated(const Array1D& x, const Array1D& y, double at) {
     return (1.0 - t) * y[i] + t * y[i + 1];
 }
 
+/// Sums of line power over repetitions, a bin a column.
+struct PowerSums {
+    Array1D surface, touched, higher, blunter;
+    Array2D single;  ///< ln T of each repetition
+};
+
+PowerSums power_sums(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins, bool with_derivatives) {
+    const Index n = simulation.points, count = bins.size();
+    const double size = simulation.step * static_cast<double>(n), radius = simulation.tip_radius;
+    const Array1D none = Array1D::Zero(count);
+    PowerSums sums{none, none, none, none, Array2D(simulation.repetitions, count)};
+    const auto power = [&](const Array2D& lines) { return bins.sums(line_power(lines, simulation.threads)); };
+    for (int r = 0; r < simulation.repetitions; ++r) {
+        auto patch = synthesis::random_surface(C_iso, {n, n, size, size}, {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
+        const Array1D surface = power(every_point_read(patch)), touched = power(read(patch, radius, simulation.threads));
+        sums.surface += surface;
+        sums.touched += touched;
+        sums.single.row(r) = (touched / surface).log().transpose();
+        if (!with_derivatives) continue;
+        if (simulation.radius_response) sums.blunter += power(read(patch, radius * radius_step, simulation.threads));
+        patch.heights *= std::sqrt(amplitude_step);
+        sums.higher += power(read(patch, radius, simulation.threads)) / amplitude_step;
+    }
+    return sums;
+}
+
+/// Of the mean over repetitions.
+Array1D standard_error(const Array2D& single) {
+    const auto n = static_cast<double>(single.rows());
+    const Array1D mean = single.colwise().mean().transpose();
+    return ((single.rowwise() - mean.transpose()).square().colwise().sum().transpose() / (n * (n - 1.0))).sqrt();
+}
+
+void require(const TipSimulation& simulation) {
+    if (!(simulation.tip_radius > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) || simulation.repetitions < 1)
+        throw InvalidArgument(fmt::format("a tip of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
+                                          simulation.tip_radius, simulation.step, simulation.correlation_length, simulation.repetitions));
+}
+
+TipResponse simulated(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, bool with_derivatives) {
+    require(simulation);
+    const Bins bins(simulation.points / stride_x / 2 - 1);
+    const double size = simulation.step * static_cast<double>(simulation.points);
+    const auto sums = power_sums(C_iso, simulation, bins, with_derivatives);
+    // independent values behind a bin: its modes, and lines a correlation length apart
+    const double lines = std::max(4.0, size / std::max(simulation.correlation_length, simulation.step * stride_y)) * static_cast<double>(simulation.repetitions);
+    const Array1D weights = Array1D::NullaryExpr(bins.size(), [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
+    const auto log_ratio = [&](const Array1D& over, const Array1D& under) { return smoothed((over / under).log(), weights); };
+    TipResponse response;
+    response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
+    response.log_transfer = log_ratio(sums.touched, sums.surface);
+    response.amplitude_response = response.radius_response = response.standard_error = Array1D::Zero(bins.size());
+    if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
+    if (with_derivatives && simulation.radius_response) response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
+    if (simulation.repetitions > 1) response.standard_error = smoothed(standard_error(sums.single), weights).max(0.0);
+    return response;
+}
+
 }  // namespace
 
-TipResponse tip_response(const synthesis::SpectralDensity& C_iso, double median_wavelength, const TipSimulation& simulation) {
-    const double radius = simulation.tip_radius;
-    if (!(radius > 0.0) || !(median_wavelength > 0.0))
-        throw InvalidArgument(fmt::format("a tip of radius {} m on a surface of wavelength {} m; expected both > 0", radius, median_wavelength));
-    const Index n = simulation.points;
-    TipResponse response;
-    response.step = std::max(std::min(median_wavelength / 50.0, radius / 20.0), simulation.shortest_step);
-    const double size = response.step * static_cast<double>(n);
-    const Bins bins(n / stride_x / 2 - 1);
-    const Index count = bins.size(), repetitions = simulation.repetitions;
-    // sums over repetitions of surface, tip, tip on a higher surface, larger tip; and ln T of each repetition
-    Array2D sums = Array2D::Zero(4, count), single(repetitions, count);
-    for (Index r = 0; r < repetitions; ++r) {
-        auto surface = synthesis::random_surface(C_iso, {n, n, size, size},
-                                                 {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
-        Array2D plain(n / stride_x, n / stride_y);
-        for (Index i = 0; i < plain.rows(); ++i)
-            for (Index j = 0; j < plain.cols(); ++j) plain(i, j) = surface.heights(i * stride_x, j * stride_y);
-        const Array1D base = bins.sums(line_power(plain, simulation.threads));
-        const Array1D touched = bins.sums(line_power(read(surface, radius, simulation.threads), simulation.threads));
-        const Array1D blunter = bins.sums(line_power(read(surface, radius * radius_step, simulation.threads), simulation.threads));
-        surface.heights *= std::sqrt(amplitude_step);
-        const Array1D higher = bins.sums(line_power(read(surface, radius, simulation.threads), simulation.threads));
-        sums.row(0) += base.transpose();
-        sums.row(1) += touched.transpose();
-        sums.row(2) += higher.transpose() / amplitude_step;
-        sums.row(3) += blunter.transpose();
-        single.row(r) = (touched / base).log().transpose();
-    }
-    response.wavevector = Array1D::NullaryExpr(count, [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
-    // independent values behind a bin: its modes, and lines a correlation length apart
-    const double lines = std::max(4.0, size / std::max(0.5 * median_wavelength, response.step * stride_y)) * static_cast<double>(repetitions);
-    const Array1D weights = Array1D::NullaryExpr(count, [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
-    const Array1D raw = (sums.row(1) / sums.row(0)).log().transpose();
-    response.log_transfer = smoothed(raw, weights);
-    response.amplitude_response = smoothed((sums.row(2) / sums.row(1)).log().transpose(), weights) / std::log(amplitude_step);
-    response.radius_response = smoothed((sums.row(3) / sums.row(1)).log().transpose(), weights) / std::log(radius_step);
-    response.standard_error = Array1D::Zero(count);
-    if (repetitions > 1) {
-        const Array1D mean = single.colwise().mean().transpose();
-        const Array1D spread = ((single.rowwise() - mean.transpose()).square().colwise().sum().transpose() / static_cast<double>((repetitions - 1) * repetitions)).sqrt();
-        response.standard_error = smoothed(spread, weights).max(0.0);
-    }
+double simulation_step(double tip_radius, double median_wavelength, double shortest_step) {
+    return std::max(std::min(median_wavelength / 50.0, tip_radius / 20.0), shortest_step);
+}
+
+TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation) {
+    return simulated(C_iso, simulation, true);
+}
+
+TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const TipResponse& before) {
+    TipResponse response = simulated(C_iso, simulation, false);
+    response.amplitude_response = before.amplitude_response;
+    response.radius_response = before.radius_response;
     return response;
 }
 

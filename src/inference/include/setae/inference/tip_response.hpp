@@ -11,12 +11,18 @@ namespace setae::inference {
 
 struct TipSimulation {
     double tip_radius = 0.0;         ///< R of the sphere [m]
-    double shortest_step = 2e-10;    ///< [m]; no finer than this
-    Index points = 1024;             ///< of a side of the simulated patch
+    double step = 0.0;               ///< of the simulated patch [m]; simulation_step() says which is fine enough
+    Index points = 1024;             ///< of a side of the patch
     int repetitions = 2;             ///< patches, each of its own random numbers
+    bool radius_response = true;     ///< whether ∂ ln T/∂ ln R is wanted; else it is 0
+    double correlation_length = 0.0; ///< of the heights [m]: lines that far apart count as independent in the smoothing
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
+
+/// The coarser of shortest_step and the finer of median_wavelength/50 and R/20 [m].
+/// Half of ∫ q C_iso dq lies below 2π/median_wavelength.
+[[nodiscard]] double simulation_step(double tip_radius, double median_wavelength, double shortest_step);
 
 /// What a spherical tip does to C1D: T(q) = C1D read by the tip over C1D of the surface, with its derivatives.
 struct TipResponse {
@@ -24,17 +30,18 @@ struct TipResponse {
     Array1D log_transfer;        ///< ln T, smoothed over ln q
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A for C_iso ∝ A
     Array1D radius_response;     ///< ∂ ln T/∂ ln R
-    Array1D standard_error;      ///< of ln T between repetitions
-    double step = 0.0;           ///< of the simulated patch [m]
+    Array1D standard_error;      ///< of ln T, from the scatter between repetitions; 0 for one
 };
 
 /// Simulates the tip on periodic random patches of the given spectrum: 2-D dilation, read along x, the same surface with and
-/// without tip. The step is a fiftieth of the wavelength half of the mean square height lies below, a twentieth of the tip's own
-/// wavelength at most R/20 of it, and not below shortest_step. T is constant below the lowest and above the highest bin.
-/// Same random numbers for every spectrum, so that T changes smoothly with it.
-/// @throws InvalidArgument for a radius that is not positive or a spectrum without power.
+/// without tip. T is constant below the lowest and above the highest bin. Same random numbers for every spectrum, so that T
+/// changes smoothly with it.
+/// @throws InvalidArgument for a radius, step or correlation length that is not positive, or a spectrum without power.
 /// Source: dilation, Villarrubia 1997; its use as a transfer factor derived here.
-[[nodiscard]] TipResponse tip_response(const synthesis::SpectralDensity& C_iso, double median_wavelength, const TipSimulation& simulation);
+[[nodiscard]] TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation);
+
+/// T alone, on a spectrum changed a little since `before` was simulated with the same step; the derivatives stay those of `before`.
+[[nodiscard]] TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const TipResponse& before);
 
 /// ln T at wavevectors for points a pixel_size apart: T averaged over aliases with their C1D,
 ///   T = Σ_m T(|q + 2πm/Δ|) C1D(|q + 2πm/Δ|)/Σ_m C1D(|q + 2πm/Δ|).
