@@ -122,6 +122,11 @@ bool TomlReader::is_number(const char* key) const {
     return node && node->is_number();
 }
 
+bool TomlReader::is_list(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_array();
+}
+
 bool TomlReader::is_table(const char* key) const {
     const auto* node = table_->get(key);
     return node && node->is_table();

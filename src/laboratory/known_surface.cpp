@@ -14,7 +14,7 @@ namespace {
 
 double moment(const KnownSurface& surface, double order) {
     const Band band = surface.band();
-    return spectral_moment(surface.C_iso, order, band.lower, band.upper);
+    return spectral_moment(surface.C_iso, order, band.lower, {0.0, band.upper});
 }
 
 /// ⟨f(z)⟩ of a standard normal z: the trapezoid rule, exact to rounding for smooth f.

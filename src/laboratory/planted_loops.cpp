@@ -16,27 +16,37 @@ double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
                                     {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
 }
 
-double work_retraction(const Recipe& recipe, const LoopSpecimen& specimen, const SurfaceTruth& surface, double stored_energy) {
-    const LoopRecipe& loops = *recipe.loops;
-    if (loops.law == RetractionLaw::pinning)
-        return work_retraction_by_pinning({.work_approach = specimen.work_approach,
-                                           .mean_work = recipe.work_of_adhesion,
-                                           .stored_energy = stored_energy});
-    const double area = loop_truth(specimen, loops.protocol).largest_contact_area();
-    return work_retraction_for_loss(specimen, loops.protocol, loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * area);
-}
+/// What a pair's loop is of, or why there is none.
+struct RoughPair {
+    LoopSpecimen specimen;
+    std::string refusal;
+};
 
-LoopSpecimen rough_specimen(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
-    LoopSpecimen specimen{.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)};
+RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
+    const LoopRecipe& loops = *recipe.loops;
+    RoughPair pair{.specimen = {.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)}, .refusal = {}};
+    LoopSpecimen& specimen = pair.specimen;
     const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
     const auto work = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
                                                  {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
-    if (!work.conforms)
-        throw InvalidArgument(fmt::format("(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a "
-                                          "smoother surface or a larger work of adhesion", 1e3 * work.raw));
+    if (!work.conforms) {
+        pair.refusal = fmt::format("(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
+                                   "surface or a larger work of adhesion", 1e3 * work.raw);
+        return pair;
+    }
     specimen.work_approach = specimen.work_retraction = work.raw;
-    specimen.work_retraction = work_retraction(recipe, specimen, surface, stored_energy);
-    return specimen;
+    if (loops.law == RetractionLaw::pinning) {
+        specimen.work_retraction = work_retraction_by_pinning({.work_approach = work.raw, .mean_work = recipe.work_of_adhesion, .stored_energy = stored_energy});
+        return pair;
+    }
+    const LoopTruth least = loop_truth(specimen, loops.protocol);
+    const double loss = loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * least.largest_contact_area();
+    if (loss < least.energy_loss())
+        pair.refusal = fmt::format("the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger loss_factor",
+                                   least.energy_loss(), loss);
+    else
+        specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
+    return pair;
 }
 
 }  // namespace
@@ -50,14 +60,17 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
     };
     for (const auto& rough : recipe.surfaces) {
         const SurfaceTruth surface = surface_truth(rough.surface);
-        for (const auto& elastomer : recipe.elastomers) try {
+        for (const auto& elastomer : recipe.elastomers) {
+            const RoughPair pair = rough_pair(recipe, surface, elastomer);
+            if (pair.refusal.empty())
                 add({.file = fmt::format("loops/{}_{}.csv", file_stem(rough.surface.name), file_stem(elastomer.name)),
                      .surface = rough.surface.name,
                      .elastomer = elastomer.name,
-                     .specimen = rough_specimen(recipe, surface, elastomer)});
-            } catch (const InvalidArgument& error) {
-                throw InvalidArgument(fmt::format("surface {} on elastomer {}: {}", rough.surface.name, elastomer.name, error.what()));
-            }
+                     .specimen = pair.specimen});
+            else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
+                throw InvalidArgument(fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
+                                                  rough.surface.name, elastomer.name, pair.refusal));
+        }
     }
     if (const auto& work = recipe.loops->reference_work)
         for (const auto& elastomer : recipe.elastomers)

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/laboratory/recipe.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/table_file.hpp"
-#include "setae/io/toml_reader.hpp"
-#include "setae/synthesis/model_spectra.hpp"
-#include "spectral_moment.hpp"
+#include "range_draws.hpp"
+#include "recipe_spectrum.hpp"
 
 namespace setae::laboratory {
 namespace {
@@ -31,68 +27,6 @@ void take(TomlReader& reader, const char* key, const Dimension& unit, double& va
 }
 
 double number_or(TomlReader& reader, const char* key, double fallback) { return reader.number(key).value_or(fallback); }
-
-/// The plateau C_0 that gives the amplitude asked for, from the model with C_0 = 1.
-template <class Model>
-void set_plateau(TomlReader& reader, Model& model) {
-    const auto height = reader.quantity("rms_height", dimension::length);
-    const auto slope = reader.quantity("rms_slope", dimension::none);
-    const auto plateau = reader.quantity("plateau", dimension::power_spectrum_2d);
-    if (static_cast<int>(height.has_value()) + static_cast<int>(slope.has_value()) + static_cast<int>(plateau.has_value()) != 1)
-        reader.fail("rms_height", "expected exactly one of rms_height, rms_slope, plateau");
-    if (plateau) {
-        model.plateau = *plateau;
-        return;
-    }
-    const double order = height ? 0.0 : 2.0, wanted = height ? *height : *slope, lower = model.rolloff_wavevector;
-    model.plateau = 1.0;
-    const double unit = spectral_moment(synthesis::density(model), order, lower, model.short_wavevector) / (2.0 * pi);
-    model.plateau = wanted * wanted / unit;
-}
-
-synthesis::SpectralDensity table_density(const std::string& path, KnownSurface& surface) {
-    const Table table = io::read_table(path);
-    if (table.columns.size() != 2)
-        throw FormatError(path, {}, fmt::format("{} columns, expected the wavevector [1/m] and C_iso [m4]", table.columns.size()));
-    const Array1D &q = table.columns[0].values, &C_iso = table.columns[1].values;
-    const auto density = synthesis::tabulated_density(q, C_iso);
-    surface.rolloff_wavelength = 2.0 * pi / q[0];
-    surface.short_wavelength = 2.0 * pi / q[q.size() - 1];
-    return density;
-}
-
-void read_spectrum(TomlReader reader, const std::string& folder, KnownSurface& surface) {
-    const auto model = reader.required_text("model");
-    try {
-        if (model == "table") {
-            surface.C_iso = table_density((std::filesystem::path(folder) / reader.required_text("file")).string(), surface);
-        } else if (model == "self_affine" || model == "two_slopes") {
-            surface.rolloff_wavelength = required(reader, "rolloff_wavelength", dimension::length);
-            surface.short_wavelength = required(reader, "short_wavelength", dimension::length);
-            const auto hurst = reader.number("hurst_exponent");
-            if (!hurst) reader.fail("hurst_exponent", "missing");
-            const Band band = surface.band();
-            if (model == "self_affine") {
-                synthesis::SelfAffine affine{.rolloff_wavevector = band.lower, .hurst_exponent = *hurst, .short_wavevector = band.upper};
-                set_plateau(reader, affine);
-                surface.C_iso = synthesis::density(affine);
-            } else {
-                synthesis::TwoSlopes slopes{.rolloff_wavevector = band.lower,
-                                            .hurst_exponent = *hurst,
-                                            .crossover_wavevector = 2.0 * pi / required(reader, "crossover_wavelength", dimension::length),
-                                            .short_hurst_exponent = number_or(reader, "short_hurst_exponent", *hurst),
-                                            .short_wavevector = band.upper};
-                set_plateau(reader, slopes);
-                surface.C_iso = synthesis::density(slopes);
-            }
-        } else {
-            reader.fail("model", fmt::format("'{}', expected one of self_affine, two_slopes, table", model));
-        }
-    } catch (const InvalidArgument& error) {
-        reader.fail("model", error.what());
-    }
-    reader.finish();
-}
 
 StylusProtocol read_stylus(TomlReader reader) {
     StylusProtocol protocol{.lengths = reader.quantities("lengths", dimension::length)};
@@ -149,7 +83,8 @@ Protocols read_protocols(TomlReader& reader) {
     return protocols;
 }
 
-SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols, const std::string& folder) {
+SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols, const std::string& folder,
+                           const RangeDraws& draws) {
     const auto wanted = reader.required_text("protocol");
     const auto protocol = protocols.find(wanted);
     if (protocol == protocols.end()) reader.fail("protocol", fmt::format("'{}' is not declared under [protocols]", wanted));
@@ -157,16 +92,14 @@ SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Pro
     KnownSurface& surface = recipe.surface;
     surface.name = name;
     surface.description = reader.text("description").value_or("");
-    if (!reader.is_table("spectrum")) reader.fail("spectrum", "missing");
-    reader.table("spectrum", [&](TomlReader inner) { read_spectrum(std::move(inner), folder, surface); });
-    surface.skewness = number_or(reader, "skewness", 0.0);
+    read_spectrum(reader, folder, draws, recipe);
     reader.finish();
     return recipe;
 }
 
-ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader) {
+ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const RangeDraws& draws) {
     ElastomerRecipe elastomer{.name = name};
-    elastomer.youngs_modulus = required(reader, "youngs_modulus", dimension::pressure);
+    elastomer.youngs_modulus = draws.required(reader, "youngs_modulus", dimension::pressure);
     elastomer.poisson_ratio = number_or(reader, "poisson_ratio", elastomer.poisson_ratio);
     const auto energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
     elastomer.surface_energy = {energy.value, energy.standard_error > 0.0 ? energy.standard_error : 0.0};
@@ -198,6 +131,8 @@ LoopRecipe read_loops(TomlReader reader) {
     take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
     loops.law = reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}}).value_or(loops.law);
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
+    loops.nonconforming = reader.choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse}, {"skip", NonconformingPairs::skip}})
+                              .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
     reader.finish();
     return loops;
@@ -205,18 +140,19 @@ LoopRecipe read_loops(TomlReader reader) {
 
 }  // namespace
 
-Recipe read_recipe(const std::string& path) {
+Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
     const auto parsed = io::parse_toml_file(path);
     TomlReader reader(parsed, path, "recipe");
     const std::string folder = std::filesystem::path(path).parent_path().string();
     Recipe recipe;
     recipe.title = reader.text("title").value_or("");
     recipe.description = reader.text("description").value_or("");
-    if (const auto seed = reader.integer("seed")) {
-        if (*seed < 0) reader.fail("seed", "expected a whole number from 0");
-        recipe.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto own = reader.integer("seed")) {
+        if (*own < 0) reader.fail("seed", "expected a whole number from 0");
+        recipe.seed = static_cast<std::uint64_t>(*own);
     }
-    recipe.work_of_adhesion = required(reader, "work_of_adhesion", dimension::surface_energy);
+    recipe.seed = seed.value_or(recipe.seed);
+    recipe.work_of_adhesion = RangeDraws(recipe.seed, "").required(reader, "work_of_adhesion", dimension::surface_energy);
     if (!reader.is_table("rough_solid")) reader.fail("rough_solid", "missing: the elasticity of the rough body");
     reader.table("rough_solid", [&](TomlReader inner) {
         recipe.counter_youngs_modulus = required(inner, "youngs_modulus", dimension::pressure);
@@ -225,10 +161,10 @@ Recipe read_recipe(const std::string& path) {
     });
     const Protocols protocols = read_protocols(reader);
     reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) {
-        recipe.surfaces.push_back(read_surface(name, std::move(inner), protocols, folder));
+        recipe.surfaces.push_back(read_surface(name, std::move(inner), protocols, folder, {recipe.seed, "surfaces." + name}));
     });
     reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
-        recipe.elastomers.push_back(read_elastomer(name, std::move(inner)));
+        recipe.elastomers.push_back(read_elastomer(name, std::move(inner), {recipe.seed, "elastomers." + name}));
     });
     reader.table("loops", [&](TomlReader inner) { recipe.loops = read_loops(std::move(inner)); });
     reader.finish();

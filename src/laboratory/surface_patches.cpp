@@ -59,7 +59,7 @@ public:
 private:
     /// Of the waves up to a wavevector.
     [[nodiscard]] double variance_below(double upper) const {
-        return spectral_moment(surface_->C_iso, 0.0, surface_->band().lower, upper) / (2.0 * pi);
+        return spectral_moment(surface_->C_iso, 0.0, surface_->band().lower, {0.0, upper}) / (2.0 * pi);
     }
 
     const KnownSurface* surface_;

@@ -30,8 +30,7 @@ struct MakeArguments {
 
 ExitCode run_make(const MakeArguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
-    auto recipe = laboratory::read_recipe(arguments.file);
-    if (arguments.seed) recipe.seed = *arguments.seed;
+    const auto recipe = laboratory::read_recipe(arguments.file, arguments.seed);
     const auto files = laboratory::make(recipe, arguments.output, arguments.common.workers());
     if (arguments.common.json)
         print_json({{"recipe", arguments.file}, {"seed", recipe.seed}, {"folder", arguments.output}, {"files", files}});

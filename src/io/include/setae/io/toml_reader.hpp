@@ -49,6 +49,7 @@ public:
     [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
     [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Dimension& dimension);
     [[nodiscard]] bool is_number(const char* key) const;
+    [[nodiscard]] bool is_list(const char* key) const;
     [[nodiscard]] bool is_table(const char* key) const;
     /// Calls body with the table under a key, if there is one.
     void table(const char* key, const std::function<void(TomlReader)>& body);

@@ -19,8 +19,10 @@ struct KnownSurface {
     double rolloff_wavelength = 0.0;   ///< beyond it C_iso is flat [m]
     double short_wavelength = 0.0;     ///< below it C_iso is zero [m]
     double skewness = 0.0;             ///< of the heights
+    synthesis::Anisotropy anisotropy;  ///< stretch >= 1; of Gaussian heights alone
 
     [[nodiscard]] bool gaussian() const { return skewness == 0.0; }
+    [[nodiscard]] bool isotropic() const { return anisotropy.stretch == 1.0; }
     [[nodiscard]] Band band() const;   ///< 2π over the two wavelengths [1/m]
 };
 

@@ -40,9 +40,17 @@ struct TemProtocol {
     double noise = 0.0;           ///< standard deviation of a traced point [m]
 };
 
+/// A number of a surface's spectrum as it was given, or drawn from its range.
+struct SpectrumParameter {
+    std::string key;     ///< as in the recipe: "rms_slope"
+    double value = 0.0;  ///< SI
+    bool drawn = false;  ///< from a range
+};
+
 /// A surface and how it is measured; an instrument without entry is not used.
 struct SurfaceRecipe {
     KnownSurface surface;
+    std::vector<SpectrumParameter> parameters;  ///< of the spectrum, and the skewness where one is given
     std::optional<StylusProtocol> stylus;
     std::optional<AfmProtocol> afm;
     std::optional<TemProtocol> tem;
@@ -63,12 +71,19 @@ enum class RetractionLaw {
     pinning,  ///< the roughness pins the edge
 };
 
+/// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than E_loss.
+enum class NonconformingPairs {
+    refuse,  ///< an error that names the pair
+    skip,    ///< left out
+};
+
 /// How loops are made: one a surface and elastomer, and references on a smooth standard before and after.
 struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is the recipe's
     RetractionLaw law = RetractionLaw::loss;
     double loss_factor = 1.0;                        ///< f
+    NonconformingPairs nonconforming = NonconformingPairs::refuse;
     std::optional<double> reference_work;            ///< W of both branches on the standard [J/m²]; none: no references
 };
 
@@ -86,8 +101,15 @@ struct Recipe {
 };
 
 /// Reads a recipe from TOML; docs/laboratory.md describes every key.
+///
+/// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it is
+///
+///   from (to/from)^u,  u uniform in (0, 1), of the seed and the names of table and key alone
+///
+/// so that another surface, or another order, changes no other number. seed: in place of the recipe's.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one), a
-/// missing or wrong unit, a spectrum whose parameters contradict each other, a protocol that is not declared.
-[[nodiscard]] Recipe read_recipe(const std::string& path);
+/// missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a protocol
+/// that is not declared.
+[[nodiscard]] Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed = {});
 
 }  // namespace setae::laboratory
