@@ -110,6 +110,25 @@ Contribution contribution(const Piece& piece, const SpectrumCurve& curve, Conver
     return of_isotropic([&](double order) { return pi * weighted_integral(piece, order - 1.0, curve.band.upper); });
 }
 
+/// ∫ ln C d(ln q) over the part of a piece between two wavevectors.
+double log_integral(const Piece& piece, double lower, double upper) {
+    const double from = std::log(std::max(piece.left, lower) / piece.left), to = std::log(std::min(piece.right, upper) / piece.left);
+    return to > from ? (to - from) * (std::log(piece.level) + 0.5 * piece.exponent * (from + to)) : 0.0;
+}
+
+DecadeMeans means_of(const std::vector<Piece>& parts) {
+    constexpr double rounding = 1e-9;
+    DecadeMeans means = no_decades;
+    for (std::size_t d = 0; d < means.size(); ++d) {
+        const double lower = std::pow(10.0, first_decade + static_cast<double>(d)), upper = 10.0 * lower;
+        if (parts.empty() || parts.front().left > lower * (1.0 + rounding) || parts.back().right < upper * (1.0 - rounding)) continue;
+        double sum = 0.0;
+        for (const auto& piece : parts) sum += log_integral(piece, lower, upper);
+        means[d] = std::exp(sum / std::log(10.0));
+    }
+    return means;
+}
+
 }  // namespace
 
 SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
@@ -134,10 +153,15 @@ Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
 }
 
 SpectralParameters spectral_parameters(const SpectrumCurve& curve, Conversion conversion) {
+    const auto parts = pieces(curve);
     Contribution sum;
-    for (const auto& piece : pieces(curve)) sum += contribution(piece, curve, conversion);
-    return sum.parameters();
+    for (const auto& piece : parts) sum += contribution(piece, curve, conversion);
+    auto parameters = sum.parameters();
+    if (curve.density == Density::C1D) parameters.decade_C1D = means_of(parts);
+    return parameters;
 }
+
+DecadeMeans decade_means(const SpectrumCurve& C1D) { return means_of(pieces(C1D)); }
 
 CumulativeParameters cumulative_parameters(const SpectrumCurve& curve) {
     const auto parts = pieces(curve);

@@ -5,6 +5,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/inference/likelihood_spectrum.hpp"
+#include "setae/inference/line_spectrum.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -17,6 +18,10 @@ roughness::SpectrumCurve curve_of(const inference::LikelihoodSpectrum& spectrum)
     return {spectrum.wavevector, spectrum.C_iso, {spectrum.band.lower, std::min(end, group_end * spectrum.band.upper)}, roughness::Density::C_iso};
 }
 
+roughness::DecadeMeans decade_means(const roughness::SpectrumCurve& C_iso, const AnalysisOptions& options) {
+    return roughness::decade_means(roughness::limited({C_iso.wavevector, inference::line_spectrum(C_iso.wavevector, C_iso.values), C_iso.band}, options.limits));
+}
+
 }  // namespace
 
 void estimate_by_likelihood(SurfaceResult& surface, std::span<const PreparedMeasurement> prepared, const AnalysisOptions& options,
@@ -24,15 +29,20 @@ void estimate_by_likelihood(SurfaceResult& surface, std::span<const PreparedMeas
     std::vector<inference::ObservedSurface> observed;
     for (std::size_t i = 0; i < prepared.size(); ++i)
         if (!surface.measurements[i].failed()) observed.push_back({prepared[i].measurement, prepared[i].trend});
-    const auto spectrum = inference::likelihood_spectrum(observed, {.seed = options.seed, .threads = threads});
+    auto likelihood = options.likelihood;
+    likelihood.seed = options.seed;
+    likelihood.threads = threads;
+    const auto spectrum = inference::likelihood_spectrum(observed, likelihood);
     auto curve = curve_of(spectrum);
     auto result = spectrum_result(curve, options);
+    result.parameters.decade_C1D = decade_means(curve, options);
     result.spread.seed = options.seed;
     result.spread.replicas_are_draws = true;
     const Array2D drawn = inference::drawn_spectra(spectrum, std::max(options.bootstrap_resamples, 40), options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
         curve.values = drawn.row(r).transpose();
         result.spread.replicas.push_back(parameters_of(curve, options));
+        result.spread.replicas.back().decade_C1D = decade_means(curve, options);
     }
     surface.likelihood = std::move(result);
     surface.method = SpectrumMethod::likelihood;

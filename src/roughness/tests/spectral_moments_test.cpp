@@ -89,6 +89,19 @@ TEST(SpectralParameters, OfModesObeyParseval) {
     EXPECT_NEAR(p.rms_slope / std::sqrt(2.0 * (3e-21 * 9e12 + 0.5e-21 * 64e12) * 1e6 / pi), 1.0, 1e-14);
 }
 
+// C = c q^−3 between 10^5.5 and 10^8: the mean of ln C over 10^6 … 10^7 is ln C(10^6.5).
+TEST(DecadeMeans, AreGeometricAndOnlyOfWholeDecades) {
+    Array1D q(3);
+    q << std::pow(10.0, 5.5), 3e6, 1e8;
+    const SpectrumCurve curve{q, 1e-3 * q.pow(-3.0), {q[0], q[2]}};
+    const auto means = decade_means(curve);
+    EXPECT_TRUE(std::isnan(means[1]));
+    EXPECT_NEAR(means[2] / (1e-3 * std::pow(10.0, -19.5)), 1.0, 1e-12);
+    EXPECT_NEAR(means[3] / (1e-3 * std::pow(10.0, -22.5)), 1.0, 1e-12);
+    EXPECT_TRUE(std::isnan(means[4]));
+    EXPECT_EQ(spectral_parameters(curve).decade_C1D[2], means[2]);
+}
+
 TEST(LimitedSpectrum, CutsBothEndsAndRefusesNothing) {
     const auto curve = isotropic_curve();
     const auto cut = limited(curve, {.longest = 100e-6});

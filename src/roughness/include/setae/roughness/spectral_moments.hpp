@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/quantity.hpp"
 
 namespace setae::roughness {
@@ -48,6 +50,15 @@ enum class Conversion {
     eq11,   ///< C_iso ≈ π C1D/(q √(1 − (q/q_s)²)), q_s the upper end of the band: the way of [D19]
 };
 
+/// C1D by decade: element d is the geometric mean over ln q between 10^(4+d) and 10^(5+d) 1/m [m³], NaN where the curve does not
+/// span that decade.
+using DecadeMeans = std::array<double, 6>;
+inline constexpr int first_decade = 4;
+inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefined, undefined, undefined};
+
+/// @throws UndefinedDataError for fewer than two usable nodes in the curve.
+[[nodiscard]] DecadeMeans decade_means(const SpectrumCurve& C1D);
+
 /// Parameters of an isotropic surface.
 ///
 ///   from C1D:    h_rms² = (1/π) ∫ C dq,    h'² = (2/π) ∫ q² C dq,    h''² = (2/3π) ∫ q⁴ C dq,   U_el/(A_app E*) = (1/8) ∫ q C dq
@@ -59,6 +70,7 @@ struct SpectralParameters {
     double rms_slope = 0.0;                   ///< [1]
     double rms_curvature = 0.0;               ///< [1/m]
     double elastic_energy_per_modulus = 0.0;  ///< U_el/(A_app E*) [m]
+    DecadeMeans decade_C1D = no_decades;      ///< of C1D curves; of C_iso curves only where their Abel integral was taken
 };
 
 /// Integrals over the band. A C_iso curve is what Eq. (11) approximates, so the conversion changes C1D curves alone.

@@ -8,6 +8,7 @@
 
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/core/units.hpp"
+#include "setae/inference/likelihood_spectrum.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/options.hpp"
@@ -105,6 +106,7 @@ struct AnalysisOptions {
     double tip_percentile = 0.0;
     int bootstrap_resamples = 200;
     std::uint64_t seed = 1;
+    inference::LikelihoodOptions likelihood;  ///< seed and threads are the study's
     std::vector<double> cutoff_scan;  ///< shortest wavelengths [m] for W_int against the short cutoff
 };
 
