@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/figures/figure.hpp"
+#include "setae/io/whole_file.hpp"
+
+namespace setae::figures {
+namespace {
+
+/// A folder of its own, removed with all it holds.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        auto pattern = (std::filesystem::temp_directory_path() / "setae_figure_XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw FileError(fmt::format("{}: cannot be created: {}; check that the folder is writable", pattern, std::strerror(errno)));
+        path_ = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+    [[nodiscard]] std::string path() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+struct Outcome {
+    int start_error = 0;  ///< errno where the program could not be started
+    int status = 0;       ///< as waitpid gives it
+};
+
+/// Runs gnuplot on a script, its words into a file. The script names its output relative to `folder`.
+Outcome run_gnuplot(const std::string& folder, const std::string& script, const std::string& words) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, words.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    // --default-settings: no initialisation file of the user changes a figure
+    std::string program = "gnuplot", defaults = "--default-settings", file = script;
+    char* arguments[] = {program.data(), defaults.data(), file.data(), nullptr};
+    Outcome outcome;
+    pid_t process = 0;
+    outcome.start_error = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (outcome.start_error != 0) return outcome;
+    while (waitpid(process, &outcome.status, 0) < 0 && errno == EINTR) {}
+    return outcome;
+}
+
+/// A PDF without the time of its making: cairo knows no way to leave it out. Same length, so offsets in the file still hold.
+void erase_date(std::string& content) {
+    constexpr std::string_view key = "/CreationDate (D:";
+    for (auto at = content.find(key); at != std::string::npos; at = content.find(key, at + 1)) {
+        const std::string_view epoch = "20000101000000Z00'00";
+        auto end = content.find(')', at);
+        if (end == std::string::npos) return;
+        const auto first = at + key.size();
+        for (std::size_t i = first; i < end; ++i) content[i] = i - first < epoch.size() ? epoch[i - first] : '0';
+    }
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const std::string& path) {
+    auto ending = std::filesystem::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    const TemporaryFolder folder;
+    // relative, so that no folder's name needs quoting
+    const auto drawn = "figure." + ending;
+    io::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, drawn));
+    const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
+    if (outcome.start_error == ENOENT)
+        throw FileError(fmt::format("{}: cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup", path));
+    if (outcome.start_error != 0) throw FileError(fmt::format("{}: gnuplot cannot be started: {}", path, std::strerror(outcome.start_error)));
+    std::error_code missing;
+    if (outcome.status != 0 || std::filesystem::file_size(folder.file(drawn.c_str()), missing) == 0 || missing)
+        throw FileError(fmt::format("{}: gnuplot failed: {}", path, trimmed(io::read_file(folder.file("words.txt")))));
+    auto content = io::read_file(folder.file(drawn.c_str()));
+    if (ending == "pdf") erase_date(content);
+    io::write_whole_file(path, content);
+}
+
+}  // namespace setae::figures

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::figures {
+
+/// How a series is shown.
+enum class Mark {
+    points,  ///< symbols
+    line,    ///< a line
+    both,    ///< symbols on a line
+    band,    ///< filled between lower and upper, with a line along y where there is one
+};
+
+/// One curve of a panel. x and y are in the units of the panel's axes; NaN is a gap.
+struct Series {
+    std::string label;    ///< in the legend, letter by letter; empty: not there
+    Array1D x, y;         ///< of equal length; y may be empty for a band
+    Array1D lower, upper; ///< ends of error bars or of the band, not their lengths; both empty: none
+    Mark mark = Mark::both;
+    int colour = -1;      ///< index into the palette, taken modulo its size; -1: the series' place in its panel
+    int symbol = -1;      ///< symbol and dash alike; -1: as colour
+    bool hollow = false;  ///< symbols
+    Array1D left, right;  ///< ends of error bars along x; both empty: none
+};
+
+/// One axis of a panel.
+struct Axis {
+    /// Typeset: between asterisks italic, _ and ^ lower and raise the word or {group} after them, as in
+    /// "rms slope *h*'_rms"; a backslash takes the next letter as it is.
+    std::string quantity;
+    std::string unit;                      ///< as setae spells units, "mJ/m2"; set upright, mJ m⁻²; empty or "1": none
+    bool logarithmic = false;              ///< values that are not positive are gaps
+    std::optional<double> from, to;        ///< ends; without, those of the data and a margin
+    std::vector<std::string> tick_labels;  ///< categories at 0, 1, 2 …, letter by letter; empty: numbers
+};
+
+enum class Corner { top_right, top_left, bottom_right, bottom_left };
+
+/// One pair of axes.
+struct Panel {
+    std::string title;  ///< above its left end, letter by letter, such as "A"
+    Axis x, y;
+    std::vector<Series> series;
+    std::vector<double> horizontal_lines;  ///< thin, grey, across the panel
+    bool legend = true;
+    std::optional<Corner> legend_corner;  ///< without: the corner that holds the least data
+};
+
+/// Panels in rows from the left, `columns` a row.
+struct Figure {
+    std::vector<Panel> panels;
+    int columns = 1;
+    double width_mm = 85.0, height_mm = 65.0;  ///< of the whole; 85 is one column of a journal, 178 two
+};
+
+/// The gnuplot program that draws a figure, its data inline. The same figure gives the same bytes.
+///
+/// terminal_ending: "svg", "pdf" or "png" (300 dots an inch).  output_file: what the program writes.
+/// Colours are those of Okabe and Ito, which the colour-blind tell apart; symbol or dash differ, too. Text other than an
+/// axis' quantity stands as it is, control characters as blanks.
+/// @throws InvalidArgument for another ending, a figure without panels or with columns < 1, a size that is not > 0, series
+/// whose arrays differ in length, or ends of an axis that are not finite, not in order, or not positive on a logarithmic one.
+/// Source of the colours: Okabe, Ito, Color Universal Design (2008), https://jfly.uni-koeln.de/color/.
+[[nodiscard]] std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending, const std::string& output_file);
+
+/// Draws a figure by gnuplot into a file whose ending is .svg, .pdf or .png, replaced as a whole. No date enters the file.
+/// @throws InvalidArgument as gnuplot_script; FileError where the file cannot be written, where gnuplot fails (with its own
+/// words) or where there is no gnuplot (with what to install).
+void draw(const Figure& figure, const std::string& path);
+
+/// Writes the numbers of a figure as CSV, one row a point: panel, series, quantity, unit and value along x and along y,
+/// lower, upper, left, right; empty where there is none or NaN. Panels without title are numbered from 1.
+/// @throws InvalidArgument for series whose arrays differ in length; FileError.
+void write_data(const Figure& figure, const std::string& path);
+
+}  // namespace setae::figures

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "markup.hpp"
+#include "ranges.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::figures {
+namespace {
+
+constexpr double millimetres_an_inch = 25.4, letters_mm = 1.45;  // mean width of a letter of 7 points
+
+/// Okabe and Ito's, the pale ones last.
+constexpr std::array<const char*, 8> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#F0E442"};
+
+struct Symbol {
+    int filled, hollow;
+    double size;  ///< for the same look: gnuplot's shapes differ in area
+};
+constexpr std::array<Symbol, 6> symbols{{{7, 6, 1.0}, {5, 4, 0.9}, {9, 8, 1.15}, {13, 12, 1.2}, {11, 10, 1.15}, {15, 14, 1.1}}};
+constexpr std::array<const char*, 6> dashes{"solid", "(9,5)", "(2,4)", "(10,4,2,4)", "(16,5)", "(10,4,2,4,2,4)"};
+
+template <std::size_t size, class Value>
+const Value& chosen(const std::array<Value, size>& choices, int index) {
+    const int n = static_cast<int>(size);
+    return choices[static_cast<std::size_t>(((index % n) + n) % n)];
+}
+
+/// A series' place in the palette, and its symbol and dash.
+struct Style {
+    std::string colour;
+    Symbol symbol;
+    const char* dash;
+};
+
+Style style_of(const Series& series, std::size_t place) {
+    const int colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
+    const int symbol = series.symbol >= 0 ? series.symbol : colour;
+    return {fmt::format("lc rgb '{}'", chosen(palette, colour)), chosen(symbols, symbol), chosen(dashes, symbol)};
+}
+
+std::string terminal(const Figure& figure, const std::string& ending) {
+    constexpr const char* font = "Liberation Sans";
+    const double width = figure.width_mm / millimetres_an_inch, height = figure.height_mm / millimetres_an_inch;
+    if (ending == "svg")  // 96 pixels an inch, 8 points are 10.7 pixels
+        return fmt::format("svg size {:.0f},{:.0f} fixed enhanced font '{},10.67' linewidth 1.1 name 'figure'", 96.0 * width, 96.0 * height, font);
+    if (ending == "pdf") return fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced font '{},8' fontscale 1 linewidth 1.6 pointscale 0.85", width, height, font);
+    if (ending == "png")
+        return fmt::format("pngcairo size {:.0f},{:.0f} enhanced font '{},8' fontscale 3.125 linewidth 3.2 pointscale 2.6", 300.0 * width,
+                           300.0 * height, font);
+    throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
+}
+
+/// The points of a series, one a line: x y lower upper left right. An empty line where the curve is interrupted.
+std::string data_lines(const Panel& panel, const Series& series, const Range& x, const Range& y) {
+    const auto at = [](const Array1D& values, Index i, double otherwise) { return values.size() > 0 ? values[i] : otherwise; };
+    const auto on = [](const Axis& axis, double value, double otherwise) { return shows(axis, value) ? value : otherwise; };
+    std::string lines;
+    bool interrupted = true;  // nothing before the first
+    for (Index i = 0; i < series.x.size(); ++i) {
+        const double lower = at(series.lower, i, undefined), upper = at(series.upper, i, undefined);
+        const bool band = series.mark == Mark::band;
+        const double middle = series.y.size() > 0 ? series.y[i] : upper;
+        if (!shows(panel.x, series.x[i]) || !shows(panel.y, middle) || (band && !(std::isfinite(lower) && shows(panel.y, upper)))) {
+            if (!interrupted) lines += "\n";
+            interrupted = true;
+            continue;
+        }
+        interrupted = false;
+        // an end a logarithmic axis cannot show lies below it; an undefined one at the point
+        const double bottom = std::isnan(lower) ? middle : on(panel.y, lower, y.from);
+        const double left = at(series.left, i, undefined);
+        fmt::format_to(std::back_inserter(lines), "{} {} {} {} {} {}\n", series.x[i], middle, bottom, on(panel.y, upper, middle),
+                       std::isnan(left) ? series.x[i] : on(panel.x, left, x.from), on(panel.x, at(series.right, i, series.x[i]), series.x[i]));
+    }
+    return lines;
+}
+
+/// What draws a series: elements of a plot command.
+std::vector<std::string> elements(const Series& series, const Style& style, const std::string& data) {
+    std::vector<std::string> result;
+    const auto title = series.label.empty() ? std::string("notitle") : "title " + quoted_verbatim(series.label);
+    const auto line = fmt::format("{} lw 1.3 dt {}", style.colour, style.dash);
+    if (series.mark == Mark::band) {
+        const bool middle = series.y.size() > 0;
+        result.push_back(fmt::format("{} using 1:3:4 with filledcurves fs transparent solid 0.25 noborder {} {}", data, style.colour, middle ? "notitle" : title));
+        if (middle) result.push_back(fmt::format("{} using 1:2 with lines {} {}", data, line, title));
+        return result;
+    }
+    const bool upright = series.lower.size() > 0, across = series.left.size() > 0;
+    if (upright) result.push_back(fmt::format("{} using 1:2:3:4 with yerrorbars pt 0 lw 0.8 {} notitle", data, style.colour));
+    if (across) result.push_back(fmt::format("{} using 1:2:5:6 with xerrorbars pt 0 lw 0.8 {} notitle", data, style.colour));
+    if (series.mark == Mark::line) {
+        result.push_back(fmt::format("{} using 1:2 with lines {} {}", data, line, title));
+        return result;
+    }
+    const auto& symbol = style.symbol;
+    if (series.hollow) {
+        // the paper's white inside, so that neither line nor bar runs through
+        if (series.mark == Mark::both) result.push_back(fmt::format("{} using 1:2 with lines {} notitle", data, line));
+        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {} lc rgb 'white' notitle", data, symbol.filled, 0.5 * symbol.size));
+    }
+    const bool joined = series.mark == Mark::both && !series.hollow;
+    result.push_back(fmt::format("{} using 1:2 with {} pt {} ps {} {} {}", data, joined ? "linespoints" : "points",
+                                 series.hollow ? symbol.hollow : symbol.filled, 0.5 * symbol.size, joined ? line : style.colour + " lw 1", title));
+    return result;
+}
+
+std::string axis_lines(const Axis& axis, const Range& range, char name) {
+    std::string lines = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, quoted_axis_title(axis.quantity, axis.unit), range.from, range.to);
+    if (!axis.tick_labels.empty()) {
+        lines += fmt::format("unset logscale {0}\nset {0}tics (", name);
+        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) lines += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
+        return lines + fmt::format(") scale 0.6,0.3\nunset m{0}tics\n", name);
+    }
+    if (!axis.logarithmic) return lines + fmt::format("unset logscale {0}\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name);
+    const double decades = std::log10(range.to / range.from);
+    lines += fmt::format("set logscale {0} 10\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 10\n", name);
+    // within little more than a decade powers of ten alone would leave the axis bare
+    if (decades >= 1.6) return lines + fmt::format("set format {0} '10^{{%L}}'\n", name);
+    lines += fmt::format("set format {0} '%g'\nset {0}tics (", name);
+    bool first = true;
+    for (double decade = std::floor(std::log10(range.from)); decade <= std::log10(range.to); decade += 1.0)
+        for (const int digit : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+            const bool named = digit == 1 || digit == 2 || digit == 5 || decades < 0.5;
+            lines += fmt::format("{}{}{:.0f}e{:.0f} {}", first ? "" : ", ", named ? "" : "'' ", static_cast<double>(digit), decade, named ? 0 : 1);
+            first = false;
+        }
+    return lines + ")\n";
+}
+
+std::string key_line(const Panel& panel, const Range& x, const Range& y, double width_mm, double height_mm, double font_size) {
+    std::size_t entries = 0, longest = 0;
+    for (const auto& series : panel.series) {
+        if (series.label.empty() || series.x.size() == 0) continue;
+        ++entries;
+        longest = std::max(longest, static_cast<std::size_t>(std::count_if(series.label.begin(), series.label.end(), [](char c) { return (c & 0xc0) != 0x80; })));
+    }
+    if (!panel.legend || entries == 0) return "unset key\n";
+    const double width = (11.0 + letters_mm * static_cast<double>(longest)) / width_mm, height = (1.5 + 3.4 * static_cast<double>(entries)) / height_mm;
+    const auto corner = panel.legend_corner.value_or(emptiest_corner(panel, x, y, std::min(width, 1.0), std::min(height, 1.0)));
+    constexpr std::array<const char*, 4> names{"top right", "top left", "bottom right", "bottom left"};
+    return fmt::format("set key inside {} vertical Left reverse noopaque nobox samplen 2.2 spacing 1.05 font ',{}' maxrows {}\n",
+                       names[static_cast<std::size_t>(corner)], font_size, entries);
+}
+
+/// Margins of a panel's axes against its cell [mm].
+struct Margins {
+    double left = 13.5, right = 2.5, top = 2.5, bottom = 9.5;
+};
+
+Margins margins_of(const Panel& panel) {
+    Margins margins;
+    if (!panel.title.empty()) margins.top += 3.5;
+    std::size_t longest = 0;
+    for (const auto& label : panel.y.tick_labels) longest = std::max(longest, label.size());
+    margins.left = std::max(margins.left, 6.5 + letters_mm * static_cast<double>(longest));
+    return margins;
+}
+
+void require(const Figure& figure) {
+    if (figure.panels.empty() || figure.columns < 1 || !(figure.width_mm > 0.0 && figure.height_mm > 0.0 && std::isfinite(figure.width_mm * figure.height_mm)))
+        throw InvalidArgument(fmt::format("a figure of {} panels in {} columns, {} mm x {} mm; expected a panel, a column and a size > 0",
+                                          figure.panels.size(), figure.columns, figure.width_mm, figure.height_mm));
+    for (const auto& panel : figure.panels) require_drawable(panel);
+}
+
+/// A file's name, which gnuplot does not typeset.
+std::string quoted_name(const std::string& name) {
+    std::string quoted = "'";
+    for (const char c : name) quoted += c == '\'' ? "''" : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending, const std::string& output_file) {
+    require(figure);
+    const double font_size = terminal_ending == "svg" ? 9.33 : 7.0;
+    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset errorbars 0.5\n"
+                                     "set tics in mirror\nset style fill transparent solid 0.25 noborder\n",
+                                     terminal(figure, terminal_ending), quoted_name(output_file));
+    script += fmt::format("set xtics font ',{0}'\nset ytics font ',{0}'\nset multiplot\n", font_size);
+    const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
+    const auto rows = (figure.panels.size() + columns - 1) / columns;
+    const double cell_width = figure.width_mm / static_cast<double>(columns), cell_height = figure.height_mm / static_cast<double>(rows);
+    for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+        const auto& panel = figure.panels[p];
+        const auto x = x_range(panel), y = y_range(panel);
+        const auto margins = margins_of(panel);
+        const double west = cell_width * static_cast<double>(p % columns), north = figure.height_mm - cell_height * static_cast<double>(p / columns);
+        const double left = west + margins.left, right = west + cell_width - margins.right;
+        const double top = north - margins.top, bottom = north - cell_height + margins.bottom;
+        if (!(left < right && bottom < top))
+            throw InvalidArgument(fmt::format("{} panels in {} columns leave no room for axes in {} mm x {} mm; expected a larger figure",
+                                              figure.panels.size(), columns, figure.width_mm, figure.height_mm));
+        std::string plots;
+        for (std::size_t s = 0; s < panel.series.size(); ++s) {
+            const auto& series = panel.series[s];
+            const auto lines = data_lines(panel, series, x, y);
+            if (lines.empty()) continue;
+            const auto name = fmt::format("$panel_{}_series_{}", p + 1, s + 1);
+            script += fmt::format("{} << END_OF_DATA\n{}END_OF_DATA\n", name, lines);
+            for (const auto& element : elements(series, style_of(series, s), name)) plots += (plots.empty() ? "" : ", \\\n     ") + element;
+        }
+        script += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+                              left / figure.width_mm, right / figure.width_mm, top / figure.height_mm, bottom / figure.height_mm);
+        script += axis_lines(panel.x, x, 'x') + axis_lines(panel.y, y, 'y');
+        script += key_line(panel, x, y, right - left, top - bottom, font_size) + "unset label\nunset arrow\n";
+        if (!panel.title.empty()) script += fmt::format("set label 1 {} at graph 0,1 left offset 0,0.8\n", quoted_verbatim(panel.title));
+        for (const double height : panel.horizontal_lines)
+            if (shows(panel.y, height) && height >= y.from && height <= y.to)
+                script += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back lc rgb '#808080' lw 0.7\n", height);
+        script += "plot " + (plots.empty() ? std::string("NaN notitle") : plots) + "\n";
+    }
+    return script + "unset multiplot\nunset output\n";
+}
+
+}  // namespace setae::figures
