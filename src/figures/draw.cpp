@@ -78,6 +78,12 @@ void erase_date(std::string& content) {
     }
 }
 
+/// An SVG file names its font and does not hold it: with names of fonts that look alike for readers without it.
+void name_similar_fonts(std::string& content) {
+    constexpr std::string_view named = "font-family=\"Liberation Sans\"", similar = "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"";
+    for (auto at = content.find(named); at != std::string::npos; at = content.find(named, at + similar.size())) content.replace(at, named.size(), similar);
+}
+
 }  // namespace
 
 void draw(const Figure& figure, const std::string& path) {
@@ -96,6 +102,7 @@ void draw(const Figure& figure, const std::string& path) {
         throw FileError(fmt::format("{}: gnuplot failed: {}", path, trimmed(io::read_file(folder.file("words.txt")))));
     auto content = io::read_file(folder.file(drawn.c_str()));
     if (ending == "pdf") erase_date(content);
+    if (ending == "svg") name_similar_fonts(content);
     io::write_whole_file(path, content);
 }
 

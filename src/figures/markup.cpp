@@ -105,6 +105,8 @@ std::string typeset_unit(std::string_view unit) {
 
 std::string quoted_verbatim(std::string_view text) { return "'" + escaped(text) + "'"; }
 
+std::string quoted_bold(std::string_view text) { return "'{/:Bold " + escaped(text) + "}'"; }
+
 std::string quoted_tick(std::string_view text) {
     std::string doubled;
     for (const char c : text) doubled += c == '%' ? "%%" : std::string(1, c);

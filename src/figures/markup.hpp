@@ -10,6 +10,9 @@ namespace setae::figures {
 /// and bytes that are no UTF-8 as blanks.
 [[nodiscard]] std::string quoted_verbatim(std::string_view text);
 
+/// As quoted_verbatim, bold.
+[[nodiscard]] std::string quoted_bold(std::string_view text);
+
 /// As quoted_verbatim, for a tick, whose text gnuplot also takes for a number's format.
 [[nodiscard]] std::string quoted_tick(std::string_view text);
 

@@ -86,7 +86,8 @@ std::string data_lines(const Panel& panel, const Series& series, const Range& x,
 std::vector<std::string> elements(const Series& series, const Style& style, const std::string& data) {
     std::vector<std::string> result;
     const auto title = series.label.empty() ? std::string("notitle") : "title " + quoted_verbatim(series.label);
-    const auto line = fmt::format("{} lw 1.3 dt {}", style.colour, style.dash);
+    // symbols tell lines apart that have them
+    const auto line = fmt::format("{} lw 1.3 dt {}", style.colour, series.mark == Mark::both ? "solid" : style.dash);
     if (series.mark == Mark::band) {
         const bool middle = series.y.size() > 0;
         result.push_back(fmt::format("{} using 1:3:4 with filledcurves fs transparent solid 0.25 noborder {} {}", data, style.colour, middle ? "notitle" : title));
@@ -94,8 +95,9 @@ std::vector<std::string> elements(const Series& series, const Style& style, cons
         return result;
     }
     const bool upright = series.lower.size() > 0, across = series.left.size() > 0;
-    if (upright) result.push_back(fmt::format("{} using 1:2:3:4 with yerrorbars pt 0 lw 0.8 {} notitle", data, style.colour));
-    if (across) result.push_back(fmt::format("{} using 1:2:5:6 with xerrorbars pt 0 lw 0.8 {} notitle", data, style.colour));
+    // gnuplot's own error bars leave a white ring around each point
+    if (upright) result.push_back(fmt::format("{} using 1:3:(0):($4-$3) with vectors nohead lw 0.9 {} notitle", data, style.colour));
+    if (across) result.push_back(fmt::format("{} using 5:2:($6-$5):(0) with vectors nohead lw 0.9 {} notitle", data, style.colour));
     if (series.mark == Mark::line) {
         result.push_back(fmt::format("{} using 1:2 with lines {} {}", data, line, title));
         return result;
@@ -104,35 +106,41 @@ std::vector<std::string> elements(const Series& series, const Style& style, cons
     if (series.hollow) {
         // the paper's white inside, so that neither line nor bar runs through
         if (series.mark == Mark::both) result.push_back(fmt::format("{} using 1:2 with lines {} notitle", data, line));
-        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {} lc rgb 'white' notitle", data, symbol.filled, 0.5 * symbol.size));
+        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {} lc rgb 'white' notitle", data, symbol.filled, 0.6 * symbol.size));
     }
     const bool joined = series.mark == Mark::both && !series.hollow;
     result.push_back(fmt::format("{} using 1:2 with {} pt {} ps {} {} {}", data, joined ? "linespoints" : "points",
-                                 series.hollow ? symbol.hollow : symbol.filled, 0.5 * symbol.size, joined ? line : style.colour + " lw 1", title));
+                                 series.hollow ? symbol.hollow : symbol.filled, 0.6 * symbol.size, joined ? line : style.colour + " lw 1", title));
     return result;
 }
 
-std::string axis_lines(const Axis& axis, const Range& range, char name) {
-    std::string lines = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, quoted_axis_title(axis.quantity, axis.unit), range.from, range.to);
-    if (!axis.tick_labels.empty()) {
-        lines += fmt::format("unset logscale {0}\nset {0}tics (", name);
-        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) lines += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
-        return lines + fmt::format(") scale 0.6,0.3\nunset m{0}tics\n", name);
-    }
-    if (!axis.logarithmic) return lines + fmt::format("unset logscale {0}\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name);
+/// Ticks of a logarithmic axis: every power of ten where there is room to name it, else every few; 2 … 9 between where
+/// there is room, named within little more than a decade, where powers of ten alone would leave the axis bare.
+std::string logarithmic_ticks(const Range& range, double length_mm, char name) {
+    constexpr double room_mm = 7.5;
     const double decades = std::log10(range.to / range.from);
-    lines += fmt::format("set logscale {0} 10\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 10\n", name);
-    // within little more than a decade powers of ten alone would leave the axis bare
-    if (decades >= 1.6) return lines + fmt::format("set format {0} '10^{{%L}}'\n", name);
-    lines += fmt::format("set format {0} '%g'\nset {0}tics (", name);
-    bool first = true;
-    for (double decade = std::floor(std::log10(range.from)); decade <= std::log10(range.to); decade += 1.0)
-        for (const int digit : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
-            const bool named = digit == 1 || digit == 2 || digit == 5 || decades < 0.5;
-            lines += fmt::format("{}{}{:.0f}e{:.0f} {}", first ? "" : ", ", named ? "" : "'' ", static_cast<double>(digit), decade, named ? 0 : 1);
-            first = false;
-        }
-    return lines + ")\n";
+    const int step = std::max(1, static_cast<int>(std::ceil(room_mm * decades / length_mm)));
+    const bool few = decades < 1.6;
+    std::string ticks;
+    const auto add = [&](int digit, int decade, bool named) {
+        ticks += fmt::format("{}{}{}e{}{}", ticks.empty() ? "" : ", ", named ? "" : "'' ", digit, decade, named ? "" : " 1");
+    };
+    for (int decade = static_cast<int>(std::floor(std::log10(range.from))); decade <= static_cast<int>(std::floor(std::log10(range.to))); ++decade) {
+        add(1, decade, decade % step == 0);
+        for (int digit = 2; digit <= 9 && step == 1; ++digit) add(digit, decade, few && (decades < 0.5 || digit == 2 || digit == 5));
+    }
+    return fmt::format("set logscale {0} 10\nset format {0} '{1}'\nset {0}tics ({2}) scale 0.6,0.3\n", name, few ? "%g" : "10^{%L}", ticks);
+}
+
+std::string axis_lines(const Axis& axis, const Range& range, double length_mm, char name) {
+    const auto lines = fmt::format("set {0}label {1} offset {4}\nset {0}range [{2}:{3}]\n", name, quoted_axis_title(axis.quantity, axis.unit), range.from,
+                                   range.to, name == 'x' ? "0,0.4" : "0.5,0");
+    const bool logarithmic = axis.logarithmic && axis.tick_labels.empty();
+    if (logarithmic) return lines + logarithmic_ticks(range, length_mm, name);
+    if (axis.tick_labels.empty()) return lines + fmt::format("unset logscale {0}\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name);
+    std::string ticks;
+    for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
+    return lines + fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
 }
 
 std::string key_line(const Panel& panel, const Range& x, const Range& y, double width_mm, double height_mm, double font_size) {
@@ -152,12 +160,13 @@ std::string key_line(const Panel& panel, const Range& x, const Range& y, double 
 
 /// Margins of a panel's axes against its cell [mm].
 struct Margins {
-    double left = 13.5, right = 2.5, top = 2.5, bottom = 9.5;
+    double left = 12.5, right = 2.5, top = 2.5, bottom = 9.5;
 };
 
 Margins margins_of(const Panel& panel) {
     Margins margins;
     if (!panel.title.empty()) margins.top += 3.5;
+    if (panel.y.logarithmic) margins.left += 3.0;  // for 10^{−20}
     std::size_t longest = 0;
     for (const auto& label : panel.y.tick_labels) longest = std::max(longest, label.size());
     margins.left = std::max(margins.left, 6.5 + letters_mm * static_cast<double>(longest));
@@ -183,10 +192,10 @@ std::string quoted_name(const std::string& name) {
 std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending, const std::string& output_file) {
     require(figure);
     const double font_size = terminal_ending == "svg" ? 9.33 : 7.0;
-    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset errorbars 0.5\n"
-                                     "set tics in mirror\nset style fill transparent solid 0.25 noborder\n",
+    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\n"
+                                     "set style fill transparent solid 0.25 noborder\n",
                                      terminal(figure, terminal_ending), quoted_name(output_file));
-    script += fmt::format("set xtics font ',{0}'\nset ytics font ',{0}'\nset multiplot\n", font_size);
+    script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", font_size);
     const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
     const double cell_width = figure.width_mm / static_cast<double>(columns), cell_height = figure.height_mm / static_cast<double>(rows);
@@ -211,9 +220,9 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
         }
         script += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
                               left / figure.width_mm, right / figure.width_mm, top / figure.height_mm, bottom / figure.height_mm);
-        script += axis_lines(panel.x, x, 'x') + axis_lines(panel.y, y, 'y');
+        script += axis_lines(panel.x, x, right - left, 'x') + axis_lines(panel.y, y, top - bottom, 'y');
         script += key_line(panel, x, y, right - left, top - bottom, font_size) + "unset label\nunset arrow\n";
-        if (!panel.title.empty()) script += fmt::format("set label 1 {} at graph 0,1 left offset 0,0.8\n", quoted_verbatim(panel.title));
+        if (!panel.title.empty()) script += fmt::format("set label 1 {} at graph 0,1 left offset 0,0.8\n", quoted_bold(panel.title));
         for (const double height : panel.horizontal_lines)
             if (shows(panel.y, height) && height >= y.from && height <= y.to)
                 script += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back lc rgb '#808080' lw 0.7\n", height);

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/figures/figure.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::figures;
+
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+    std::size_t found = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++found;
+    return found;
+}
+
+/// A folder for one test.
+struct Folder {
+    std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("setae_figures_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    Folder() {
+        std::filesystem::remove_all(path);
+        std::filesystem::create_directories(path);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    [[nodiscard]] std::string operator/(const char* name) const { return (path / name).string(); }
+};
+
+/// PATH replaced for a while.
+class SearchPath {
+public:
+    explicit SearchPath(const std::string& path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
+    ~SearchPath() { setenv("PATH", before_.c_str(), 1); }
+    SearchPath(const SearchPath&) = delete;
+    SearchPath& operator=(const SearchPath&) = delete;
+
+private:
+    std::string before_;
+};
+
+bool there_is_gnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+Series rising(const std::string& label) {
+    return {.label = label, .x = Array1D{{1.0, 10.0, 100.0}}, .y = Array1D{{1.0, 3.0, 9.0}}};
+}
+
+Figure figure_of(const Series& series) {
+    return {.panels = {{.x = {"wavevector *q*", "1/m", true}, .y = {"*C*_{1D}", "m3", true}, .series = {series}}}};
+}
+
+std::string script_of(const Figure& figure) { return gnuplot_script(figure, "svg", "out.svg"); }
+
+TEST(GnuplotScript, SetsQuantitiesItalicAndUnitsUpright) {
+    const auto script = script_of(figure_of(rising("a")));
+    EXPECT_NE(script.find("set xlabel 'wavevector {/:Italic q} (m^{−1})'"), std::string::npos) << script;
+    EXPECT_NE(script.find("set ylabel '{/:Italic C}_{1D} (m^{3})'"), std::string::npos);
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].x = {"slope h'_rms_ \\*x", "1"};
+    figure.panels[0].y = {"*W", "mJ/m2"};
+    EXPECT_NE(script_of(figure).find("set xlabel 'slope h''_{rms}_{} *x' offset"), std::string::npos) << script_of(figure);
+    EXPECT_NE(script_of(figure).find("set ylabel '{/:Italic W} (mJ m^{−2})'"), std::string::npos);
+    figure.panels[0].y.unit = "N m^-1 um2/kg";
+    EXPECT_NE(script_of(figure).find("(N m^{−1} µm^{2} kg^{−1})"), std::string::npos) << script_of(figure);
+}
+
+TEST(GnuplotScript, ShowsLabelsLetterByLetter) {
+    auto series = rising("it's {1}_2^3 @ & ~ \\ \"q\" α\nset output 'gone'\x01\xff\xc3");
+    const auto script = script_of(figure_of(series));
+    EXPECT_NE(script.find("title 'it''s \\{1\\}\\_2\\^3 \\@ \\& \\~ \\\\ \"q\" α set output ''gone''   '"), std::string::npos) << script;
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].title = "5_%";
+    figure.panels[0].x = {.quantity = "instrument", .tick_labels = {"AFM_1", "5 %"}};
+    EXPECT_NE(script_of(figure).find("{/:Bold 5\\_%}"), std::string::npos);
+    EXPECT_NE(script_of(figure).find("set xtics ('AFM\\_1' 0, '5 %%' 1)"), std::string::npos) << script_of(figure);
+    EXPECT_NE(script_of(figure).find("set xrange [-0.5:1.5]"), std::string::npos);
+    EXPECT_NE(gnuplot_script(figure, "svg", "it's.svg").find("set output 'it''s.svg'"), std::string::npos);
+}
+
+TEST(GnuplotScript, InterruptsALineWhereThereIsNoNumber) {
+    Series series{.label = "a", .x = Array1D{{1.0, 2.0, 3.0, 4.0, 5.0}}, .y = Array1D{{1.0, undefined, undefined, 4.0, -5.0}}};
+    EXPECT_NE(script_of(figure_of(series)).find("<< END_OF_DATA\n1 1 1 1 1 1\n\n4 4 4 4 4 4\n\nEND_OF_DATA"), std::string::npos) << script_of(figure_of(series));
+    series.y = Array1D::Constant(5, undefined);
+    EXPECT_NE(script_of(figure_of(series)).find("plot NaN notitle"), std::string::npos);
+    EXPECT_NE(script_of(figure_of({})).find("plot NaN notitle"), std::string::npos);
+    EXPECT_NE(script_of({.panels = {{}}}).find("plot NaN notitle"), std::string::npos);
+}
+
+TEST(GnuplotScript, EndsErrorBarsThatReachBelowALogarithmicAxisAtIt) {
+    auto series = rising("a");
+    series.lower = Array1D{{-1.0, 2.0, undefined}};
+    series.upper = Array1D{{2.0, 4.0, 12.0}};
+    auto figure = figure_of(series);
+    figure.panels[0].y.from = 0.5;
+    EXPECT_NE(script_of(figure).find("\n1 1 0.5 2 1 1\n10 3 2 4 10 10\n100 9 9 12 100 100\n"), std::string::npos) << script_of(figure);
+}
+
+TEST(GnuplotScript, LeavesAMarginAroundTheData) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].x.logarithmic = false;
+    figure.panels[0].horizontal_lines = {0.1};
+    // 1 … 100 and 5 % of it; in decades 0.1 … 9
+    EXPECT_NE(script_of(figure).find("set xrange [-3.95:104.95]"), std::string::npos) << script_of(figure);
+    const auto at = script_of(figure).find("set yrange [");
+    EXPECT_NEAR(std::log10(std::stod(script_of(figure).substr(at + 12))), -1.0 - 0.05 * std::log10(90.0), 1e-12);
+    EXPECT_NE(script_of(figure).find("first 0.1 to graph 1"), std::string::npos);
+}
+
+TEST(GnuplotScript, PutsTheLegendWhereTheLeastDataAre) {
+    EXPECT_NE(script_of(figure_of(rising("a"))).find("set key inside top left"), std::string::npos);
+    auto falling = rising("a");
+    falling.y.reverseInPlace();
+    EXPECT_NE(script_of(figure_of(falling)).find("set key inside top right"), std::string::npos);
+    auto figure = figure_of(falling);
+    figure.panels[0].legend_corner = Corner::bottom_left;
+    EXPECT_NE(script_of(figure).find("set key inside bottom left"), std::string::npos);
+    figure.panels[0].legend = false;
+    EXPECT_NE(script_of(figure).find("unset key"), std::string::npos);
+}
+
+TEST(GnuplotScript, TellsSeriesApartByColourSymbolAndDash) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].series = {rising("a"), rising("b"), rising("c")};
+    figure.panels[0].series[0].mark = figure.panels[0].series[1].mark = Mark::line;
+    figure.panels[0].series[2].colour = 0;
+    figure.panels[0].series[2].symbol = 1;
+    const auto script = script_of(figure);
+    EXPECT_NE(script.find("with lines lc rgb '#0072B2' lw 1.3 dt solid title 'a'"), std::string::npos) << script;
+    EXPECT_NE(script.find("with lines lc rgb '#D55E00' lw 1.3 dt (9,5) title 'b'"), std::string::npos);
+    EXPECT_NE(script.find("with linespoints pt 5 ps 0.54 lc rgb '#0072B2'"), std::string::npos);
+}
+
+TEST(GnuplotScript, RefusesWhatCannotBeDrawn) {
+    EXPECT_THROW((void)script_of({}), InvalidArgument);
+    auto figure = figure_of(rising("a"));
+    EXPECT_THROW((void)gnuplot_script(figure, "eps", "a.eps"), InvalidArgument);
+    figure.panels[0].y.from = 0.0;
+    EXPECT_THROW((void)script_of(figure), InvalidArgument);
+    figure = figure_of(rising("a"));
+    figure.panels[0].x.from = 5.0;
+    figure.panels[0].x.to = 4.0;
+    EXPECT_THROW((void)script_of(figure), InvalidArgument);
+    figure = figure_of(rising("a"));
+    figure.width_mm = 10.0;
+    EXPECT_THROW((void)script_of(figure), InvalidArgument);
+    figure.width_mm = undefined;
+    EXPECT_THROW((void)script_of(figure), InvalidArgument);
+    auto series = rising("short");
+    series.lower = series.y;
+    EXPECT_THROW((void)script_of(figure_of(series)), InvalidArgument);
+    series = rising("short");
+    series.y = Array1D::Ones(2);
+    try {
+        (void)script_of(figure_of(series));
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        EXPECT_NE(std::string(error.what()).find("series 'short': 3 values of x and 2 of y"), std::string::npos) << error.what();
+    }
+    series = rising("band without ends");
+    series.mark = Mark::band;
+    EXPECT_THROW((void)script_of(figure_of(series)), InvalidArgument);
+}
+
+/// Three panels with every mark.
+Figure everything() {
+    Figure figure{.columns = 3, .width_mm = 178.0};
+    for (const auto mark : {Mark::points, Mark::line, Mark::band}) {
+        auto series = rising("_{} <b> & α");
+        series.mark = mark;
+        series.lower = 0.5 * series.y;
+        series.upper = 2.0 * series.y;
+        auto other = rising("hollow");
+        other.hollow = true;
+        other.left = 0.5 * other.x;
+        other.right = 2.0 * other.x;
+        auto panel = figure_of(series).panels[0];
+        panel.title = "A & B";
+        panel.series.push_back(other);
+        panel.horizontal_lines = {2.0};
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+TEST(Draw, MakesTheSameFileEachTime) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    const Folder folder;
+    for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
+        draw(everything(), folder / name);
+        const auto first = content_of(folder / name);
+        draw(everything(), folder / name);
+        EXPECT_EQ(content_of(folder / name), first) << name;
+        EXPECT_GT(first.size(), 5000u) << name;
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 3);
+}
+
+TEST(Draw, ShowsItsData) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    const Folder folder;
+    draw(everything(), folder / "full.svg");
+    draw(everything(), folder / "full.png");
+    auto empty = everything();
+    for (auto& panel : empty.panels) panel.series = {{}};
+    draw(empty, folder / "empty.svg");
+    draw(empty, folder / "empty.png");
+    const auto full = content_of(folder / "full.svg"), bare = content_of(folder / "empty.svg");
+    // three series of three symbols each beside the legends, white ones below the hollow
+    EXPECT_GE(count(full, "<use xlink:href") , count(bare, "<use xlink:href") + 3 * 6);
+    EXPECT_NE(full.find("_{} &lt;b> &amp; α"), std::string::npos);
+    EXPECT_EQ(bare.find("hollow"), std::string::npos);
+    EXPECT_NE(bare.find("wavevector"), std::string::npos);
+    const auto image = content_of(folder / "full.png");
+    ASSERT_EQ(image.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const auto number = [&](std::size_t at) { return static_cast<unsigned char>(image[at + 2]) * 256 + static_cast<unsigned char>(image[at + 3]); };
+    EXPECT_NEAR(number(16), 178.0 / 25.4 * 300.0, 1.0);
+    EXPECT_NEAR(number(20), 65.0 / 25.4 * 300.0, 1.0);
+    EXPECT_GT(image.size(), content_of(folder / "empty.png").size() + 5000);
+}
+
+TEST(Draw, SaysWhatToInstallWhereThereIsNoGnuplot) {
+    const Folder folder;
+    const SearchPath nowhere(folder.path.string());
+    try {
+        draw(everything(), folder / "a.svg");
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("apt-get install gnuplot-nox"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+}
+
+TEST(Draw, RepeatsWhatAFailingGnuplotSays) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "bin");
+    std::ofstream(folder / "bin/gnuplot") << "#!/bin/sh\necho 'line 7: undefined terminal' >&2\nexit 1\n";
+    std::filesystem::permissions(folder / "bin/gnuplot", std::filesystem::perms::owner_all);
+    const SearchPath search(folder / "bin");
+    try {
+        draw(everything(), folder / "a.svg");
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("a.svg: gnuplot failed: line 7: undefined terminal"), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
+}
+
+TEST(Draw, RefusesFoldersAndEndingsThereAreNot) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    const Folder folder;
+    EXPECT_THROW(draw(everything(), folder / "none/a.svg"), FileError);
+    EXPECT_THROW(draw(everything(), folder / "a"), InvalidArgument);
+    EXPECT_THROW(draw(everything(), folder / "a.jpg"), InvalidArgument);
+}
+
+TEST(FigureData, AreARowAPoint) {
+    const Folder folder;
+    auto series = rising("say \"a, b\"");
+    series.lower = Array1D{{0.5, undefined, 8.0}};
+    series.upper = Array1D{{1.5, 4.0, 10.0}};
+    auto figure = figure_of(series);
+    figure.panels.push_back(figure.panels[0]);
+    figure.panels[1].title = "B";
+    figure.panels[1].x.unit = "";
+    write_data(figure, folder / "a.csv");
+    const auto text = content_of(folder / "a.csv");
+    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right");
+    EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"), std::string::npos) << text;
+    EXPECT_EQ(count(text, "\n"), 7u);
+}
+
+}  // namespace
