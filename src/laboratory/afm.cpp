@@ -80,8 +80,16 @@ topography::HeightMap afm_map(const topography::HeightMap& surface, const AfmOpt
 
 topography::HeightMap afm_map(const topography::Dilator& touched, const AfmOptions& options) {
     check(options);
+    return recorded_map(readings_at_pixels(touched, options, options.size / static_cast<double>(options.nx)), options);
+}
+
+topography::HeightMap recorded_map(Array2D readings, const AfmOptions& options) {
+    check(options);
+    if (readings.rows() != options.nx || readings.cols() != options.ny)
+        throw InvalidArgument(fmt::format("{} by {} readings of an afm map of {} by {} points", readings.rows(), readings.cols(), options.nx,
+                                          options.ny));
     const double pixel = options.size / static_cast<double>(options.nx);
-    topography::HeightMap map{readings_at_pixels(touched, options, pixel), {options.size, static_cast<double>(options.ny) * pixel}, false,
+    topography::HeightMap map{std::move(readings), {options.size, static_cast<double>(options.ny) * pixel}, false,
                               simulated_with_tip("afm", options.tip, options.tip_radius_standard_error)};
     if (options.feedback_lag > 0.0)
         for (Index j = 0; j < options.ny; ++j) lag_line(map.heights, j, pixel, options.feedback_lag);

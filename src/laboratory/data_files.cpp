@@ -101,6 +101,9 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
                                                               {"area_ratio", surfaces[i].area_ratio},
                                                               {"skewness", recipe.surfaces[i].surface.skewness},
                                                               {"source", surfaces[i].source}};
+        Json numbers = Json::object();
+        for (const auto& parameter : recipe.surfaces[i].parameters) numbers[parameter.key] = parameter.value;
+        truth["surfaces"][recipe.surfaces[i].surface.name]["spectrum"] = std::move(numbers);
     }
     for (const auto& elastomer : recipe.elastomers)
         truth["elastomers"][elastomer.name] = {{"youngs_modulus", elastomer.youngs_modulus},
@@ -137,7 +140,10 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         line("measurements = [");
         for (const auto& m : measurements[i]) {
             const std::string tip = m.tip_radius.empty() ? "" : fmt::format(", tip_radius = \"{}\"", m.tip_radius);
-            line("  {{ file = {}, instrument = \"{}\"{} }},", quoted(m.file), m.instrument, tip);
+            std::string references;
+            for (const auto& file : m.references) references += (references.empty() ? ", references = [" : ", ") + quoted(file);
+            if (!references.empty()) references += "]";
+            line("  {{ file = {}, instrument = \"{}\"{}{} }},", quoted(m.file), m.instrument, tip, references);
         }
         line("]");
     }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/laboratory/known_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
+
+#include "line_spectrum.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/synthesis/height_transform.hpp"
 #include "spectral_moment.hpp"
@@ -12,9 +17,36 @@
 namespace setae::laboratory {
 namespace {
 
-double moment(const KnownSurface& surface, double order) {
-    const Band band = surface.band();
-    return spectral_moment(surface.C_iso, order, band.lower, {0.0, band.upper});
+/// ∫ q^(n+1) C dq of the angle-averaged C_iso of the Gaussian heights over a band. With q' = κ(θ) q, κ = √(s² cos²θ + sin²θ):
+/// the mean over θ of s κ^(−n−2) times the same of C_iso over κ band.
+double moment(const KnownSurface& surface, double order, const Band& band) {
+    const auto isotropic = [&](const Band& part) { return spectral_moment(surface.C_iso, order, surface.band().lower, part); };
+    if (surface.isotropic()) return isotropic(band);
+    constexpr int directions = 16;  // of a quarter turn, periodic: exact to the stretch to the power −32
+    const double stretch = surface.anisotropy.stretch, whole = isotropic({0.0, surface.band().upper});
+    double sum = 0.0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 0.5 * pi * (i + 0.5) / directions, factor = std::hypot(stretch * std::cos(angle), std::sin(angle));
+        double part = whole;
+        if (band.lower > 0.0) part -= isotropic({0.0, std::min(factor * band.lower, surface.band().upper)});
+        if (factor * band.upper < surface.band().upper) part -= isotropic({factor * band.upper, surface.band().upper});
+        sum += stretch * std::pow(factor, -order - 2.0) * part;
+    }
+    return sum / directions;
+}
+
+/// Mean of (9) over the directions of a slope whose two components differ: it is that of isotropic slopes √2 σ(θ).
+double area_ratio(const KnownSurface& surface, double rms_slope) {
+    if (surface.isotropic()) return roughness::gaussian_area_ratio(rms_slope);
+    constexpr int directions = 32;
+    const double stretch = surface.anisotropy.stretch;
+    const double across = rms_slope / std::sqrt(0.5 + 0.5 / (stretch * stretch));
+    double sum = 0.0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 0.5 * pi * (i + 0.5) / directions;
+        sum += roughness::gaussian_area_ratio(across * std::hypot(std::cos(angle) / stretch, std::sin(angle)));
+    }
+    return sum / directions;
 }
 
 /// ⟨f(z)⟩ of a standard normal z: the trapezoid rule, exact to rounding for smooth f.
@@ -84,29 +116,35 @@ double energy_of_transformed(const KnownSurface& surface, const synthesis::Heigh
     return 0.25 * (variance * (sum + 1.0 / longest) + 0.25 * slope_variance * shortest);
 }
 
-SurfaceTruth truth_of_gaussian(const KnownSurface& surface) {
+roughness::SpectrumCurve profile_curve(const KnownSurface& surface) {
     constexpr double nodes_a_decade = 20.0, decades_below = 2.0;
-    SurfaceTruth truth{.source = "moments of C_iso; (9)"};
-    auto& parameters = truth.parameters;
-    parameters.rms_height = std::sqrt(moment(surface, 0.0) / (2.0 * pi));
-    parameters.rms_slope = std::sqrt(moment(surface, 2.0) / (2.0 * pi));
-    parameters.rms_curvature = std::sqrt(moment(surface, 4.0) / (8.0 * pi));
-    parameters.elastic_energy_per_modulus = moment(surface, 1.0) / (8.0 * pi);
-    truth.area_ratio = roughness::gaussian_area_ratio(parameters.rms_slope);
+    const LineSpectrum C1D(surface);
     const Band band = surface.band();
-    const auto C1D = synthesis::profile_density(surface.C_iso, {0.01 * band.lower, band.upper});
     const double lower = std::log10(band.lower) - decades_below;
     const auto count = static_cast<Index>(std::ceil(nodes_a_decade * (std::log10(band.upper) - lower)));
-    auto& curve = truth.C1D;
+    roughness::SpectrumCurve curve;
     curve.wavevector = Array1D::NullaryExpr(count, [&](Index i) -> double { return std::pow(10.0, lower + static_cast<double>(i) / nodes_a_decade); });
-    curve.values = Array1D::NullaryExpr(count, [&](Index i) -> double { return C1D(curve.wavevector[i]); });
+    curve.values = Array1D::NullaryExpr(count, [&](Index i) -> double { return C1D.averaged(curve.wavevector[i]); });
     curve.band = {curve.wavevector[0], band.upper};
+    return curve;
+}
+
+SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
+    SurfaceTruth truth{.source = surface.isotropic() ? "moments of C_iso; (9)" : "moments of the angle-averaged C_iso; mean of (9) over directions"};
+    auto& parameters = truth.parameters;
+    parameters.rms_height = std::sqrt(moment(surface, 0.0, band) / (2.0 * pi));
+    parameters.rms_slope = std::sqrt(moment(surface, 2.0, band) / (2.0 * pi));
+    parameters.rms_curvature = std::sqrt(moment(surface, 4.0, band) / (8.0 * pi));
+    parameters.elastic_energy_per_modulus = moment(surface, 1.0, band) / (8.0 * pi);
+    truth.area_ratio = area_ratio(surface, parameters.rms_slope);
+    truth.C1D = profile_curve(surface);
     return truth;
 }
 
 SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
-    const double variance = moment(surface, 0.0) / (2.0 * pi), slope_variance = moment(surface, 2.0) / (2.0 * pi);
-    const double s2 = slope_variance / variance, s4 = s2 * s2, v = moment(surface, 4.0) / (2.0 * pi) / variance - s4;
+    const Band all{0.0, surface.band().upper};
+    const double variance = moment(surface, 0.0, all) / (2.0 * pi), slope_variance = moment(surface, 2.0, all) / (2.0 * pi);
+    const double s2 = slope_variance / variance, s4 = s2 * s2, v = moment(surface, 4.0, all) / (2.0 * pi) / variance - s4;
     const SmoothTransform transform{synthesis::lognormal_heights(surface.skewness)};
     const double stretch = normal_mean([&](double z) { return std::pow(transform.slope(z), 2); });
     const double curvature = normal_mean([&](double z) {
@@ -127,8 +165,20 @@ SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
 
 Band KnownSurface::band() const { return {2.0 * pi / rolloff_wavelength, 2.0 * pi / short_wavelength}; }
 
-SurfaceTruth surface_truth(const KnownSurface& surface) {
-    return surface.gaussian() ? truth_of_gaussian(surface) : truth_of_transformed(surface);
+SurfaceTruth surface_truth(const KnownSurface& surface) { return surface_truth(surface, {0.0, surface.band().upper}); }
+
+SurfaceTruth surface_truth(const KnownSurface& surface, const Band& band) {
+    if (!(band.lower >= 0.0) || !(band.upper > band.lower))
+        throw InvalidArgument(fmt::format("truth over a band from {} to {} 1/m; expected 0 <= lower < upper", band.lower, band.upper));
+    if (surface.gaussian()) return truth_of_gaussian(surface, {band.lower, std::min(band.upper, surface.band().upper)});
+    // where the spectrum is flat, transformed heights keep it flat to the square of the skewness
+    if (band.upper < surface.band().upper || band.lower > surface.band().lower)
+        throw InvalidArgument(fmt::format("truth of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
+                                          "roll-off at {} 1/m", band.lower, band.upper, surface.band().lower));
+    SurfaceTruth truth = truth_of_transformed(surface);
+    const double missing = band.lower > 0.0 ? moment(surface, 0.0, {0.0, band.lower}) / (2.0 * pi) : 0.0;
+    truth.parameters.rms_height = std::sqrt(truth.parameters.rms_height * truth.parameters.rms_height - missing);
+    return truth;
 }
 
 }  // namespace setae::laboratory

@@ -52,14 +52,24 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
 }  // namespace
 
 std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
+    if (!recipe.loops) return {};
+    std::vector<SurfaceTruth> truths;
+    for (const auto& rough : recipe.surfaces) truths.push_back(surface_truth(rough.surface));
+    return planted_loops(recipe, truths);
+}
+
+std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths) {
+    if (truths.size() != recipe.surfaces.size())
+        throw InvalidArgument(fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
     std::vector<PlantedLoop> loops;
     if (!recipe.loops) return loops;
     const auto add = [&](PlantedLoop loop) {
         loop.truth = loop_truth(loop.specimen, recipe.loops->protocol);
         loops.push_back(std::move(loop));
     };
-    for (const auto& rough : recipe.surfaces) {
-        const SurfaceTruth surface = surface_truth(rough.surface);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const SurfaceRecipe& rough = recipe.surfaces[i];
+        const SurfaceTruth& surface = truths[i];
         for (const auto& elastomer : recipe.elastomers) {
             const RoughPair pair = rough_pair(recipe, surface, elastomer);
             if (pair.refusal.empty())

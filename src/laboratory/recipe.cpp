@@ -2,12 +2,12 @@
 #include "setae/laboratory/recipe.hpp"
 
 #include <filesystem>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "range_draws.hpp"
+#include "recipe_protocols.hpp"
 #include "recipe_spectrum.hpp"
 
 namespace setae::laboratory {
@@ -27,61 +27,6 @@ void take(TomlReader& reader, const char* key, const Dimension& unit, double& va
 }
 
 double number_or(TomlReader& reader, const char* key, double fallback) { return reader.number(key).value_or(fallback); }
-
-StylusProtocol read_stylus(TomlReader reader) {
-    StylusProtocol protocol{.lengths = reader.quantities("lengths", dimension::length)};
-    take(reader, "step", dimension::length, protocol.step);
-    if (const auto tip = reader.uncertain("tip_radius", dimension::length)) {
-        protocol.tip_radius = tip->value;
-        if (tip->standard_error > 0.0) protocol.tip_radius_standard_error = tip->standard_error;
-    }
-    take(reader, "noise", dimension::length, protocol.noise);
-    take(reader, "bow", dimension::length, protocol.bow);
-    take(reader, "tilt", dimension::none, protocol.tilt);
-    reader.finish();
-    return protocol;
-}
-
-AfmProtocol read_afm(TomlReader reader) {
-    AfmProtocol protocol{.sizes = reader.quantities("sizes", dimension::length)};
-    if (const auto pixels = reader.integer("pixels")) protocol.pixels = *pixels;
-    if (protocol.pixels < 2 || protocol.pixels > 2048) reader.fail("pixels", "expected 2 to 2048");
-    if (const auto tip = reader.uncertain("tip_radius", dimension::length)) {
-        protocol.tip_radius = tip->value;
-        if (tip->standard_error > 0.0) protocol.tip_radius_standard_error = tip->standard_error;
-    }
-    take(reader, "noise", dimension::length, protocol.noise);
-    take(reader, "line_offset", dimension::length, protocol.line_offset);
-    reader.finish();
-    return protocol;
-}
-
-TemProtocol read_tem(TomlReader reader) {
-    TemProtocol protocol{.lengths = reader.quantities("lengths", dimension::length)};
-    take(reader, "step", dimension::length, protocol.step);
-    take(reader, "noise", dimension::length, protocol.noise);
-    reader.finish();
-    return protocol;
-}
-
-/// Who measures, by name: the instruments of a surface without its spectrum.
-using Protocols = std::map<std::string, SurfaceRecipe>;
-
-Protocols read_protocols(TomlReader& reader) {
-    Protocols protocols;
-    reader.named_tables("protocols", [&](const std::string& name, TomlReader inner) {
-        SurfaceRecipe& protocol = protocols[name];
-        inner.table("stylus", [&](TomlReader part) { protocol.stylus = read_stylus(std::move(part)); });
-        inner.table("afm", [&](TomlReader part) { protocol.afm = read_afm(std::move(part)); });
-        inner.table("tem", [&](TomlReader part) { protocol.tem = read_tem(std::move(part)); });
-        inner.finish();
-        const auto has_none = [](const auto& part, const auto& list) { return part && list(*part).empty(); };
-        if (has_none(protocol.stylus, [](const auto& p) { return p.lengths; }) || has_none(protocol.afm, [](const auto& p) { return p.sizes; }) ||
-            has_none(protocol.tem, [](const auto& p) { return p.lengths; }))
-            inner.fail(name.c_str(), "an instrument without lengths or sizes; expected one a measurement");
-    });
-    return protocols;
-}
 
 SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols, const std::string& folder,
                            const RangeDraws& draws) {

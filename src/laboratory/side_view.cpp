@@ -23,7 +23,7 @@ void check(const SideViewOptions& options) {
     if (!(options.step > 0.0) || !(options.length >= options.step) || !(options.length / options.step < 1e8))
         throw InvalidArgument(fmt::format("contour of {} m in steps of {} m; expected 0 < step <= length and fewer than 1e8 points",
                                           options.length, options.step));
-    const double widest = options.steps == ContourSteps::gamma ? std::numbers::sqrt2 : 1.0 / std::numbers::sqrt3;
+    const double widest = widest_spread(options.steps);
     if (!(options.step_spread >= 0.0) || !(options.step_spread <= widest))
         throw InvalidArgument(fmt::format("spread {} of the contour's steps; expected 0 … {}", options.step_spread, widest));
     require_not_negative(options.blur, "blur [m] of the side view");
@@ -152,6 +152,8 @@ void turn_back(Array1D& positions, const SideViewOptions& options) {
 }
 
 }  // namespace
+
+double widest_spread(ContourSteps steps) { return steps == ContourSteps::gamma ? std::numbers::sqrt2 : 1.0 / std::numbers::sqrt3; }
 
 topography::Profile side_view_contour(const topography::HeightMap& surface, const SideViewOptions& options) {
     check(options);

@@ -63,22 +63,6 @@ Array1D positions_of(const StylusOptions& options) {
     return Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)) * options.step;
 }
 
-/// What instrument and noise add to the surface's readings.
-topography::LineScan recorded(Array1D readings, const StylusOptions& options) {
-    require_not_negative(options.noise_rms, "rms noise [m] of the stylus");
-    require_finite(options.tilt, "tilt of the stylus scan");
-    require_finite(options.bow, "bow [m] of the stylus scan");
-    const auto points = readings.size();
-    const ArtefactCurve artefact(options.artefact);
-    const Array1D noise = synthesis::normal_numbers(substream(options.key, 0), 0, points);
-    for (Index i = 0; i < points; ++i) {
-        const double x = static_cast<double>(i) * options.step, share = static_cast<double>(i) / static_cast<double>(points - 1);
-        readings[i] += options.tilt * x + bow_at(options.bow, share) + artefact(x) + options.noise_rms * noise[i];
-    }
-    return {std::move(readings), static_cast<double>(points) * options.step, false,
-            simulated_with_tip("stylus", options.tip, options.tip_radius_standard_error)};
-}
-
 }  // namespace
 
 double drive_artefact(const DriveArtefact& artefact, double position) { return ArtefactCurve(artefact)(position); }
@@ -89,11 +73,28 @@ topography::LineScan stylus_scan(const topography::HeightMap& surface, const Sty
 
 topography::LineScan stylus_scan(const topography::Dilator& touched, const StylusOptions& options) {
     const Array1D x = positions_of(options) + options.start_x;
-    return recorded(touched.readings(x, Array1D::Constant(x.size(), options.start_y)), options);
+    return recorded_scan(touched.readings(x, Array1D::Constant(x.size(), options.start_y)), options);
+}
+
+topography::LineScan recorded_scan(Array1D readings, const StylusOptions& options) {
+    require_not_negative(options.noise_rms, "rms noise [m] of the stylus");
+    require_finite(options.tilt, "tilt of the stylus scan");
+    require_finite(options.bow, "bow [m] of the stylus scan");
+    const auto points = points_of(options);
+    if (readings.size() != points)
+        throw InvalidArgument(fmt::format("{} readings of a stylus scan with {} points", readings.size(), points));
+    const ArtefactCurve artefact(options.artefact);
+    const Array1D noise = synthesis::normal_numbers(substream(options.key, 0), 0, points);
+    for (Index i = 0; i < points; ++i) {
+        const double x = static_cast<double>(i) * options.step, share = static_cast<double>(i) / static_cast<double>(points - 1);
+        readings[i] += options.tilt * x + bow_at(options.bow, share) + artefact(x) + options.noise_rms * noise[i];
+    }
+    return {std::move(readings), static_cast<double>(points) * options.step, false,
+            simulated_with_tip("stylus", options.tip, options.tip_radius_standard_error)};
 }
 
 topography::LineScan reference_scan(const StylusOptions& options) {
-    return recorded(Array1D::Zero(points_of(options)), options);
+    return recorded_scan(Array1D::Zero(points_of(options)), options);
 }
 
 }  // namespace setae::laboratory

@@ -6,14 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "fast_length.hpp"
+#include "patch_heights.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/laboratory/afm.hpp"
 #include "setae/laboratory/side_view.hpp"
 #include "setae/laboratory/stylus.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/synthesis/height_transform.hpp"
 #include "spectral_moment.hpp"
+#include "window_patch.hpp"
 
 namespace setae::laboratory {
 namespace {
@@ -22,57 +24,12 @@ using synthesis::RandomKey;
 using synthesis::substream;
 
 /// Streams of what one measurement draws.
-enum Stream : std::uint64_t { of_heights, of_place, of_tip, of_instrument };
+enum Stream : std::uint64_t { of_heights, of_level, of_tip, of_instrument, of_session, of_references };
 
 constexpr parallel::Threads one_thread{1};
 
-/// Smallest product of 2, 3 and 5 that is not below n: lengths that transform fast.
-Index fast_length(double n) {
-    for (auto candidate = static_cast<Index>(std::ceil(n));; ++candidate) {
-        Index rest = candidate;
-        for (const Index factor : {2, 3, 5})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return candidate;
-    }
-}
-
-/// Heights of a patch of the Gaussian parent become those of the surface. The waves that are longer than the patch set the
-/// height about which it lies, drawn here and taken off again.
-class PatchHeights {
-public:
-    PatchHeights(const KnownSurface& surface, double patch_size, RandomKey key) : surface_(&surface) {
-        if (surface.gaussian()) return;
-        const Band all = surface.band();
-        rms_height_ = std::sqrt(variance_below(all.upper));
-        const double longer = std::min(variance_below(std::min(pi / patch_size, all.upper)), rms_height_ * rms_height_);
-        level_ = std::sqrt(longer) * synthesis::normal_number(substream(key, of_place), 0);
-        transform_ = synthesis::lognormal_heights(surface.skewness);
-    }
-
-    void operator()(double* heights, Index count) const {
-        if (surface_->gaussian()) return;
-        const double about = transform_(level_ / rms_height_);
-        for (Index i = 0; i < count; ++i)
-            heights[i] = rms_height_ * (transform_((heights[i] + level_) / rms_height_) - about);
-    }
-
-private:
-    /// Of the waves up to a wavevector.
-    [[nodiscard]] double variance_below(double upper) const {
-        return spectral_moment(surface_->C_iso, 0.0, surface_->band().lower, {0.0, upper}) / (2.0 * pi);
-    }
-
-    const KnownSurface* surface_;
-    synthesis::HeightTransform transform_;
-    double rms_height_ = 0.0;
-    double level_ = 0.0;
-};
-
-topography::HeightMap patch(const KnownSurface& surface, const synthesis::SurfaceGrid& grid, double extent, RandomKey key) {
-    auto map = synthesis::random_surface(surface.C_iso, grid, {.key = substream(key, of_heights), .threads = one_thread});
-    PatchHeights(surface, extent, key)(map.heights.data(), map.heights.size());
-    return map;
-}
+/// How many of its length a line of the surface is long: longer waves leave 1e-3 of what a parabola leaves.
+constexpr double lengths_a_line = 8.0;
 
 double drawn_radius(double told, double standard_error, RandomKey key) {
     const double radius = told + standard_error * synthesis::normal_number(substream(key, of_tip), 0);
@@ -84,70 +41,182 @@ double drawn_radius(double told, double standard_error, RandomKey key) {
 
 std::optional<double> if_positive(double value) { return value > 0.0 ? std::optional(value) : std::nullopt; }
 
+StylusOptions stylus_options(const StylusProtocol& protocol, std::size_t scan, RandomKey key) {
+    return {.tip_radius_standard_error = if_positive(protocol.tip_radius_standard_error),
+            .length = protocol.lengths[scan],
+            .step = protocol.step(scan),
+            .noise_rms = protocol.noise,
+            .tilt = protocol.tilt,
+            .bow = protocol.bow,
+            .artefact = {.rms = protocol.artefact, .longest_wavelength = protocol.artefact_wavelength, .session = substream(key, of_session)},
+            .key = substream(substream(key, of_instrument), scan)};
+}
+
+/// C1D of points read a step apart: all waves shorter than two steps folded back.
+synthesis::SpectralDensity folded(const LineSpectrum& C1D, double step, double lowest) {
+    constexpr int single = 16;          // aliases added one by one; beyond them their sum is an integral
+    constexpr double nodes_a_unit = 40.0;
+    const double sampling = 2.0 * pi / step, nyquist = 0.5 * sampling;
+    double tail = 0.0;
+    const double first = (single + 0.5) * sampling, extent = std::log(C1D.upper() / first);
+    for (double t = 0.5 / nodes_a_unit; t < extent; t += 1.0 / nodes_a_unit) {
+        const double q = first * std::exp(t);
+        tail += 2.0 * C1D(q) * q / nodes_a_unit / sampling;
+    }
+    const auto count = static_cast<Index>(std::ceil(nodes_a_unit * std::log(nyquist / lowest))) + 1;
+    Array1D q(count), values(count);
+    for (Index i = 0; i < count; ++i) {
+        q[i] = lowest * std::pow(nyquist / lowest, static_cast<double>(i) / static_cast<double>(count - 1));
+        values[i] = C1D(q[i]) + tail;
+        for (int m = 1; m <= single; ++m) values[i] += C1D(m * sampling + q[i]) + C1D(m * sampling - q[i]);
+    }
+    q[count - 1] *= 1.0 + 1e-9;
+    return synthesis::tabulated_density(q, values);
+}
+
+/// Pointwise readings without a tip.
+topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& C1D, const StylusOptions& options, RandomKey key) {
+    const Index points = fast_length(lengths_a_line * options.length / options.step);
+    const double extent = options.step * static_cast<double>(points);
+    auto line = synthesis::random_line(folded(C1D, options.step, pi / extent), {.points = points, .size = extent},
+                                       {.key = substream(key, of_heights), .threads = one_thread});
+    PatchHeights(surface, extent, substream(key, of_level))(line.heights.data(), points);
+    const Index scanned = std::llround(options.length / options.step);
+    return recorded_scan(line.heights.head(scanned), options);
+}
+
+/// The strip on which a stylus runs and how far its scans are apart.
+struct Strip {
+    PatchShape shape;
+    double lane = 0.0;  ///< [m]
+};
+
+Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
+    constexpr double points_a_rolloff = 24.0, points_a_radius = 50.0, rolloffs_apart = 4.0, highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
+    const double longest = *std::max_element(protocol.lengths.begin(), protocol.lengths.end());
+    const auto lanes = static_cast<Index>(protocol.lengths.size());
+    const double long_rolloff = surface.anisotropy.stretch * surface.rolloff_wavelength;
+    const double rms_height = std::sqrt(spectral_moment(surface.C_iso, 0.0, surface.band().lower, {0.0, surface.band().upper}) / (2.0 * pi));
+    const double reach = std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
+    const double lane = std::min(std::max(rolloffs_apart * long_rolloff, 2.0 * reach), std::max(widest_lane, 2.0 * reach));
+    const double width = lane * static_cast<double>(lanes), length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
+    const double finest = std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
+                                   std::sqrt(length * width / most_points));
+    const double step = *std::min_element(protocol.steps.begin(), protocol.steps.end()), pixel = step / std::max(1.0, std::floor(step / finest));
+    return {.shape = {.nx = fast_length(length / pixel),
+                      .ny = fast_length(width / pixel),
+                      .pixel = pixel,
+                      .window = longest,
+                      .lanes = lanes},
+            .lane = lane};
+}
+
+/// Points of the fine grid to a pixel of a map.
+Index fine_points(const KnownSurface& surface, double tip_radius, double step, Index pixels) {
+    constexpr double points_a_radius = 15.0;
+    constexpr Index most = 2048;
+    const double finest = std::max(0.5 * surface.short_wavelength, tip_radius / points_a_radius);
+    return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1, std::max<Index>(1, most / pixels));
+}
+
+/// Heights along x and, of a foil with thickness, along the beam.
+topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol, double length, RandomKey key) {
+    if (protocol.foil_thickness == 0.0) {
+        constexpr double points_a_wave = 64.0;  // straight lines between points take (q step)²/6 of the power: 1.6e-3 at the end
+        const double extent = lengths_a_line * length;
+        const Index n = fast_length(extent * C1D.upper() / (2.0 * pi) * points_a_wave);
+        auto line = synthesis::random_line([&C1D](double q) { return C1D(q); }, {.points = n, .size = extent},
+                                           {.key = substream(key, of_heights), .threads = one_thread});
+        PatchHeights(surface, extent, substream(key, of_level))(line.heights.data(), n);
+        // a foil of no thickness: the same line twice, so that it is a map
+        return {.heights = line.heights.replicate(1, 2), .size = {extent, 2.0 * line.pixel_size()}, .periodic = true};
+    }
+    constexpr double points_a_wave = 16.0, most_points = 1 << 23;
+    const double width = std::max(1.25 * protocol.foil_thickness, 0.25 * length), extent = 1.25 * length;
+    const double pixel = std::max(surface.short_wavelength / points_a_wave, std::sqrt(extent * width / most_points));
+    return window_patch(surface, {.nx = fast_length(extent / pixel), .ny = fast_length(width / pixel), .pixel = pixel, .window = length},
+                        substream(key, of_heights));
+}
+
 }  // namespace
 
-std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const StylusProtocol& protocol, RandomKey key) {
-    constexpr double points_a_rolloff = 40.0, rolloffs_apart = 4.0, ends = 1.02, most_points = 1 << 24;
-    const double longest = *std::max_element(protocol.lengths.begin(), protocol.lengths.end());
-    const double apart = rolloffs_apart * surface.rolloff_wavelength;
-    const double width = apart * static_cast<double>(protocol.lengths.size());
-    const double finest = std::max(surface.rolloff_wavelength / points_a_rolloff, std::sqrt(ends * longest * width / most_points));
-    const double pixel = protocol.step / std::max(1.0, std::floor(protocol.step / finest));
-    const Index nx = fast_length(ends * longest / pixel), ny = fast_length(std::max(2.0, width / pixel));
-    const auto strip = patch(surface, {nx, ny, pixel * static_cast<double>(nx), pixel * static_cast<double>(ny)}, longest, key);
-    const topography::Tip tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
-    const topography::Dilator touched(strip, tip, {.threads = one_thread});
+std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D, const StylusProtocol& protocol,
+                                               RandomKey key) {
     std::vector<topography::LineScan> scans;
-    for (std::size_t k = 0; k < protocol.lengths.size(); ++k)
-        scans.push_back(stylus_scan(touched, {.tip = topography::SphereTip{protocol.tip_radius},
-                                              .tip_radius_standard_error = if_positive(protocol.tip_radius_standard_error),
-                                              .length = protocol.lengths[k],
-                                              .step = protocol.step,
-                                              .start_y = apart * static_cast<double>(k),
-                                              .noise_rms = protocol.noise,
-                                              .tilt = protocol.tilt,
-                                              .bow = protocol.bow,
-                                              .key = substream(substream(key, of_instrument), k)}));
+    const auto count = protocol.lengths.size();
+    if (protocol.tip_radius == 0.0) {
+        for (std::size_t k = 0; k < count; ++k)
+            scans.push_back(bare_scan(surface, C1D, stylus_options(protocol, k, key), substream(substream(key, of_heights), k)));
+        return scans;
+    }
+    const Strip strip = strip_for(surface, protocol);
+    const auto map = window_patch(surface, strip.shape, substream(key, of_heights));
+    const topography::Tip tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
+    const topography::Dilator touched(map, tip, {.threads = one_thread});
+    for (std::size_t k = 0; k < count; ++k) {
+        auto options = stylus_options(protocol, k, key);
+        options.tip = topography::SphereTip{protocol.tip_radius};
+        options.start_x = strip.shape.pixel * static_cast<double>((strip.shape.nx - std::llround(strip.shape.window / strip.shape.pixel)) / 2);
+        options.start_y = map.size[1] * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+        scans.push_back(stylus_scan(touched, options));
+    }
+    return scans;
+}
+
+std::vector<topography::LineScan> stylus_references(const StylusProtocol& protocol, RandomKey key) {
+    std::vector<topography::LineScan> scans;
+    for (std::size_t k = 0; k < protocol.lengths.size(); ++k) {
+        auto options = stylus_options(protocol, k, key);
+        options.key = substream(substream(key, of_references), k);
+        if (protocol.tip_radius > 0.0) options.tip = topography::SphereTip{protocol.tip_radius};
+        scans.push_back(reference_scan(options));
+    }
     return scans;
 }
 
 topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol, std::size_t index, RandomKey key) {
-    constexpr double pixels_a_radius = 20.0, scans_a_patch = 2.0;
-    constexpr Index most_pixels = 4096;
+    constexpr double patch_over_map = 1.25;
     const RandomKey own = substream(key, index);
-    const double size = protocol.sizes[index], step = size / static_cast<double>(protocol.pixels);
-    const double finest = std::max(0.5 * surface.short_wavelength, protocol.tip_radius / pixels_a_radius);
-    const Index most = std::max<Index>(1, most_pixels / static_cast<Index>(scans_a_patch * static_cast<double>(protocol.pixels)));
-    const Index fine = std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1, most);
-    const Index n = static_cast<Index>(scans_a_patch) * protocol.pixels * fine;
-    const double extent = scans_a_patch * size;
-    const auto map = patch(surface, {n, n, extent, extent}, extent, own);
-    const topography::Tip tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
-    return afm_map(map, {.tip = tip,
-                         .nx = protocol.pixels,
-                         .ny = protocol.pixels,
-                         .size = size,
-                         .noise_rms = protocol.noise,
-                         .line_offset_rms = protocol.line_offset,
-                         .key = substream(own, of_instrument),
-                         .touch = {.threads = one_thread}});
+    const Index pixels = protocol.pixels_of(index);
+    const double size = protocol.sizes[index], step = size / static_cast<double>(pixels);
+    const Index fine = fine_points(surface, protocol.tip_radius, step, pixels);
+    const Index n = fast_length(patch_over_map * static_cast<double>(pixels * fine));
+    const double pixel = step / static_cast<double>(fine), start = pixel * static_cast<double>((n - pixels * fine) / 2);
+    const auto map = window_patch(surface, {.nx = n, .ny = n, .pixel = pixel, .window = size, .pointwise = protocol.tip_radius == 0.0}, substream(own, of_heights));
+    AfmOptions options{.nx = pixels,
+                       .ny = pixels,
+                       .size = size,
+                       .start_x = start,
+                       .start_y = start,
+                       .noise_rms = protocol.noise,
+                       .line_offset_rms = protocol.line_offset,
+                       .line_drift_rms = protocol.line_drift,
+                       .tilt_x = protocol.tilt,
+                       .bow = protocol.bow,
+                       .feedback_lag = protocol.feedback_lag,
+                       .key = substream(own, of_instrument),
+                       .touch = {.threads = one_thread}};
+    if (protocol.tip_radius > 0.0) {
+        options.tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
+        return afm_map(map, options);
+    }
+    const Index first = (n - pixels * fine) / 2;
+    return recorded_map(map.heights(Eigen::seqN(first, pixels, fine), Eigen::seqN(first, pixels, fine)), options);
 }
 
-topography::Profile tem_contour(const KnownSurface& surface, const TemProtocol& protocol, std::size_t index, RandomKey key) {
-    constexpr double points_a_wave = 8.0, contours_a_line = 2.0;
+topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol, std::size_t index,
+                                RandomKey key) {
     const RandomKey own = substream(key, index);
-    const double length = protocol.lengths[index], extent = contours_a_line * length;
-    const Index n = fast_length(extent / (surface.short_wavelength / points_a_wave));
-    const auto C1D = synthesis::profile_density(surface.C_iso, {0.01 * surface.band().lower, surface.band().upper});
-    auto line = synthesis::random_line(C1D, {.points = n, .size = extent},
-                                       {.key = substream(own, of_heights), .threads = one_thread});
-    PatchHeights(surface, extent, own)(line.heights.data(), n);
-    // a foil of no thickness: the same line twice, so that it is a map
-    const topography::HeightMap foil{.heights = line.heights.replicate(1, 2), .size = {extent, 2.0 * line.pixel_size()}, .periodic = true};
-    return side_view_contour(foil, {.length = length,
-                                    .step = protocol.step,
-                                    .trace_noise_rms = protocol.noise,
-                                    .key = substream(own, of_instrument)});
+    const double length = protocol.lengths[index];
+    const auto cut = foil(surface, C1D, protocol, length, own);
+    return side_view_contour(cut, {.thickness = protocol.foil_thickness,
+                                   .start_x = 0.1 * length,
+                                   .length = length,
+                                   .step = protocol.step,
+                                   .steps = protocol.steps,
+                                   .step_spread = protocol.step_spread,
+                                   .trace_noise_rms = protocol.noise,
+                                   .key = substream(own, of_instrument)});
 }
 
 }  // namespace setae::laboratory

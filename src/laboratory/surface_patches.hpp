@@ -3,21 +3,25 @@
 
 #include <vector>
 
+#include "line_spectrum.hpp"
 #include "setae/laboratory/recipe.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::laboratory {
 
-/// All scans of a surface, on one strip.
-[[nodiscard]] std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const StylusProtocol& protocol,
-                                                             synthesis::RandomKey key);
+/// All scans of a surface: on one strip below a tip, on lines of their own without.
+[[nodiscard]] std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D,
+                                                             const StylusProtocol& protocol, synthesis::RandomKey key);
+
+/// Scans of a smooth standard in the same session.
+[[nodiscard]] std::vector<topography::LineScan> stylus_references(const StylusProtocol& protocol, synthesis::RandomKey key);
 
 /// Map `index` of the protocol, on a patch of its own.
 [[nodiscard]] topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol, std::size_t index,
                                              synthesis::RandomKey key);
 
-/// Contour `index` of the protocol, on a line of its own.
-[[nodiscard]] topography::Profile tem_contour(const KnownSurface& surface, const TemProtocol& protocol, std::size_t index,
-                                              synthesis::RandomKey key);
+/// Contour `index` of the protocol, on a line of its own; of a foil with thickness, on a patch.
+[[nodiscard]] topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol,
+                                              std::size_t index, synthesis::RandomKey key);
 
 }  // namespace setae::laboratory

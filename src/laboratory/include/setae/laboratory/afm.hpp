@@ -40,4 +40,8 @@ struct AfmOptions {
 /// The same on a surface prepared for the tip once, for several maps: options.tip only names the radius.
 [[nodiscard]] topography::HeightMap afm_map(const topography::Dilator& touched, const AfmOptions& options);
 
+/// The same of what the tip reads at each pixel [m], from wherever it comes.
+/// @throws InvalidArgument for another number of readings than pixels.
+[[nodiscard]] topography::HeightMap recorded_map(Array2D readings, const AfmOptions& options);
+
 }  // namespace setae::laboratory

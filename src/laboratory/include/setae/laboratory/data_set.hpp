@@ -29,6 +29,10 @@ struct PlantedLoop {
 /// Source: [D19] (7), (10).
 [[nodiscard]] std::vector<PlantedLoop> planted_loops(const Recipe& recipe);
 
+/// The same with the truth of each surface, in the recipe's order, where it is known already.
+/// @throws InvalidArgument for another number of truths than surfaces, too.
+[[nodiscard]] std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths);
+
 /// Makes a data set in a folder, which is created: what instruments would have recorded, and what is behind it.
 ///
 /// NAME/stylus_K.csv, NAME/afm_K.txt, NAME/tem_K.csv (heights [nm]); loops/…csv; truth.json (planted values, SI), truth

@@ -9,35 +9,49 @@
 #include "setae/core/estimate.hpp"
 #include "setae/laboratory/known_surface.hpp"
 #include "setae/laboratory/loop_simulation.hpp"
+#include "setae/laboratory/side_view.hpp"
 
 namespace setae::laboratory {
 
 /// Scans of a stylus: one line a length.
 struct StylusProtocol {
     std::vector<double> lengths;             ///< [m]
-    double step = 100e-9;                    ///< [m]
-    double tip_radius = 5e-6;                ///< what the study is told [m]
+    std::vector<double> steps{100e-9};       ///< [m], one for all or one a length
+    double tip_radius = 5e-6;                ///< what the study is told [m]; 0: points are read without a tip
     double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
     double noise = 0.0;                      ///< standard deviation of a point [m]
     double bow = 0.0;                        ///< height of the arc over a scan [m]
     double tilt = 0.0;                       ///< [1]
+    double artefact = 0.0;                   ///< rms of the curve that the drive adds to all scans [m]; > 0: references, too
+    double artefact_wavelength = 1e-3;       ///< longest of that curve [m]
+
+    [[nodiscard]] double step(std::size_t scan) const { return steps.size() == 1 ? steps.front() : steps[scan]; }
 };
 
 /// Square maps of a force microscope: one a size.
 struct AfmProtocol {
     std::vector<double> sizes;               ///< [m]
-    Index pixels = 256;                      ///< a side
-    double tip_radius = 10e-9;               ///< what the study is told [m]
+    std::vector<Index> pixels{256};          ///< a side, one for all or one a size
+    double tip_radius = 10e-9;               ///< what the study is told [m]; 0: pixels are read without a tip
     double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
     double noise = 0.0;                      ///< standard deviation of a pixel [m]
     double line_offset = 0.0;                ///< standard deviation of the offset of a line [m]
+    double line_drift = 0.0;                 ///< standard deviation of a step of the walk from line to line [m]
+    double tilt = 0.0;                       ///< along the fast axis [1]
+    double bow = 0.0;                        ///< height of the scanner's arc along the fast axis [m]
+    double feedback_lag = 0.0;               ///< distance over which the tip follows a step to 1/e [m]
+
+    [[nodiscard]] Index pixels_of(std::size_t map) const { return pixels.size() == 1 ? pixels.front() : pixels[map]; }
 };
 
 /// Traced contours of a cross-section: one a length.
 struct TemProtocol {
     std::vector<double> lengths;  ///< [m]
     double step = 0.2e-9;         ///< mean distance of the traced points [m]
+    ContourSteps steps = ContourSteps::gamma;
+    double step_spread = 0.5;     ///< rms of the distance over its mean
     double noise = 0.0;           ///< standard deviation of a traced point [m]
+    double foil_thickness = 0.0;  ///< along the beam [m]; 0: the contour is a line
 };
 
 /// A number of a surface's spectrum as it was given, or drawn from its range.

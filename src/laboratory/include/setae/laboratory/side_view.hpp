@@ -13,6 +13,9 @@ enum class ContourSteps {
     gamma,    ///< as a gamma variate, the sum of ν squared normal numbers: many short, few long ones
 };
 
+/// Largest rms of the distance over its mean.
+[[nodiscard]] double widest_spread(ContourSteps steps);
+
 /// One traced contour of a foil in a transmission electron microscope.
 struct SideViewOptions {
     double thickness = 0.0;               ///< of the foil along the beam (y) [m]; 0: a line through the surface

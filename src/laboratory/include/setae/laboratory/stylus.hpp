@@ -52,6 +52,10 @@ struct StylusOptions {
 /// The same on a surface prepared for the tip once, for several scans: options.tip only names the radius.
 [[nodiscard]] topography::LineScan stylus_scan(const topography::Dilator& touched, const StylusOptions& options);
 
+/// The same of what the tip reads at each point [m], from wherever it comes.
+/// @throws InvalidArgument for another number of readings than points.
+[[nodiscard]] topography::LineScan recorded_scan(Array1D readings, const StylusOptions& options);
+
 /// A scan of a smooth flat: all but the surface.
 [[nodiscard]] topography::LineScan reference_scan(const StylusOptions& options);
 
