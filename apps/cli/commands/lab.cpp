@@ -7,6 +7,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/laboratory/data_set.hpp"
+#include "lab_closure.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -55,6 +56,7 @@ void add_lab(CLI::App& program, Action& action) {
     auto* group = program.add_subcommand("lab", "measurements simulated on surfaces of which everything is known");
     group->require_subcommand(1);
     add_make(*group, action);
+    add_closure(*group, action);
 }
 
 }  // namespace setae::cli

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab_closure.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "setae/closure/closure.hpp"
+#include "setae/closure/report.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/io/whole_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* explanation =
+    "Each run makes the recipe's data set with a seed of its own, studies it from its files, compares with what is planted.\n"
+    "bias       mean of found/planted - 1, or of found - planted; its standard error from the scatter between runs\n"
+    "scatter    standard deviation of these;  stated: mean half width of the 95 % intervals over 1.96\n"
+    "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
+    "methods    likelihood, average: the study's spectra;  loops: JKR analysis;  paper: eq. (11), straight segments\n"
+    "           between contour points, percentile bootstrap                                                     [D19]\n"
+    "--without  tip-factor: tips not simulated;  tip-band: data beyond the reliable band used (both of the likelihood)\n";
+
+struct ClosureArguments {
+    Common common;
+    std::string recipe;
+    std::string output = "closure";
+    int runs = 25;
+    std::uint64_t seed = 1;
+    bool keep = false;
+    workflow::SpectrumMethod spectrum = workflow::SpectrumMethod::likelihood;
+    std::vector<std::string> without;
+};
+
+closure::ClosureOptions options_of(const ClosureArguments& arguments) {
+    const auto left_out = [&](const char* name) { return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end(); };
+    closure::ClosureOptions options{.runs = arguments.runs,
+                                    .first_seed = arguments.seed,
+                                    .folder = arguments.output,
+                                    .keep = arguments.keep,
+                                    .spectrum = arguments.spectrum,
+                                    .tip_factor = !left_out("tip-factor"),
+                                    .tip_band = !left_out("tip-band"),
+                                    .threads = arguments.common.workers()};
+    if (isatty(STDERR_FILENO) != 0)
+        options.progress = [runs = arguments.runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
+    return options;
+}
+
+workflow::Json json_of(const closure::SummaryRow& row) {
+    return {{"quantity", row.quantity}, {"method", row.method}, {"unit", row.measure == closure::Deviation::relative ? "1" : row.unit},
+            {"count", row.count}, {"bias", row.bias}, {"bias_standard_error", row.bias_error}, {"scatter", row.scatter}, {"stated", row.stated},
+            {"worst", row.worst}, {"coverage", row.coverage}, {"coverage_interval", {row.coverage_interval.lower, row.coverage_interval.upper}}};
+}
+
+ExitCode run(const ClosureArguments& arguments) {
+    if (arguments.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+    const auto found = closure::run_closure(arguments.recipe, options_of(arguments));
+    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    if (found.comparisons.empty()) return ExitCode::nothing_done;
+    const auto rows = closure::summary(found.comparisons);
+    const auto table = closure::summary_table(rows);
+    const auto path = [&](const char* name) { return (fs::path(arguments.output) / name).string(); };
+    io::write_whole_file(path("comparisons.csv"), closure::comparisons_csv(found.comparisons));
+    io::write_whole_file(path("closure.txt"), table);
+    const auto figure = closure::closure_figure(rows);
+    figures::write_data(figure, path("closure.csv"));
+    for (const char* name : {"closure.svg", "closure.png", "closure.pdf"}) figures::draw(figure, path(name));
+    if (arguments.common.json) {
+        workflow::Json json{{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", workflow::Json::array()}};
+        for (const auto& row : rows) json["rows"].push_back(json_of(row));
+        print_json(json);
+    } else {
+        print(table + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
+    }
+    return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+}  // namespace
+
+void add_closure(CLI::App& group, Action& action) {
+    auto arguments = std::make_shared<ClosureArguments>();
+    auto* verb = group.add_subcommand("closure", "make and study a recipe many times: bias and coverage of every quantity");
+    verb->add_option("recipe", arguments->recipe, "TOML file of the recipe");
+    verb->add_option("-o,--output", arguments->output, "folder of tables and figure; default: closure");
+    verb->add_option("--runs", arguments->runs, "data sets; default: 25");
+    verb->add_option("--seed", arguments->seed, "of the first run; default: 1");
+    verb->add_flag("--keep", arguments->keep, "leave the data sets in the folder");
+    const std::map<std::string, workflow::SpectrumMethod> methods{{"average", workflow::SpectrumMethod::average}, {"likelihood", workflow::SpectrumMethod::likelihood}};
+    verb->add_option("--spectrum", arguments->spectrum, "what fits and predictions rest on")->transform(CLI::CheckedTransformer(methods));
+    verb->add_option("--without", arguments->without, "leave an ingredient of the likelihood out")->check(CLI::IsMember({"tip-factor", "tip-band"}));
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

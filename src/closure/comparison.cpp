@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/closure/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/resampling.hpp"
+
+namespace setae::closure {
+namespace {
+
+using roughness::SpectralParameters;
+using workflow::SpectrumResult;
+using workflow::StudyResult;
+
+/// A number of a surface.
+struct SurfaceQuantity {
+    std::string name, unit;
+    std::function<double(const SpectralParameters&)> value;
+    double least = 0.0;  ///< what it exceeds
+};
+
+std::vector<SurfaceQuantity> surface_quantities() {
+    std::vector<SurfaceQuantity> quantities{
+        {"rms_height", "m", [](const SpectralParameters& p) { return p.rms_height; }},
+        {"rms_slope", "1", [](const SpectralParameters& p) { return p.rms_slope; }},
+        {"rms_curvature", "1/m", [](const SpectralParameters& p) { return p.rms_curvature; }},
+        {"elastic_energy_per_modulus", "m", [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; }},
+        {"true_area_ratio", "1", [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }, 1.0},
+    };
+    for (std::size_t d = 0; d < roughness::no_decades.size(); ++d)
+        quantities.push_back({fmt::format("C1D 1e{}", roughness::first_decade + static_cast<int>(d)), "m3",
+                              [d](const SpectralParameters& p) { return p.decade_C1D[d]; }});
+    return quantities;
+}
+
+/// Planted parameters with the decades of the planted C1D.
+SpectralParameters planted_parameters(const laboratory::SurfaceTruth& truth) {
+    auto parameters = truth.parameters;
+    if (truth.C1D.wavevector.size() > 1) parameters.decade_C1D = roughness::decade_means(truth.C1D);
+    return parameters;
+}
+
+double planted_value(const SurfaceQuantity& quantity, const laboratory::SurfaceTruth& truth) {
+    return quantity.name == "true_area_ratio" ? truth.area_ratio : quantity.value(planted_parameters(truth));
+}
+
+/// Calls visit(surface's result, planted truth) for every surface of the study that did not fail.
+void for_each_surface(const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study,
+                      const std::function<void(const workflow::SurfaceResult&, const laboratory::SurfaceTruth&)>& visit) {
+    for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
+        const auto& surface = study.surface(recipe.surfaces[i].surface.name);
+        if (!surface.failed()) visit(surface, planted.surfaces[i]);
+    }
+}
+
+/// One row, unless either value is undefined.
+void add(std::vector<Comparison>& rows, Comparison row) {
+    if (std::isfinite(row.planted) && std::isfinite(row.found.value)) rows.push_back(std::move(row));
+}
+
+void add_spectrum(std::vector<Comparison>& rows, int run, const std::string& surface, const std::string& method, const SpectrumResult& spectrum,
+                  const laboratory::SurfaceTruth& truth) {
+    for (const auto& quantity : surface_quantities()) {
+        if (!std::isfinite(quantity.value(spectrum.parameters))) continue;
+        add(rows, {run, surface, quantity.name, method, quantity.unit, Deviation::relative, planted_value(quantity, truth),
+                   spectrum.estimate(quantity.value, quantity.least)});
+    }
+}
+
+Estimate between_percentiles(const SpectrumResult& spectrum, const SurfaceQuantity& quantity) {
+    std::vector<double> replicas;
+    for (const auto& p : spectrum.spread.replicas)
+        if (const double value = quantity.value(p); std::isfinite(value)) replicas.push_back(value);
+    Estimate result{quantity.value(spectrum.parameters), spectrum.spread.standard_error(quantity.value), "bootstrap percentile"};
+    if (replicas.size() > 1) result.interval = percentile_interval(std::move(replicas));
+    return result;
+}
+
+void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted, const std::string& method, const StudyResult& study) {
+    const Comparison row{run, "all", "work_of_adhesion", method, "J/m2", Deviation::absolute, planted, {}};
+    const auto add_fit = [&](const char* quantity, const workflow::WorkFit& fit) {
+        auto found = row;
+        found.quantity = quantity;
+        found.found = fit.clustered;
+        add(rows, found);
+    };
+    if (study.modified) add_fit("work_of_adhesion", *study.modified);
+    if (study.loop) add_fit("work_of_adhesion_from_loss", study.loop->through_origin);
+}
+
+void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method, const StudyResult& study) {
+    for (const auto& loop : planted.loops) {
+        const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) { return p.surface == loop.surface && p.elastomer == loop.elastomer; });
+        if (loop.surface.empty() || pair == study.pairs.end()) continue;
+        const Comparison row{run, loop.surface + " × " + loop.elastomer, "predicted_work", method, "J/m2", Deviation::absolute, loop.specimen.work_approach, {}};
+        if (pair->modified) {
+            auto predicted = row;
+            predicted.found = pair->modified->estimate;
+            add(rows, predicted);
+        }
+        if (pair->predicted_loss) add(rows, {run, row.item, "predicted_loss", method, "J", Deviation::relative, loop.truth.energy_loss(), *pair->predicted_loss});
+    }
+}
+
+void add_loop(std::vector<Comparison>& rows, int run, const laboratory::PlantedLoop& loop, const StudyResult& study) {
+    const auto& file = loop.file;
+    const auto found = std::find_if(study.experiments.begin(), study.experiments.end(),
+                                    [&](const auto& e) { return e.input.file.ends_with(file) && e.analysis; });
+    if (found == study.experiments.end()) return;
+    const auto& analysis = *found->analysis;
+    const auto& fit = analysis.loading.primary();
+    const std::string item = loop.surface.empty() ? "reference × " + loop.elastomer : loop.surface + " × " + loop.elastomer;
+    const auto relative = [&](const char* quantity, const char* unit, double value, const Estimate& estimate) {
+        add(rows, {run, item, quantity, "loops", unit, Deviation::relative, value, estimate});
+    };
+    relative("contact_modulus", "Pa", loop.specimen.contact_modulus, fit.contact_modulus);
+    relative("work_approach", "J/m2", loop.specimen.work_approach, fit.work_of_adhesion);
+    if (analysis.pull_off) relative("work_from_pull_off", "J/m2", loop.specimen.work_retraction, analysis.pull_off->work_of_adhesion);
+    if (analysis.retraction) relative("work_retraction", "J/m2", loop.specimen.work_retraction, analysis.retraction->work_of_adhesion);
+    if (analysis.loop) relative("energy_loss", "J", loop.truth.energy_loss(), analysis.loop->estimate());
+}
+
+}  // namespace
+
+double Comparison::deviation() const { return measure == Deviation::relative ? found.value / planted - 1.0 : found.value - planted; }
+
+double Comparison::stated_deviation() const {
+    const auto interval = interval_of(found);
+    if (!interval) return undefined;
+    constexpr double quantile = 1.959963984540054;
+    const double half = 0.5 * (interval->upper - interval->lower) / quantile;
+    return measure == Deviation::relative ? half / std::abs(planted) : half;
+}
+
+bool Comparison::covered() const {
+    const auto interval = interval_of(found);
+    return interval && interval->lower <= planted && planted <= interval->upper;
+}
+
+Planted planted_in(const laboratory::Recipe& recipe) {
+    Planted planted;
+    for (const auto& rough : recipe.surfaces) planted.surfaces.push_back(laboratory::surface_truth(rough.surface));
+    planted.loops = laboratory::planted_loops(recipe);
+    return planted;
+}
+
+std::vector<Comparison> comparisons(int run, const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study) {
+    std::vector<Comparison> rows;
+    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::SurfaceTruth& truth) {
+        for (const auto& [method, spectrum] : workflow::spectra_of(surface)) add_spectrum(rows, run, surface.name, method, *spectrum, truth);
+    });
+    const bool likelihood = study.by_average != nullptr;
+    const auto add_related = [&](const std::string& method, const StudyResult& related) {
+        add_work_of_adhesion(rows, run, recipe.work_of_adhesion, method, related);
+        add_predictions(rows, run, planted, method, related);
+    };
+    add_related(likelihood ? "likelihood" : "average", study);
+    if (likelihood) add_related("average", *study.by_average);
+    for (const auto& loop : planted.loops) add_loop(rows, run, loop, study);
+    return rows;
+}
+
+std::vector<Comparison> comparisons_by_paper(int run, const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study) {
+    std::vector<Comparison> rows;
+    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::SurfaceTruth& truth) {
+        for (const auto& quantity : surface_quantities())
+            add(rows, {run, surface.name, quantity.name, "paper", quantity.unit, Deviation::relative, planted_value(quantity, truth),
+                       between_percentiles(surface.average, quantity)});
+    });
+    add_work_of_adhesion(rows, run, recipe.work_of_adhesion, "paper", study);
+    return rows;
+}
+
+}  // namespace setae::closure
