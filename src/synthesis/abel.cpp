@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/synthesis/abel.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
+#include "abel_integral.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::synthesis {
 namespace {
-
-using Rule = boost::math::quadrature::gauss<double, 20>;
 
 void require_same_size(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
     if (wavevector.size() != spectrum.size())
@@ -27,35 +24,6 @@ void require_curve(const ArrayView1D& nodes, const ArrayView1D& spectrum) {
         if (!(nodes[i] > (i == 0 ? 0.0 : nodes[i - 1])) || !(spectrum[i] > 0.0) || !std::isfinite(nodes[i] * spectrum[i]))
             throw InvalidArgument(fmt::format("node {} of a spectrum (q = {} 1/m, C = {}); expected increasing q > 0 and C > 0", i,
                                               nodes[i], spectrum[i]));
-}
-
-/// ∫ C q dq/√(q² − q_x²) over lower … upper, C = level (q/reference)^slope, q_x <= lower.
-double integral_of_piece(double q_x, double lower, double upper, double reference, double level, double slope) {
-    const double v_lower = std::sqrt((lower - q_x) * (lower + q_x)), v_upper = std::sqrt((upper - q_x) * (upper + q_x));
-    return Rule::integrate([&](double v) { return level * std::pow(std::hypot(q_x, v) / reference, slope); }, v_lower, v_upper);
-}
-
-/// The same in pieces short enough for the rule: half a decade in q at most.
-double integral_of_power_law(double q_x, double lower, double upper, double reference, double level, double slope) {
-    const int pieces = std::max(1, static_cast<int>(std::ceil(2.0 * std::log10(upper / lower))));
-    double sum = 0.0, from = lower;
-    for (int i = 1; i <= pieces; ++i) {
-        const double to = i == pieces ? upper : lower * std::pow(upper / lower, static_cast<double>(i) / pieces);
-        sum += integral_of_piece(q_x, from, to, reference, level, slope);
-        from = to;
-    }
-    return sum;
-}
-
-double abel_integral(const ArrayView1D& nodes, const ArrayView1D& spectrum, double q_x) {
-    double sum = 0.0;
-    if (q_x < nodes[0]) sum += spectrum[0] * std::sqrt((nodes[0] - q_x) * (nodes[0] + q_x));
-    for (Index i = 0; i + 1 < nodes.size(); ++i) {
-        if (nodes[i + 1] <= q_x) continue;
-        const double slope = std::log(spectrum[i + 1] / spectrum[i]) / std::log(nodes[i + 1] / nodes[i]);
-        sum += integral_of_power_law(q_x, std::max(nodes[i], q_x), nodes[i + 1], nodes[i], spectrum[i], slope);
-    }
-    return sum / pi;
 }
 
 }  // namespace
@@ -74,7 +42,8 @@ Array1D isotropic_from_profile_eq11(const ArrayView1D& wavevector, const ArrayVi
 
 Array1D profile_from_isotropic(const ArrayView1D& nodes, const ArrayView1D& C_iso, const ArrayView1D& wavevector) {
     require_curve(nodes, C_iso);
-    return wavevector.unaryExpr([&](double q) { return abel_integral(nodes, C_iso, std::abs(q)); });
+    const AbelIntegral integral(nodes, C_iso);
+    return wavevector.unaryExpr([&](double q) { return integral(std::abs(q)); });
 }
 
 Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D, double shortest_wavevector, int rounds) {

@@ -8,9 +8,11 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
+#include "abel_integral.hpp"
+#include "refined_curve.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
-#include "setae/synthesis/abel.hpp"
 
 namespace setae::synthesis {
 namespace {
@@ -78,31 +80,21 @@ SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView
 
 SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) {
     require(band);
-    const auto [lower, upper] = band;
-    constexpr double nodes_per_decade = 200.0;
-    const auto count = static_cast<Index>(std::ceil(nodes_per_decade * std::log10(upper / lower))) + 2;
-    Array1D nodes(count), values(count);
-    Index used = 0;
-    for (Index i = 0; i < count; ++i) {
-        const double q = i == 0 ? lower : i == count - 1 ? upper : lower * std::pow(upper / lower, static_cast<double>(i) / static_cast<double>(count - 1));
-        const double value = C_iso(q);
-        if (!(value > 0.0)) break;
-        nodes[i] = q;
-        values[i] = value;
-        used = i + 1;
-    }
-    if (used < 2) throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on", C_iso(lower), lower));
-    // the cutoff lies between the last node with power and the next: bisected, so that it is not moved to a node
-    if (used < count) {
-        double inside = nodes[used - 1], outside = lower * std::pow(upper / lower, static_cast<double>(used) / static_cast<double>(count - 1));
-        for (int round = 0; round < 60; ++round) (C_iso(0.5 * (inside + outside)) > 0.0 ? inside : outside) = 0.5 * (inside + outside);
-        if (inside > nodes[used - 1]) {
-            nodes[used] = inside;
-            values[used++] = C_iso(inside);
-        }
-    }
-    const Array1D q = nodes.head(used);
-    return tabulated_density(q, profile_from_isotropic(q, values.head(used), q).max(0.0));
+    const auto surface = refined_curve(C_iso, band.lower, band.upper, 2e-5);
+    const Index n = surface.nodes.size();
+    if (n < 2) throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on", C_iso(band.lower), band.lower));
+    const AbelIntegral integral(surface.nodes, surface.values);
+    const double cutoff = surface.nodes[n - 1], at_cutoff = surface.values[n - 1] * cutoff / pi;
+    // what is tabulated is C1D without the root it falls to zero with at the cutoff; below a thousandth of the band's begin
+    // it is constant to 1e-6
+    const auto rootless = [&](double q) {
+        const double share = std::sqrt((1.0 - q / cutoff) * (1.0 + q / cutoff));
+        return share > 1e-4 ? integral(q) / share : at_cutoff;
+    };
+    const auto line = refined_curve(rootless, 1e-3 * band.lower, cutoff, 1e-5);
+    return [smooth = PowerLaws(line.nodes, line.values), cutoff](double q) {
+        return q < cutoff ? smooth(q) * std::sqrt((1.0 - q / cutoff) * (1.0 + q / cutoff)) : 0.0;
+    };
 }
 
 double moment(const SpectralDensity& density, double order, const Band& band) {

@@ -61,20 +61,40 @@ TEST(SpectralDensityOfATable, RefusesRowsThatAreNoSpectrum) {
 TEST(ProfileDensity, IsTheAbelIntegralOfTheModel) {
     const SelfAffine model{1.0, 1.0, 0.8, 300.0};
     const auto C1D = profile_density(density(model), {0.01, 1e4});
-    const auto q = tests::log_spaced(40, 0.02, 250.0);
+    auto q = tests::log_spaced(400, 1e-5, 299.9);
     const auto expected = profile_power_spectrum(model, q);
-    // power laws between nodes 1.2 % apart: worst at the bend and where the curve falls to zero at its end
-    for (Index k = 0; k < q.size(); ++k) {
-        const bool bent = (q[k] > 0.9 && q[k] < 1.1) || q[k] > 240.0;
-        EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, bent ? 4e-4 : 1e-4) << q[k];
-    }
-    EXPECT_NEAR(C1D(291.0) / profile_power_spectrum(model, Array1D::Constant(1, 291.0))[0], 1.0, 1e-2);
+    // power laws between nodes, 1e-5 wrong halfway between, also at the bend and close to the cutoff
+    for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, 2e-5) << q[k];
+    EXPECT_EQ(C1D(300.0), 0.0);
     EXPECT_EQ(C1D(301.0), 0.0);
+}
+
+TEST(ProfileDensity, RisesBelowABandThatBeginsAtTheRolloff) {
+    // C_iso is constant there, C1D is not: from q_r to 0 it grows by 60 %
+    const SelfAffine model{1.0, 1.0, 0.8, 300.0};
+    const auto C1D = profile_density(density(model), {1.0, 300.0});
+    auto q = tests::log_spaced(100, 1e-6, 2.0);
+    const auto expected = profile_power_spectrum(model, q);
+    for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, 2e-5) << q[k];
+    EXPECT_GT(C1D(1e-6) / C1D(1.0), 1.5);
+    // a plateau alone: C1D = sqrt(q_s^2 - q^2)/pi
+    const auto flat = profile_density([](double wavevector) { return wavevector <= 5.0 ? 1.0 : 0.0; }, {2.0, 10.0});
+    for (const double x : {0.0, 0.01, 1.0, 2.0, 3.0, 4.9, 4.9999}) EXPECT_NEAR(flat(x), std::sqrt(25.0 - x * x) / pi, 1e-5 * flat(x)) << x;
+}
+
+TEST(ProfileDensity, MeetsJumpsWhereTheyAre) {
+    // two plateaus: the sum of two semicircles
+    const auto C1D = profile_density([](double q) { return q < 3.0 ? 2.0 : 0.5; }, {0.1, 7.0});
+    for (const double q : {0.001, 0.5, 2.0, 2.9, 3.1, 6.0, 6.99}) {
+        const double exact = (0.5 * std::sqrt(49.0 - q * q) + (q < 3.0 ? 1.5 * std::sqrt(9.0 - q * q) : 0.0)) / pi;
+        EXPECT_NEAR(C1D(q) / exact, 1.0, 1e-4) << q;
+    }
 }
 
 TEST(ProfileDensity, RefusesBandsAndSpectraWithoutPower) {
     EXPECT_THROW((void)profile_density([](double) { return 1.0; }, {2.0, 1.0}), InvalidArgument);
     EXPECT_THROW((void)profile_density([](double) { return 0.0; }, {1.0, 2.0}), InvalidArgument);
+    EXPECT_THROW((void)profile_density([](double q) { return q > 1.0 ? 0.0 : 1.0; }, {1.0, 2.0}), InvalidArgument);
 }
 
 TEST(MomentOfADensity, IsTheClosedFormOfTheModel) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+
+#include "setae/synthesis/spectral_density.hpp"
+
+namespace {
+
+using namespace setae;
+
+/// Five decades of a self-affine spectrum.
+void profile_density_of_power_laws(benchmark::State& state) {
+    const auto C_iso = synthesis::density(synthesis::SelfAffine{1.0, 1.0, 0.8, 1e4});
+    for (auto _ : state) benchmark::DoNotOptimize(synthesis::profile_density(C_iso, {0.1, 1e4}));
+}
+BENCHMARK(profile_density_of_power_laws)->Unit(benchmark::kMillisecond);
+
+/// Five decades of a spectrum that is a power law nowhere.
+void profile_density_of_a_smooth_curve(benchmark::State& state) {
+    const synthesis::SpectralDensity C_iso = [](double q) { return std::pow(1.0 + q * q, -1.8) * (1.1 + std::sin(std::log(q))); };
+    for (auto _ : state) benchmark::DoNotOptimize(synthesis::profile_density(C_iso, {0.1, 1e4}));
+}
+BENCHMARK(profile_density_of_a_smooth_curve)->Unit(benchmark::kMillisecond);
+
+}  // namespace
