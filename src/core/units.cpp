@@ -42,7 +42,7 @@ struct Symbol {
     bool prefixable;
 };
 
-constexpr std::array<Symbol, 27> symbols{{
+constexpr std::array<Symbol, 28> symbols{{
     {"m", 1.0, dimension::length, true},
     {"g", 1e-3, mass, true},
     {"s", 1.0, dimension::time, true},
@@ -69,6 +69,7 @@ constexpr std::array<Symbol, 27> symbols{{
     {"%", 1e-2, dimension::none, false},
     {"1", 1.0, dimension::none, false},
     {"rad", 1.0, dimension::none, false},
+    {"deg", pi / 180.0, dimension::none, false},
     {"-", 1.0, dimension::none, false},
 }};
 
