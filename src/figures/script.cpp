@@ -103,14 +103,19 @@ std::vector<std::string> elements(const Series& series, const Style& style, cons
         return result;
     }
     const auto& symbol = style.symbol;
-    if (series.hollow) {
-        // the paper's white inside, so that neither line nor bar runs through
-        if (series.mark == Mark::both) result.push_back(fmt::format("{} using 1:2 with lines {} notitle", data, line));
-        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {} lc rgb 'white' notitle", data, symbol.filled, 0.6 * symbol.size));
+    if (!series.hollow) {
+        result.push_back(fmt::format("{} using 1:2 with {} pt {} ps {:.2f} {} {}", data, series.mark == Mark::both ? "linespoints" : "points", symbol.filled,
+                                     0.6 * symbol.size, line, title));
+        return result;
     }
-    const bool joined = series.mark == Mark::both && !series.hollow;
-    result.push_back(fmt::format("{} using 1:2 with {} pt {} ps {} {} {}", data, joined ? "linespoints" : "points",
-                                 series.hollow ? symbol.hollow : symbol.filled, 0.6 * symbol.size, joined ? line : style.colour + " lw 1", title));
+    if (series.mark == Mark::both) result.push_back(fmt::format("{} using 1:2 with lines {} notitle", data, line));
+    // the paper's white inside, so that neither line nor bar runs through
+    if (series.mark == Mark::both || upright || across)
+        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {:.2f} lc rgb 'white' notitle", data, symbol.filled, 0.6 * symbol.size));
+    const auto look = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, 0.6 * symbol.size, style.colour);
+    const bool joined = series.mark == Mark::both && !series.label.empty();
+    result.push_back(fmt::format("{} using 1:2 with points {} {}", data, look, joined ? "notitle" : title));
+    if (joined) result.push_back(fmt::format("keyentry with linespoints {} {}", look, title));
     return result;
 }
 
@@ -158,18 +163,27 @@ std::string key_line(const Panel& panel, const Range& x, const Range& y, double 
                        names[static_cast<std::size_t>(corner)], font_size, entries);
 }
 
+/// Letters of the numbers at a linear axis, as its ticks will lie: a step of 1, 2 or 5 times a power of ten.
+int letters_of_ticks(const Range& range) {
+    const double step = std::floor(std::log10((range.to - range.from) / 6.0)), most = std::max(std::abs(range.from), std::abs(range.to));
+    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1, after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
+    return std::min(before + after + (range.from < 0.0 ? 1 : 0), 8);
+}
+
 /// Margins of a panel's axes against its cell [mm].
 struct Margins {
-    double left = 12.5, right = 2.5, top = 2.5, bottom = 9.5;
+    double left = 0.0, right = 2.5, top = 2.5, bottom = 9.5;
 };
 
 Margins margins_of(const Panel& panel) {
+    constexpr double title_mm = 6.5;
     Margins margins;
     if (!panel.title.empty()) margins.top += 3.5;
-    if (panel.y.logarithmic) margins.left += 3.0;  // for 10^{−20}
     std::size_t longest = 0;
     for (const auto& label : panel.y.tick_labels) longest = std::max(longest, label.size());
-    margins.left = std::max(margins.left, 6.5 + letters_mm * static_cast<double>(longest));
+    if (longest > 0) margins.left = title_mm + letters_mm * static_cast<double>(longest);
+    else if (panel.y.logarithmic) margins.left = title_mm + 9.0;  // 10^{−20}
+    else margins.left = title_mm + letters_mm * letters_of_ticks(y_range(panel));
     return margins;
 }
 
@@ -202,7 +216,10 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         const auto& panel = figure.panels[p];
         const auto x = x_range(panel), y = y_range(panel);
-        const auto margins = margins_of(panel);
+        auto margins = margins_of(panel);
+        // axes below each other begin at one line
+        for (std::size_t other = p % columns; other < figure.panels.size(); other += columns)
+            margins.left = std::max(margins.left, margins_of(figure.panels[other]).left);
         const double west = cell_width * static_cast<double>(p % columns), north = figure.height_mm - cell_height * static_cast<double>(p / columns);
         const double left = west + margins.left, right = west + cell_width - margins.right;
         const double top = north - margins.top, bottom = north - cell_height + margins.bottom;
