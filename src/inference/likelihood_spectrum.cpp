@@ -184,16 +184,17 @@ private:
     /// Of the fit, plus what uncertain radii and the noise of the simulation do, each tip by itself.
     [[nodiscard]] Eigen::MatrixXd full_covariance() const {
         Eigen::MatrixXd covariance = fit_.covariance;
-        std::map<double, std::pair<Eigen::VectorXd, Eigen::VectorXd>> moved;  // by tip: radius, simulation
-        for (std::size_t c = 0; c < groups_.size(); ++c) {
-            const auto& g = groups_[c];
-            if (g.tip.log_transfer.size() == 0) continue;
-            auto& [radius, simulation] = moved.try_emplace(g.tip_radius, Eigen::VectorXd::Zero(fit_.theta.size()), Eigen::VectorXd::Zero(fit_.theta.size())).first->second;
-            const Eigen::MatrixXd score = fit_.jacobian[c].transpose() * g.data.freedom.matrix().asDiagonal();
-            radius += fit_.gain * score * (g.tip.radius_response * (g.tip_radius_error / g.tip_radius)).matrix();
-            simulation += fit_.gain * score * g.tip.standard_error.matrix();
+        for (const auto& [radius, response] : responses_) {
+            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), response.simulation_errors.rows() + 1);  // the last column: by the radius
+            for (std::size_t c = 0; c < groups_.size(); ++c) {
+                const auto& g = groups_[c];
+                if (g.tip_radius != radius) continue;
+                const Eigen::MatrixXd answer = fit_.gain * fit_.jacobian[c].transpose() * g.data.freedom.matrix().asDiagonal();
+                moved.leftCols(moved.cols() - 1) += answer * g.tip.simulation_errors.matrix().transpose();
+                moved.rightCols(1) += answer * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+            }
+            covariance += moved * moved.transpose();
         }
-        for (const auto& [tip, both] : moved) covariance += both.first * both.first.transpose() + both.second * both.second.transpose();
         return covariance;
     }
 

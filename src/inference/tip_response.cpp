@@ -92,14 +92,21 @@ Array1D smoothed(const Array1D& values, const Array1D& weights) {
     return matrix.ldlt().solve((weights * values).matrix()).array();
 }
 
-double interpolated(const Array1D& x, const Array1D& y, double at) {
-    const Index n = x.size();
-    if (at <= x[0]) return y[0];
-    if (at >= x[n - 1]) return y[n - 1];
-    const Index i = std::upper_bound(x.data(), x.data() + n, at) - x.data() - 1;
-    const double t = (at - x[i]) / (x[i + 1] - x[i]);
-    return (1.0 - t) * y[i] + t * y[i + 1];
-}
+/// Where x lies between nodes: values there are linear, and constant beyond the ends.
+class Place {
+public:
+    Place(const Array1D& nodes, double x) {
+        const Index n = nodes.size();
+        const auto above = std::upper_bound(nodes.data(), nodes.data() + n, x) - nodes.data();
+        left_ = std::clamp<Index>(above - 1, 0, n - 2);
+        share_ = std::clamp((x - nodes[left_]) / (nodes[left_ + 1] - nodes[left_]), 0.0, 1.0);
+    }
+    [[nodiscard]] double of(const ArrayView1D& values) const { return (1.0 - share_) * values[left_] + share_ * values[left_ + 1]; }
+
+private:
+    Index left_;
+    double share_;
+};
 
 /// Sums of line power over repetitions, a bin a column.
 struct PowerSums {
@@ -127,11 +134,13 @@ PowerSums power_sums(const synthesis::SpectralDensity& C_iso, const TipSimulatio
     return sums;
 }
 
-/// Of the mean over repetitions.
-Array1D standard_error(const Array2D& single) {
+/// Smoothed departures of the repetitions from their mean, over √(n(n − 1)).
+Array2D simulation_errors(const Array2D& single, const Array1D& weights) {
+    if (single.rows() < 2) return Array2D(0, single.cols());
     const auto n = static_cast<double>(single.rows());
-    const Array1D mean = single.colwise().mean().transpose();
-    return ((single.rowwise() - mean.transpose()).square().colwise().sum().transpose() / (n * (n - 1.0))).sqrt();
+    Array2D errors = (single.rowwise() - single.colwise().mean()) / std::sqrt(n * (n - 1.0));
+    for (Index r = 0; r < errors.rows(); ++r) errors.row(r) = smoothed(errors.row(r).transpose(), weights).transpose();
+    return errors;
 }
 
 void require(const TipSimulation& simulation) {
@@ -152,10 +161,10 @@ TipResponse simulated(const synthesis::SpectralDensity& C_iso, const TipSimulati
     TipResponse response;
     response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
     response.log_transfer = log_ratio(sums.touched, sums.surface);
-    response.amplitude_response = response.radius_response = response.standard_error = Array1D::Zero(bins.size());
+    response.amplitude_response = response.radius_response = Array1D::Zero(bins.size());
     if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
     if (with_derivatives && simulation.radius_response) response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
-    if (simulation.repetitions > 1) response.standard_error = smoothed(standard_error(sums.single), weights).max(0.0);
+    response.simulation_errors = simulation_errors(sums.single, weights);
     return response;
 }
 
@@ -179,22 +188,26 @@ TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimul
 SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDensity& C1D, double pixel_size, const ArrayView1D& wavevectors) {
     const Array1D x = response.wavevector.log();
     constexpr int aliases = 12;
-    SampledResponse result{wavevectors, wavevectors, wavevectors, wavevectors};
-    for (Index k = 0; k < wavevectors.size(); ++k) {
-        double plain = 0.0, read = 0.0, amplitude = 0.0, radius = 0.0, error = 0.0;
+    const Index n = wavevectors.size(), repetitions = response.simulation_errors.rows();
+    const auto zero = Array1D::Zero(n);
+    SampledResponse result{zero, zero, zero, Array2D::Zero(repetitions, n)};
+    for (Index k = 0; k < n; ++k) {
+        double plain = 0.0, read = 0.0;
         for (int m = -aliases; m <= aliases; ++m) {
-            const double q = std::abs(wavevectors[k] + 2.0 * pi * m / pixel_size), u = std::log(q), power = C1D(q);
-            const double kept = power * std::exp(interpolated(x, response.log_transfer, u));
+            const double q = std::abs(wavevectors[k] + 2.0 * pi * m / pixel_size), power = C1D(q);
+            const Place place(x, std::log(q));
+            const double kept = power * std::exp(place.of(response.log_transfer));
             plain += power;
             read += kept;
-            amplitude += kept * interpolated(x, response.amplitude_response, u);
-            radius += kept * interpolated(x, response.radius_response, u);
-            error += kept * interpolated(x, response.standard_error, u);
+            result.amplitude_response[k] += kept * place.of(response.amplitude_response);
+            result.radius_response[k] += kept * place.of(response.radius_response);
+            for (Index r = 0; r < repetitions; ++r) result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
         }
         result.log_transfer[k] = plain > 0.0 ? std::log(read / plain) : 0.0;
-        result.amplitude_response[k] = read > 0.0 ? amplitude / read : 0.0;
-        result.radius_response[k] = read > 0.0 ? radius / read : 0.0;
-        result.standard_error[k] = read > 0.0 ? error / read : 0.0;
+        const double share = read > 0.0 ? 1.0 / read : 0.0;
+        result.amplitude_response[k] *= share;
+        result.radius_response[k] *= share;
+        result.simulation_errors.col(k) *= share;
     }
     return result;
 }

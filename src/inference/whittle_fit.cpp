@@ -24,6 +24,7 @@ public:
         for (const auto& c : classes) {
             designs_.push_back(spline.design(c.nodes));
             noise_index_.push_back(c.noise_response.size() > 0 ? parameters_++ : -1);
+            responds_ = responds_ || c.reference_amplitude > 0.0;
         }
         prior_centre_ = Eigen::VectorXd::Zero(parameters_);
         precision_ = Eigen::MatrixXd::Zero(parameters_, parameters_);
@@ -54,6 +55,15 @@ public:
         s.with_response = s.information;
         for (std::size_t c = 0; c < classes_.size(); ++c) add_class(c, x, s);
         return s;
+    }
+
+    /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not raise it: the score
+    /// nearer to zero then, in the metric of the information.
+    [[nodiscard]] bool better(const State& next, const State& now) const {
+        constexpr double rounding = 1e-13;
+        if (!responds_) return next.objective > now.objective - rounding * std::abs(now.objective);
+        const Eigen::LDLT<Eigen::MatrixXd> metric(now.information + precision_);
+        return next.score.dot(metric.solve(next.score)) < now.score.dot(metric.solve(now.score));
     }
 
     /// A quadratic through ln(P/response) against ln q, by least squares with the freedoms as weights.
@@ -147,6 +157,7 @@ private:
     std::vector<Eigen::MatrixXd> designs_;
     std::vector<Index> noise_index_;
     Index parameters_;
+    bool responds_ = false;  ///< a tip's T to the fit
     Eigen::VectorXd prior_centre_;
     Eigen::MatrixXd precision_;
 };
@@ -171,9 +182,7 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
         const double largest = step.cwiseAbs().maxCoeff();
         if (largest > longest_step) step *= longest_step / largest;
         auto next = problem.state(x + step);
-        // with a responding tip the root of the score is sought, which need not raise the objective: the score decides then
-        const bool better = next.objective > state.objective - 1e-9 * std::abs(state.objective) || next.score.norm() < state.score.norm();
-        if (better && std::isfinite(next.objective)) {
+        if (std::isfinite(next.objective) && problem.better(next, state)) {
             fit.converged = std::abs(step.dot(state.score)) < small_decrement;
             x += step;
             state = std::move(next);

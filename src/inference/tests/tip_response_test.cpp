@@ -100,8 +100,18 @@ TEST(TipResponse, IsTheSameForAnyNumberOfThreads) {
     one.threads = {1};
     const auto a = tip_response(gentle(0.05), one), b = tip_response(gentle(0.05), two);
     EXPECT_TRUE((a.log_transfer == b.log_transfer).all());
-    EXPECT_TRUE((a.standard_error == b.standard_error).all());
-    EXPECT_GT(a.standard_error.maxCoeff(), 0.0);
+    EXPECT_TRUE((a.simulation_errors == b.simulation_errors).all());
+}
+
+// Two repetitions a and b: the mean is uncertain by ± (a − b)/2, each mode with its own sign.
+TEST(TipResponse, KnowsTheNoiseOfItsSimulation) {
+    auto options = simulation(1e-6);
+    EXPECT_EQ(tip_response(gentle(0.1), options).simulation_errors.rows(), 0);
+    options.repetitions = 2;
+    const auto errors = tip_response(gentle(0.1), options).simulation_errors;
+    ASSERT_EQ(errors.rows(), 2);
+    EXPECT_GT(errors.row(0).abs().maxCoeff(), 1e-4);
+    EXPECT_LT((errors.row(0) + errors.row(1)).abs().maxCoeff(), 1e-12);
 }
 
 TEST(TipResponse, RefusesImpossibleTips) {
@@ -117,7 +127,7 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
     response.wavevector = Array1D::LinSpaced(2, 1e6, 9e6);
     response.log_transfer = Array1D(2);
     response.log_transfer << 0.0, std::log(0.5);
-    response.amplitude_response = response.radius_response = response.standard_error = Array1D::Zero(2);
+    response.amplitude_response = response.radius_response = Array1D::Zero(2);
     const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 fold together
     const auto C1D = [](double q) { return std::abs(q - 1e6) < 1.0 ? 3.0 : std::abs(q - 9e6) < 1.0 ? 1.0 : 0.0; };
     const auto found = sampled(response, C1D, pixel, Array1D::Constant(1, 1e6));

@@ -30,7 +30,8 @@ struct TipResponse {
     Array1D log_transfer;        ///< ln T, smoothed over ln q
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A for C_iso ∝ A
     Array1D radius_response;     ///< ∂ ln T/∂ ln R
-    Array1D standard_error;      ///< of ln T, from the scatter between repetitions; 0 for one
+    Array2D simulation_errors;   ///< a row a repetition: how its ln T departs from the mean, over √(n(n − 1)); the outer products of its rows
+                                 ///< sum up to the covariance of ln T that the simulation leaves. None for one repetition.
 };
 
 /// Simulates the tip on periodic random patches of the given spectrum: 2-D dilation, read along x, the same surface with and
@@ -47,7 +48,8 @@ struct TipResponse {
 ///   T = Σ_m T(|q + 2πm/Δ|) C1D(|q + 2πm/Δ|)/Σ_m C1D(|q + 2πm/Δ|).
 /// C1D: density of lines [m³]; values: any of the curves of a TipResponse (ln T, or a derivative weighted by T).
 struct SampledResponse {
-    Array1D log_transfer, amplitude_response, radius_response, standard_error;
+    Array1D log_transfer, amplitude_response, radius_response;
+    Array2D simulation_errors;  ///< a row a repetition
 };
 [[nodiscard]] SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDensity& C1D, double pixel_size,
                                       const ArrayView1D& wavevectors);
