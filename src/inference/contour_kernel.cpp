@@ -38,16 +38,34 @@ public:
     [[nodiscard]] Index modes() const { return (positions_.size() - 1) / 2; }
     [[nodiscard]] const Array1D& positions() const { return positions_; }
 
-    /// |A (real + i imaginary)|² at k = 1 … modes, that at −k added.
-    [[nodiscard]] Array1D power(Array1D real, Array1D imaginary) const {
+    /// A (real + i imaginary): element k is its transform at mode k, element n_f − k that at −k.
+    [[nodiscard]] Buffer<Complex> transformed(Array1D real, Array1D imaginary) const {
         detrend(real);
         detrend(imaginary);
         const Array1D re = spline_(real), im = spline_(imaginary);
         Buffer<Complex> z(static_cast<std::size_t>(grid_));
         for (Index g = 0; g < grid_; ++g) z[static_cast<std::size_t>(g)] = Complex(re[g], im[g]) * window_[g];
         transform_.apply(z.data());
+        return z;
+    }
+
+    /// |A (real + i imaginary)|² at k = 1 … modes, that at −k added.
+    [[nodiscard]] Array1D power(Array1D real, Array1D imaginary) const {
+        const auto z = transformed(std::move(real), std::move(imaginary));
         Array1D result(modes());
         for (Index k = 1; k <= modes(); ++k) result[k - 1] = std::norm(z[static_cast<std::size_t>(k)]) + std::norm(z[static_cast<std::size_t>(grid_ - k)]);
+        return result;
+    }
+
+    /// What a wave e^{iqx} does to modes 1 … modes: column 0 by itself, column 1 by its mirror image e^{−iqx}.
+    [[nodiscard]] Eigen::Matrix<Complex, Eigen::Dynamic, 2> answer(double wavevector) const {
+        const Array1D phase = positions_ * wavevector;
+        const auto z = transformed(phase.cos(), phase.sin());
+        Eigen::Matrix<Complex, Eigen::Dynamic, 2> result(modes(), 2);
+        for (Index k = 1; k <= modes(); ++k) {
+            result(k - 1, 0) = z[static_cast<std::size_t>(k)];
+            result(k - 1, 1) = std::conj(z[static_cast<std::size_t>(grid_ - k)]);
+        }
         return result;
     }
 
@@ -174,6 +192,31 @@ ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView
     });
     kernel.response = (power.matrix() * quadrature(grid, nodes).matrix()).array() / (2.0 * pi * length);
     return kernel;
+}
+
+Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes, const ArrayView1D& C_iso, parallel::Threads threads) {
+    require_points(contour);
+    const Operator transform(contour.positions);
+    const ModeBins bins(transform.modes());
+    const Array1D grid = integration_grid(transform.length(), transform.length() / static_cast<double>(contour.positions.size() - 1), nodes[nodes.size() - 1]);
+    const Array1D power = (quadrature(grid, nodes).matrix() * C_iso.matrix()).array().max(0.0);
+    // amplitudes of each wave and of its mirror image at every mode, and at the mode in the middle of each group
+    Eigen::MatrixXcd forth(transform.modes(), grid.size()), back(transform.modes(), grid.size());
+    parallel::for_each_index(static_cast<std::size_t>(grid.size()), threads, [&](std::size_t g) {
+        const auto column = static_cast<Index>(g);
+        const auto answer = transform.answer(grid[column]);
+        forth.col(column) = answer.col(0) * std::sqrt(power[column]);
+        back.col(column) = answer.col(1) * std::sqrt(power[column]);
+    });
+    const Array1D variance = (forth.rowwise().squaredNorm() + back.rowwise().squaredNorm()).array();
+    Array1D share(bins.size());
+    parallel::for_each_index(static_cast<std::size_t>(bins.size()), threads, [&](std::size_t b) {
+        const auto k = static_cast<Index>(bins.centre(static_cast<Index>(b))) - 1;
+        const Eigen::VectorXcd covariance = forth * forth.row(k).adjoint() + back * back.row(k).adjoint();
+        const Eigen::VectorXcd pseudo = forth * back.row(k).transpose() + back * forth.row(k).transpose();
+        share[static_cast<Index>(b)] = variance[k] / ((covariance.cwiseAbs2() + pseudo.cwiseAbs2()).array() / variance).sum();
+    });
+    return share;
 }
 
 }  // namespace setae::inference

@@ -13,15 +13,13 @@
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
 #include "setae/synthesis/abel.hpp"
 #include "setae/synthesis/random_numbers.hpp"
 
 namespace setae::inference {
 namespace {
-
-/// Neighbouring modes of a Hann window share their data: Σ |ρ|² = 1 + 2 (4/9 + 1/36).
-constexpr double share_of_independent_modes = 0.5142857142857142;
 
 /// rms change of ln T, weighted by freedoms, that ends the rounds.
 constexpr double small_change = 0.005;
@@ -41,6 +39,7 @@ public:
 
     void run() {
         refit();
+        find_independent_shares();
         count_lines();
         refit();
         bool settled = !options_.tip_factor;
@@ -77,7 +76,7 @@ public:
 private:
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
     [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines, const Array1D& transfer) const {
-        Array1D result = share_of_independent_modes * g.mode_counts * lines * static_cast<double>(g.measurements);
+        Array1D result = g.independent_share * g.mode_counts * lines * static_cast<double>(g.measurements);
         for (Index k = 0; k < result.size(); ++k)
             if (g.data.wavevector[k] > g.band_end || transfer[k] < options_.least_transfer || !(g.data.periodogram[k] > 0.0)) result[k] = 0.0;
         return result;
@@ -91,6 +90,14 @@ private:
 
     [[nodiscard]] synthesis::SpectralDensity C_iso() const {
         return [this, theta = fit_.theta](double q) { return spline_.value(theta, q); };
+    }
+
+    void find_independent_shares() {
+        for (auto& g : groups_) {
+            if (!g.contour) continue;
+            const Array1D C_iso = g.data.nodes.unaryExpr([&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+            g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
+        }
     }
 
     void count_lines() {

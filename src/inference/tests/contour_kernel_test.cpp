@@ -43,12 +43,14 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     // the operator does not see the heights, so one kernel serves all curves: only the periodogram is made again
     constexpr int curves = 400;
     Array1D mean;
+    std::vector<Array1D> periodograms;
     for (int curve = 0; curve < curves; ++curve) {
         const Eigen::VectorXd a = Eigen::VectorXd::NullaryExpr(modes, [&] { return normal(random); });
         const Eigen::VectorXd b = Eigen::VectorXd::NullaryExpr(modes, [&] { return normal(random); });
         contour.heights = (cosines * a + sines * b).array();
         const Array1D periodogram = contour_periodogram(contour);
         mean = curve == 0 ? periodogram : Array1D(mean + periodogram);
+        periodograms.push_back(periodogram);
     }
     mean /= curves;
     const auto kernel = contour_kernel(contour, nodes);
@@ -56,6 +58,24 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     const Array1D ratio = mean / expected;
     for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
     EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
+    // Var Σ_k P_k/E_k = Σ_kk' |ρ_kk'|² = Σ_k 1/ω_k, known to √(2/400) = 7 % from so many curves
+    const Array1D share = independent_share(contour, nodes, synthesis::isotropic_power_spectrum(model, nodes));
+    const Array1D counts = Array1D::NullaryExpr(share.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
+    double sum = 0.0, squares = 0.0;
+    for (const auto& periodogram : periodograms) {
+        const double s = (counts * periodogram / expected).sum();
+        sum += s / curves;
+        squares += s * s / curves;
+    }
+    EXPECT_NEAR((squares - sum * sum) / (counts / share).sum(), 1.0, 0.25);
+    EXPECT_LT(share.tail(3).maxCoeff(), 0.45);  // irregular steps scatter power at the band's end
+}
+
+TEST(IndependentShare, OfEqualStepsIsThatOfTheWindow) {
+    const topography::Profile contour{Array1D::LinSpaced(201, 0.0, 200.0), Array1D::Zero(201), {}};
+    const Array1D nodes = nodes_up_to(1.0, 120);
+    const Array1D share = independent_share(contour, nodes, nodes.pow(-2.0));
+    for (const Index b : {8, 12, 20}) EXPECT_NEAR(share[b], 1.0 / (1.0 + 2.0 * (4.0 / 9.0 + 1.0 / 36.0)), 0.02) << b;
 }
 
 TEST(ContourKernel, OfEqualStepsKeepsAWaveBelowTheBandsEnd) {
