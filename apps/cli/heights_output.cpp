@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/io/netcdf.hpp"
 #include "setae/io/npy.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
@@ -41,8 +42,10 @@ void write_heights(const std::string& path, const topography::Measurement& measu
         std::visit([&](const auto& m) { io::write_npy(path, m.heights); }, measurement);
     else if (path.ends_with(".csv"))
         std::visit(CsvWriter{path}, measurement);
+    else if (path.ends_with(".nc"))
+        io::write_netcdf(path, measurement);
     else
-        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending .npy or .csv", path));
+        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending .nc, .npy or .csv", path));
 }
 
 }  // namespace setae::cli

@@ -10,13 +10,14 @@ namespace setae::cli {
 /// Writes the heights [m] of a measurement in the format its path ends with.
 ///
 /// .npy: float64 in C order, shape (nx, ny) or (n). .csv: a map as a matrix, one line for each x, no header; a line with
-/// columns x [m], h [m]. NaN is undefined.
+/// columns x [m], h [m]. .nc: NetCDF with size, unit and periodicity. NaN is undefined.
 /// @throws InvalidArgument for another ending; FileError.
 void write_heights(const std::string& path, const topography::Measurement& measurement);
 
-/// What the two look like, for --explain.
+/// What they look like, for --explain.
 inline constexpr const char* heights_output_explanation =
     ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"
-    ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n";
+    ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n"
+    ".nc   NetCDF: heights(x[, y]), x, y [m] with length and periodicity; read back without --size and --unit\n";
 
 }  // namespace setae::cli

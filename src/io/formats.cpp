@@ -45,6 +45,7 @@ const std::vector<Format>& formats() {
          .extensions = ".nc",
          .description = "classic NetCDF with variables heights, x, y and perhaps mask, as containers hold them",
          .reference = "NetCDF Users Guide, classic format",
+         .writes = true,
          .tested_on_real_files = true,
          .detect = detect_netcdf,
          .open = open_netcdf},

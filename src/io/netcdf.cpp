@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,7 @@ public:
         if (status != NC_NOERR) throw InvalidArgument(fmt::format("{}: NetCDF: {}", path_, nc_strerror(status)));
     }
 
+    void put_number(int variable, const char* name, double number) const { check(nc_put_att_double(id_, variable, name, NC_DOUBLE, 1, &number)); }
     void put_text(int variable, const char* name, const std::string& text) const {
         check(nc_put_att_text(id_, variable, name, text.size(), text.data()));
     }
@@ -50,7 +53,67 @@ private:
     int id_ = -1;
 };
 
+/// A topography's heights and coordinates, as the reader of topographies expects them.
+class HeightsWriter {
+public:
+    explicit HeightsWriter(Dataset& dataset) : dataset_(dataset) {}
+
+    void operator()(const topography::HeightMap& map) const {
+        const auto [nx, ny] = map.shape();
+        const Axis axes[] = {equidistant("x", nx, map.size[0], map.periodic), equidistant("y", ny, map.size[1], map.periodic)};
+        write(axes, map.heights.data());
+    }
+    void operator()(const topography::LineScan& scan) const {
+        const Axis axes[] = {equidistant("x", scan.heights.size(), scan.size, scan.periodic)};
+        write(axes, scan.heights.data());
+    }
+    void operator()(const topography::Profile& profile) const {
+        const Axis axes[] = {{"x", profile.positions, {}, false}};
+        write(axes, profile.heights.data());
+    }
+
+private:
+    struct Axis {
+        const char* name;
+        Array1D positions;
+        std::optional<double> length;  ///< of equal steps alone
+        bool periodic;
+    };
+
+    static Axis equidistant(const char* name, Index points, double length, bool periodic) {
+        return {name, length / static_cast<double>(points) * Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)), length, periodic};
+    }
+
+    void write(std::span<const Axis> axes, const double* heights) const {
+        std::vector<int> dimensions, variables;
+        for (const auto& axis : axes) {
+            dimensions.emplace_back();
+            variables.emplace_back();
+            dataset_.check(nc_def_dim(dataset_.id(), axis.name, static_cast<std::size_t>(axis.positions.size()), &dimensions.back()));
+            dataset_.check(nc_def_var(dataset_.id(), axis.name, NC_DOUBLE, 1, &dimensions.back(), &variables.back()));
+            dataset_.put_text(variables.back(), "unit", "m");
+            if (!axis.length) continue;
+            dataset_.put_number(variables.back(), "length", *axis.length);
+            dataset_.put_number(variables.back(), "periodic", axis.periodic ? 1.0 : 0.0);
+        }
+        int values = 0;
+        dataset_.check(nc_def_var(dataset_.id(), "heights", NC_DOUBLE, static_cast<int>(dimensions.size()), dimensions.data(), &values));
+        dataset_.put_text(values, "unit", "m");
+        dataset_.check(nc_enddef(dataset_.id()));
+        for (std::size_t i = 0; i < variables.size(); ++i) dataset_.check(nc_put_var_double(dataset_.id(), variables[i], axes[i].positions.data()));
+        dataset_.check(nc_put_var_double(dataset_.id(), values, heights));
+    }
+
+    Dataset& dataset_;
+};
+
 }  // namespace
+
+void write_netcdf(const std::string& path, const topography::Measurement& measurement) {
+    Dataset dataset(path);
+    std::visit(HeightsWriter(dataset), measurement);
+    write_whole_file(path, dataset.release());
+}
 
 void write_netcdf(const std::string& path, const Table& table) {
     for (const auto& column : table.columns)

@@ -29,7 +29,7 @@ std::size_t chosen_channel(const Arguments& arguments, const std::vector<io::Cha
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.input.empty() || arguments.output.empty()) throw InvalidArgument("expected an input file and OUT.npy or OUT.csv");
+    if (arguments.input.empty() || arguments.output.empty()) throw InvalidArgument("expected an input file and OUT.nc, OUT.npy or OUT.csv");
     const auto channels = io::open(arguments.input, arguments.file.read_options());
     const auto& channel = channels[chosen_channel(arguments, channels)];
     write_heights(arguments.output, channel.read());
@@ -42,9 +42,9 @@ ExitCode run(const Arguments& arguments) {
 
 void add_convert(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("convert", "write the heights of a file in metres as .npy or .csv, first index x");
+    auto* verb = program.add_subcommand("convert", "write the heights of a file in metres as .nc, .npy or .csv, first index x");
     verb->add_option("input", arguments->input, "file");
-    verb->add_option("output", arguments->output, "OUT.npy or OUT.csv");
+    verb->add_option("output", arguments->output, "OUT.nc, OUT.npy or OUT.csv");
     arguments->file.add_to(*verb);
     on_named(*verb, action, arguments, heights_output_explanation, run);
 }

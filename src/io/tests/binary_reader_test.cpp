@@ -288,6 +288,33 @@ TEST(NetCdf, WrittenHeightsAreReadBack) {
     EXPECT_DOUBLE_EQ(profile.heights[2], 0.125e-6);
 }
 
+TEST(NetCdf, TopographiesComeBackWithSizeAndPeriodicity) {
+    const TemporaryFolder folder;
+    topography::HeightMap map{Array2D::Random(5, 3) * 1e-9, {2e-6, 1.1e-6}, true, {}};
+    map.heights(1, 2) = undefined;
+    write_netcdf(folder.path("a.nc"), map);
+    const auto map_back = std::get<topography::HeightMap>(read(folder.path("a.nc")));
+    EXPECT_TRUE(std::isnan(map_back.heights(1, 2)));
+    map.heights(1, 2) = 0.0;
+    auto heights_back = map_back.heights;
+    heights_back(1, 2) = 0.0;
+    EXPECT_TRUE((heights_back == map.heights).all());
+    EXPECT_NEAR(map_back.size[0], 2e-6, 1e-20);
+    EXPECT_NEAR(map_back.size[1], 1.1e-6, 1e-20);
+    EXPECT_TRUE(map_back.periodic);
+
+    write_netcdf(folder.path("a.nc"), topography::LineScan{Array1D{{1e-9, 2e-9, 4e-9, 8e-9}}, 4e-6, false, {}});
+    const auto scan = std::get<topography::LineScan>(read(folder.path("a.nc")));
+    EXPECT_NEAR(scan.size, 4e-6, 1e-20);
+    EXPECT_EQ(scan.heights[3], 8e-9);
+    EXPECT_FALSE(scan.periodic);
+
+    write_netcdf(folder.path("a.nc"), Profile{Array1D{{0.0, 1e-9, 5e-9}}, Array1D{{1e-9, 3e-9, 2e-9}}, {}});
+    const auto profile = std::get<Profile>(read(folder.path("a.nc")));
+    EXPECT_EQ(profile.positions[1], 1e-9);
+    EXPECT_EQ(profile.heights[2], 2e-9);
+}
+
 TEST(NetCdf, RefusesTablesItCannotHold) {
     const TemporaryFolder folder;
     Table uneven;
