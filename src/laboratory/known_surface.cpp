@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    static constexpr Index points = 3000;
+    static constexpr Index points = 1500;
     Array1D q_, weight_;
 };
 
@@ -105,7 +105,7 @@ double energy_of_transformed(const KnownSurface& surface, const synthesis::Heigh
     const StructureFunction parent(surface);
     const synthesis::TransformCorrelation correlation(g);
     const double shortest = 0.05 / surface.band().upper, longest = 300.0 / surface.band().lower;
-    constexpr int points = 500;
+    constexpr int points = 250;
     const double step = std::log(longest / shortest) / points;
     double sum = 0.0;
     for (int i = 0; i < points; ++i) {

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "setae/core/constants.hpp"
 
 namespace setae::laboratory {
 namespace {
 
-constexpr double nodes_a_unit = 100.0 / 2.302585092994046;  // 100 a decade
+constexpr double nodes_a_unit = 100.0 / std::numbers::ln10;  // 100 a decade
 constexpr double below_rolloff = 1e-3;
 
 /// √(q_s² − q²), by which C1D goes to zero; kept off zero.
@@ -37,17 +38,18 @@ LineSpectrum::LineSpectrum(const KnownSurface& surface)
     : stretch_(surface.anisotropy.stretch), surface_angle_(surface.anisotropy.angle), first_(below_rolloff * surface.band().lower),
       upper_(surface.band().upper) {
     const auto nodes = static_cast<Index>(std::ceil(nodes_a_unit * std::log(upper_ / first_)));
+    spacing_ = std::log(upper_ / first_) / static_cast<double>(nodes);
     log_values_.resize(nodes + 1);
     for (Index i = 0; i <= nodes; ++i) {
         // the last node stands just before the end, where C1D/√ has its limit
-        const double q = std::min(first_ * std::exp(static_cast<double>(i) / nodes_a_unit), upper_ * (1.0 - 1e-9));
+        const double q = std::min(first_ * std::exp(static_cast<double>(i) * spacing_), upper_ * (1.0 - 1e-9));
         log_values_[i] = std::log(std::max(profile_value(surface.C_iso, q, upper_), 1e-300) / end_factor(q, upper_));
     }
 }
 
 double LineSpectrum::isotropic(double wavevector) const {
     if (!(wavevector < upper_)) return 0.0;
-    const double at = nodes_a_unit * std::log(std::max(wavevector, first_) / first_);
+    const double at = std::log(std::max(wavevector, first_) / first_) / spacing_;
     const Index left = std::min(static_cast<Index>(at), log_values_.size() - 2);
     const double share = std::min(at - static_cast<double>(left), 1.0);
     return std::exp(log_values_[left] + share * (log_values_[left + 1] - log_values_[left])) * end_factor(std::max(wavevector, first_), upper_);

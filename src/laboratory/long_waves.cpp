@@ -52,28 +52,29 @@ SplitSpectrum split_spectrum(const synthesis::SpectralDensity& C_iso, double wav
             .shorter = [=](double q) { return long_share(q / wavevector) < 1.0 ? (1.0 - long_share(q / wavevector)) * C_iso(q) : 0.0; }};
 }
 
-LongWaves::LongWaves(const synthesis::SpectralDensity& spectrum, const synthesis::Anisotropy& anisotropy, double end, double period,
+LongWaves::LongWaves(const synthesis::SpectralDensity& spectrum, const synthesis::Anisotropy& anisotropy, const Patch& patch,
                      synthesis::RandomKey key) {
-    const Index n = fast_length(static_cast<double>(taps) * period * end / (2.0 * pi));
-    patch_ = synthesis::random_surface(spectrum, {n, n, period, period}, {.key = key, .anisotropy = anisotropy, .threads = {1}});
+    const auto points = [&](double period) { return fast_length(static_cast<double>(taps) * period * patch.end / (2.0 * pi)); };
+    patch_ = synthesis::random_surface(spectrum, {points(patch.period_x), points(patch.period_y), patch.period_x, patch.period_y},
+                                       {.key = key, .anisotropy = anisotropy, .threads = {1}});
 }
 
 void LongWaves::add_to(topography::HeightMap& map, const Window& window) const {
-    const Index n = patch_.heights.rows();
-    const double step = patch_.pixel_size()[0];
+    const Index nx = patch_.heights.rows(), ny = patch_.heights.cols();
+    const auto step = patch_.pixel_size();
     const auto pixel = map.pixel_size();
     std::vector<Taps> across(static_cast<std::size_t>(window.columns));
     for (Index j = 0; j < window.columns; ++j)
-        across[static_cast<std::size_t>(j)] = taps_at((window.y + static_cast<double>(j) * pixel[1]) / step);
+        across[static_cast<std::size_t>(j)] = taps_at((window.y + static_cast<double>(j) * pixel[1]) / step[1]);
     const Index first = across.front().first, count = across.back().first + taps - first;
     Array1D line(count);
     for (Index i = 0; i < map.heights.rows(); ++i) {
-        const Taps along = taps_at((window.x + static_cast<double>(i) * pixel[0]) / step);
+        const Taps along = taps_at((window.x + static_cast<double>(i) * pixel[0]) / step[0]);
         line.setZero();
         for (Index k = 0; k < taps; ++k) {
-            const double* row = &patch_.heights(wrapped(along.first + k, n), 0);
+            const double* row = &patch_.heights(wrapped(along.first + k, nx), 0);
             const double weight = along.weights[static_cast<std::size_t>(k)];
-            for (Index c = 0; c < count; ++c) line[c] += weight * row[wrapped(first + c, n)];
+            for (Index c = 0; c < count; ++c) line[c] += weight * row[wrapped(first + c, ny)];
         }
         double* heights = &map.heights(i, window.first_column);
         for (Index j = 0; j < window.columns; ++j) {

@@ -21,8 +21,12 @@ struct SplitSpectrum {
 /// whose share is zero.
 class LongWaves {
 public:
-    /// spectrum: of the long waves, zero from the wavevector `end` [1/m] on.  period: of the patch [m].
-    LongWaves(const synthesis::SpectralDensity& spectrum, const synthesis::Anisotropy& anisotropy, double end, double period,
+    /// spectrum: of the long waves, zero from the wavevector `end` [1/m] on.  period_x, period_y: of the patch [m].
+    struct Patch {
+        double end = 0.0;
+        double period_x = 0.0, period_y = 0.0;
+    };
+    LongWaves(const synthesis::SpectralDensity& spectrum, const synthesis::Anisotropy& anisotropy, const Patch& patch,
               synthesis::RandomKey key);
 
     /// Where a window lies on the patch, and which columns of the map it fills.
@@ -31,8 +35,6 @@ public:
         Index first_column = 0, columns = 0;
     };
     void add_to(topography::HeightMap& map, const Window& window) const;
-
-    [[nodiscard]] double period() const { return patch_.size[0]; }
 
 private:
     topography::HeightMap patch_;

@@ -92,13 +92,15 @@ struct Strip {
 };
 
 Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
-    constexpr double points_a_rolloff = 24.0, points_a_radius = 50.0, rolloffs_apart = 4.0, highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
+    constexpr double points_a_rolloff = 24.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
+                     highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
     const double longest = *std::max_element(protocol.lengths.begin(), protocol.lengths.end());
     const auto lanes = static_cast<Index>(protocol.lengths.size());
     const double long_rolloff = surface.anisotropy.stretch * surface.rolloff_wavelength;
     const double rms_height = std::sqrt(spectral_moment(surface.C_iso, 0.0, surface.band().lower, {0.0, surface.band().upper}) / (2.0 * pi));
     const double reach = std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
-    const double lane = std::min(std::max(rolloffs_apart * long_rolloff, 2.0 * reach), std::max(widest_lane, 2.0 * reach));
+    const double apart = std::max(rolloffs_apart, rolloffs_wide / static_cast<double>(lanes)) * long_rolloff;
+    const double lane = std::clamp(apart, 2.0 * reach, std::max(widest_lane, 2.0 * reach));
     const double width = lane * static_cast<double>(lanes), length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
     const double finest = std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
                                    std::sqrt(length * width / most_points));
@@ -114,9 +116,10 @@ Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
 /// Points of the fine grid to a pixel of a map.
 Index fine_points(const KnownSurface& surface, double tip_radius, double step, Index pixels) {
     constexpr double points_a_radius = 15.0;
-    constexpr Index most = 2048;
+    constexpr Index most_a_side = 2048, most_without_tip = 8;  // where waves shorter than two fine pixels are white noise
     const double finest = std::max(0.5 * surface.short_wavelength, tip_radius / points_a_radius);
-    return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1, std::max<Index>(1, most / pixels));
+    const Index most = std::max<Index>(1, most_a_side / pixels);
+    return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1, tip_radius > 0.0 ? most : std::min(most, most_without_tip));
 }
 
 /// Heights along x and, of a foil with thickness, along the beam.

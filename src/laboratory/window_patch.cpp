@@ -18,7 +18,8 @@ using synthesis::substream;
 
 enum Stream : std::uint64_t { of_short_waves, of_level, of_long_waves, of_shorter_waves };
 
-constexpr double modes_below_crossover = 6.0, windows_a_period = 8.0;
+/// Of a patch's narrower side; how much wider the next one is, and the last one than the window.
+constexpr double modes_below_crossover = 6.0, widening = 8.0, room = 1.25;
 
 topography::HeightMap random_patch(const synthesis::SpectralDensity& C_iso, const synthesis::Anisotropy& anisotropy, const PatchShape& shape,
                                    synthesis::RandomKey key) {
@@ -41,27 +42,41 @@ double variance_between_pixels(const KnownSurface& surface, double pixel) {
     return sum / directions / (2.0 * pi);
 }
 
+/// Adds one patch of long waves to all lanes of a map.
+void add(const LongWaves& waves, double period_y, const PatchShape& shape, topography::HeightMap& map) {
+    for (Index lane = 0; lane < shape.lanes; ++lane) {
+        const Index first = lane * shape.ny / shape.lanes, end = (lane + 1) * shape.ny / shape.lanes;
+        waves.add_to(map, {.x = 0.0,
+                           .y = period_y * static_cast<double>(lane) / static_cast<double>(shape.lanes),
+                           .first_column = first,
+                           .columns = end - first});
+    }
+}
+
 }  // namespace
 
 topography::HeightMap window_patch(const KnownSurface& surface, const PatchShape& shape, synthesis::RandomKey key) {
-    const double narrowest = std::min(shape.window, shape.pixel * static_cast<double>(shape.ny));
-    const double crossover = 2.0 * pi * modes_below_crossover * surface.anisotropy.stretch / narrowest;
+    double narrowest = std::min(shape.window, shape.pixel * static_cast<double>(shape.ny));
+    double crossover = 2.0 * pi * modes_below_crossover * surface.anisotropy.stretch / narrowest;
     double longest = shape.pixel * static_cast<double>(shape.nx);
-    topography::HeightMap map;
-    if (surface.band().lower > 1.5 * crossover) {
-        map = random_patch(surface.C_iso, surface.anisotropy, shape, key);
-    } else {
-        const auto parts = split_spectrum(surface.C_iso, crossover);
-        map = random_patch(parts.shorter, surface.anisotropy, shape, key);
-        longest = windows_a_period * shape.window;
-        const LongWaves waves(parts.longer, surface.anisotropy, std::numbers::sqrt2 * crossover, longest, substream(key, of_long_waves));
-        for (Index lane = 0; lane < shape.lanes; ++lane) {
-            const Index first = lane * shape.ny / shape.lanes, end = (lane + 1) * shape.ny / shape.lanes;
-            waves.add_to(map, {.x = 0.0,
-                               .y = longest * static_cast<double>(lane) / static_cast<double>(shape.lanes),
-                               .first_column = first,
-                               .columns = end - first});
+    auto parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, surface.C_iso} : split_spectrum(surface.C_iso, crossover);
+    auto map = random_patch(parts.shorter, surface.anisotropy, shape, key);
+    // a patch that is not as wide as the window is long leaves waves to the next one, which is wider
+    for (std::uint64_t level = 0; parts.longer; ++level) {
+        const double end = std::numbers::sqrt2 * crossover;
+        const bool last = narrowest >= shape.window;
+        const double wider = std::min(widening * narrowest, shape.window);
+        LongWaves::Patch patch{.end = end, .period_x = room * shape.window, .period_y = std::max(room * wider, widening * narrowest)};
+        if (last) {
+            patch.period_x = patch.period_y = widening * shape.window;
+            parts = {nullptr, parts.longer};
+        } else {
+            crossover *= narrowest / wider;
+            parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, parts.longer} : split_spectrum(parts.longer, crossover);
         }
+        narrowest = wider;
+        longest = patch.period_x;
+        add(LongWaves(parts.shorter, surface.anisotropy, patch, substream(substream(key, of_long_waves), level)), patch.period_y, shape, map);
     }
     if (shape.pointwise) {
         const double rms = std::sqrt(variance_between_pixels(surface, shape.pixel));

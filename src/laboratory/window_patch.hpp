@@ -19,9 +19,9 @@ struct PatchShape {
 /// A piece of a surface with all its waves down to two pixels, for measurements that keep off its ends.
 ///
 /// Short waves are periodic over the map. Where the spectrum is not yet flat at a sixth of the window (or of the map's
-/// width), longer waves come from a patch eight windows wide (LongWaves): a map alone would have no wave between its modes,
-/// and none longer than itself, which is what detrended scans show first. Waves longer than eight windows are missing: in a
-/// window they are tilt and a parabola, and 1e-3 of the power a parabola leaves.
+/// width), longer waves come from wider patches, the last one eight windows wide (LongWaves): a map alone would have no wave
+/// between its modes, and none longer than itself, which is what detrended scans show first. Waves longer than eight windows
+/// are missing: in a window they are tilt and a parabola, and 1e-3 of the power a parabola leaves.
 [[nodiscard]] topography::HeightMap window_patch(const KnownSurface& surface, const PatchShape& shape, synthesis::RandomKey key);
 
 }  // namespace setae::laboratory

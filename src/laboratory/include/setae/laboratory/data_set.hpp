@@ -24,8 +24,8 @@ struct PlantedLoop {
 ///   W_app = W_int r − γ1 (r − 1) − E* U_el/(A E*)   [D19] (7), r and U_el of the known surface
 ///   W_ret: by pinning, or such that E_loss = f W_int r π a_max²
 ///
-/// @throws InvalidArgument where a pair would not conform (W_app <= 0) or its jumps alone lose more than E_loss; the
-/// message names the pair. Nothing for a recipe without loops.
+/// @throws InvalidArgument where a pair would not conform (W_app <= 0) or its jumps alone lose more than E_loss, unless such
+/// pairs are left out; the message names the pair. Nothing for a recipe without loops.
 /// Source: [D19] (7), (10).
 [[nodiscard]] std::vector<PlantedLoop> planted_loops(const Recipe& recipe);
 
@@ -35,13 +35,14 @@ struct PlantedLoop {
 
 /// Makes a data set in a folder, which is created: what instruments would have recorded, and what is behind it.
 ///
-/// NAME/stylus_K.csv, NAME/afm_K.txt, NAME/tem_K.csv (heights [nm]); loops/…csv; truth.json (planted values, SI), truth
+/// NAME/stylus_K.csv (stylus_reference_K.csv where the drive has an artefact), NAME/afm_K.txt, NAME/tem_K.csv (heights [nm]); loops/…csv; truth.json (planted values, SI), truth
 /// spectra as NAME/truth.csv; study.toml, which analyses all of it. Same bytes for any number of threads. Files are
 /// replaced as wholes; those of other recipes in the same folder are left.
 ///
-/// Surfaces. Stylus: one periodic strip, 1.02 times as long as the longest scan, all scans well apart on it. AFM: a
-/// periodic patch twice as wide as each map. TEM: a line of the surface, twice as long as each contour. Waves longer than a
-/// patch are missing from it, but for transformed heights, where they set the height about which the patch lies.
+/// Surfaces. Stylus: one strip, all scans side by side on it, where a ball feels them; without a tip a line each. AFM: a
+/// patch a quarter wider than each map. TEM: a line of the surface, eight times as long as each contour; of a foil with
+/// thickness a patch. Waves up to eight times as long as what is measured are in it; longer ones are missing, but for
+/// transformed heights, where they set the height about which the patch lies.
 /// @return files written, relative to the folder, in order.
 /// @throws FileError; InvalidArgument as planted_loops and for protocols that contradict a surface.
 std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads = {});

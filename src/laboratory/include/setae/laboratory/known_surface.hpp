@@ -45,7 +45,7 @@ struct SurfaceTruth {
 /// A stretched surface has the moments of its angle-averaged spectrum, and the true area of Gaussian slopes that differ along
 /// and across. R(r) = h_rms² Σ_n c_n² ρ(r)^n the autocorrelation of the heights (synthesis::TransformCorrelation), ρ that of z; the
 /// energy to 1e-3, the rest as above. C1D is then left empty.
-/// Cost: 10 to 20 ms.
+/// Cost: 10 to 20 ms, C1D most of it.
 /// @throws InvalidArgument for wavelengths that contradict each other or a spectrum that is not positive and finite.
 /// Source: cov(z, ∇²z) = −s², ∫ (1 − J0(qr))/r² dr = q.
 [[nodiscard]] SurfaceTruth surface_truth(const KnownSurface& surface);
