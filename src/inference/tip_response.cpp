@@ -45,15 +45,17 @@ Array2D every_point_read(const topography::HeightMap& surface) {
                                 [&](Index i, Index j) { return surface.heights(i * stride_x, j * stride_y); });
 }
 
-/// Readings of the tip there.
+/// Readings of the tip there, line after line: each point starts from its neighbour's contact.
 Array2D read(const topography::HeightMap& surface, double radius, parallel::Threads threads) {
-    const topography::Dilator dilator(surface, topography::SphereTip{radius}, {.threads = {1}});
     const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y;
-    Array2D lines(nx, ny);
-    parallel::for_each_index(static_cast<std::size_t>(ny), threads, [&](std::size_t j) {
-        for (Index i = 0; i < nx; ++i) lines(i, static_cast<Index>(j)) = dilator.reading(i * stride_x, static_cast<Index>(j) * stride_y);
-    });
-    return lines;
+    const auto [step_x, step_y] = surface.pixel_size();
+    Array1D x(nx * ny), y(nx * ny);
+    for (Index k = 0; k < x.size(); ++k) {
+        x[k] = static_cast<double>(k % nx * stride_x) * step_x;
+        y[k] = static_cast<double>(k / nx * stride_y) * step_y;
+    }
+    const Array1D readings = topography::dilated_at(surface, topography::SphereTip{radius}, x, y, {.threads = threads});
+    return Eigen::Map<const Array2D>(readings.data(), ny, nx).transpose();
 }
 
 struct Bins {

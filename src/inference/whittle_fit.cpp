@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SparseCore>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -22,7 +23,7 @@ public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
         : classes_(classes), spline_(spline), parameters_(spline.coefficients()) {
         for (const auto& c : classes) {
-            designs_.push_back(spline.design(c.nodes));
+            designs_.push_back(spline.design(c.nodes).sparseView());
             noise_index_.push_back(c.noise_response.size() > 0 ? parameters_++ : -1);
             responds_ = responds_ || c.reference_amplitude > 0.0;
         }
@@ -154,7 +155,7 @@ private:
 
     const std::vector<PeriodogramClass>& classes_;
     const LogSpline& spline_;
-    std::vector<Eigen::MatrixXd> designs_;
+    std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
     std::vector<Index> noise_index_;
     Index parameters_;
     bool responds_ = false;  ///< a tip's T to the fit
