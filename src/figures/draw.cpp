@@ -78,10 +78,15 @@ void erase_date(std::string& content) {
     }
 }
 
-/// An SVG file names its font and does not hold it: with names of fonts that look alike for readers without it.
-void name_similar_fonts(std::string& content) {
-    constexpr std::string_view named = "font-family=\"Liberation Sans\"", similar = "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"";
-    for (auto at = content.find(named); at != std::string::npos; at = content.find(named, at + similar.size())) content.replace(at, named.size(), similar);
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+}
+
+/// SVG with what gnuplot leaves to the reader: fonts that look alike where there is no Liberation Sans, which the file names
+/// and does not hold, and blanks between upright and italic text.
+void complete_svg(std::string& content) {
+    replace_all(content, "font-family=\"Liberation Sans\"", "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
+    replace_all(content, "<text>", "<text xml:space=\"preserve\">");
 }
 
 }  // namespace
@@ -102,7 +107,7 @@ void draw(const Figure& figure, const std::string& path) {
         throw FileError(fmt::format("{}: gnuplot failed: {}", path, trimmed(io::read_file(folder.file("words.txt")))));
     auto content = io::read_file(folder.file(drawn.c_str()));
     if (ending == "pdf") erase_date(content);
-    if (ending == "svg") name_similar_fonts(content);
+    if (ending == "svg") complete_svg(content);
     io::write_whole_file(path, content);
 }
 

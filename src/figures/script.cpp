@@ -14,7 +14,8 @@
 namespace setae::figures {
 namespace {
 
-constexpr double millimetres_an_inch = 25.4, letters_mm = 1.45;  // mean width of a letter of 7 points
+constexpr double millimetres_an_inch = 25.4, letters_mm = 1.45;  // mean width of a letter of small text
+constexpr double text_points = 8.0, small_points = 7.0;
 
 /// Okabe and Ito's, the pale ones last.
 constexpr std::array<const char*, 8> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#F0E442"};
@@ -45,15 +46,24 @@ Style style_of(const Series& series, std::size_t place) {
     return {fmt::format("lc rgb '{}'", chosen(palette, colour)), chosen(symbols, symbol), chosen(dashes, symbol)};
 }
 
-std::string terminal(const Figure& figure, const std::string& ending) {
+/// A terminal, and what makes its text and symbols as large as the others'.
+struct Terminal {
+    std::string definition;
+    double point = 1.0;   ///< a point (1/72 inch) in its unit of text
+    double symbol = 1.0;  ///< factor on the size of symbols
+};
+
+Terminal terminal(const Figure& figure, const std::string& ending) {
     constexpr const char* font = "Liberation Sans";
     const double width = figure.width_mm / millimetres_an_inch, height = figure.height_mm / millimetres_an_inch;
-    if (ending == "svg")  // 96 pixels an inch, 8 points are 10.7 pixels
-        return fmt::format("svg size {:.0f},{:.0f} fixed enhanced font '{},10.67' linewidth 1.1 name 'figure'", 96.0 * width, 96.0 * height, font);
-    if (ending == "pdf") return fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced font '{},8' fontscale 1 linewidth 1.6 pointscale 0.85", width, height, font);
+    if (ending == "svg")  // 96 pixels an inch
+        return {fmt::format("svg size {:.0f},{:.0f} fixed enhanced font '{},{:.2f}' linewidth 1.1 name 'figure'", 96.0 * width, 96.0 * height, font,
+                            text_points * 4.0 / 3.0), 4.0 / 3.0, 0.95};
+    if (ending == "pdf")  // takes 96 points for an inch
+        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, 0.85};
     if (ending == "png")
-        return fmt::format("pngcairo size {:.0f},{:.0f} enhanced font '{},8' fontscale 3.125 linewidth 3.2 pointscale 2.6", 300.0 * width,
-                           300.0 * height, font);
+        return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced font '{},{}' fontscale 3.125 linewidth 3.2", 300.0 * width, 300.0 * height, font, text_points),
+                1.0, 3.1};
     throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
 }
 
@@ -83,7 +93,7 @@ std::string data_lines(const Panel& panel, const Series& series, const Range& x,
 }
 
 /// What draws a series: elements of a plot command.
-std::vector<std::string> elements(const Series& series, const Style& style, const std::string& data) {
+std::vector<std::string> elements(const Series& series, const Style& style, const std::string& data, double symbol_size) {
     std::vector<std::string> result;
     const auto title = series.label.empty() ? std::string("notitle") : "title " + quoted_verbatim(series.label);
     // symbols tell lines apart that have them
@@ -103,16 +113,17 @@ std::vector<std::string> elements(const Series& series, const Style& style, cons
         return result;
     }
     const auto& symbol = style.symbol;
+    const double size = symbol_size * symbol.size;
     if (!series.hollow) {
         result.push_back(fmt::format("{} using 1:2 with {} pt {} ps {:.2f} {} {}", data, series.mark == Mark::both ? "linespoints" : "points", symbol.filled,
-                                     0.6 * symbol.size, line, title));
+                                     size, line, title));
         return result;
     }
     if (series.mark == Mark::both) result.push_back(fmt::format("{} using 1:2 with lines {} notitle", data, line));
     // the paper's white inside, so that neither line nor bar runs through
     if (series.mark == Mark::both || upright || across)
-        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {:.2f} lc rgb 'white' notitle", data, symbol.filled, 0.6 * symbol.size));
-    const auto look = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, 0.6 * symbol.size, style.colour);
+        result.push_back(fmt::format("{} using 1:2 with points pt {} ps {:.2f} lc rgb 'white' notitle", data, symbol.filled, size));
+    const auto look = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, size, style.colour);
     const bool joined = series.mark == Mark::both && !series.label.empty();
     result.push_back(fmt::format("{} using 1:2 with points {} {}", data, look, joined ? "notitle" : title));
     if (joined) result.push_back(fmt::format("keyentry with linespoints {} {}", look, title));
@@ -138,8 +149,7 @@ std::string logarithmic_ticks(const Range& range, double length_mm, char name) {
 }
 
 std::string axis_lines(const Axis& axis, const Range& range, double length_mm, char name) {
-    const auto lines = fmt::format("set {0}label {1} offset {4}\nset {0}range [{2}:{3}]\n", name, quoted_axis_title(axis.quantity, axis.unit), range.from,
-                                   range.to, name == 'x' ? "0,0.4" : "0.5,0");
+    const auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to);
     const bool logarithmic = axis.logarithmic && axis.tick_labels.empty();
     if (logarithmic) return lines + logarithmic_ticks(range, length_mm, name);
     if (axis.tick_labels.empty()) return lines + fmt::format("unset logscale {0}\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name);
@@ -148,7 +158,7 @@ std::string axis_lines(const Axis& axis, const Range& range, double length_mm, c
     return lines + fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
 }
 
-std::string key_line(const Panel& panel, const Range& x, const Range& y, double width_mm, double height_mm, double font_size) {
+std::string key_line(const Panel& panel, const Range& x, const Range& y, double width_mm, double height_mm, const std::string& font_size) {
     std::size_t entries = 0, longest = 0;
     for (const auto& series : panel.series) {
         if (series.label.empty() || series.x.size() == 0) continue;
@@ -205,11 +215,12 @@ std::string quoted_name(const std::string& name) {
 
 std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending, const std::string& output_file) {
     require(figure);
-    const double font_size = terminal_ending == "svg" ? 9.33 : 7.0;
+    const auto device = terminal(figure, terminal_ending);
+    const auto small = fmt::format("{:.2f}", small_points * device.point);
     std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\n"
                                      "set style fill transparent solid 0.25 noborder\n",
-                                     terminal(figure, terminal_ending), quoted_name(output_file));
-    script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", font_size);
+                                     device.definition, quoted_name(output_file));
+    script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", small);
     const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
     const double cell_width = figure.width_mm / static_cast<double>(columns), cell_height = figure.height_mm / static_cast<double>(rows);
@@ -233,13 +244,19 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
             if (lines.empty()) continue;
             const auto name = fmt::format("$panel_{}_series_{}", p + 1, s + 1);
             script += fmt::format("{} << END_OF_DATA\n{}END_OF_DATA\n", name, lines);
-            for (const auto& element : elements(series, style_of(series, s), name)) plots += (plots.empty() ? "" : ", \\\n     ") + element;
+            for (const auto& element : elements(series, style_of(series, s), name, 0.6 * device.symbol)) plots += (plots.empty() ? "" : ", \\\n     ") + element;
         }
         script += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
                               left / figure.width_mm, right / figure.width_mm, top / figure.height_mm, bottom / figure.height_mm);
         script += axis_lines(panel.x, x, right - left, 'x') + axis_lines(panel.y, y, top - bottom, 'y');
-        script += key_line(panel, x, y, right - left, top - bottom, font_size) + "unset label\nunset arrow\n";
-        if (!panel.title.empty()) script += fmt::format("set label 1 {} at graph 0,1 left offset 0,0.8\n", quoted_bold(panel.title));
+        script += key_line(panel, x, y, right - left, top - bottom, small) + "unset label\nunset arrow\n";
+        // gnuplot's own axis titles stand elsewhere in each terminal
+        const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
+            script += fmt::format("set label {} at screen {:.5f},{:.5f} {}\n", quoted, across_mm / figure.width_mm, up_mm / figure.height_mm, how);
+        };
+        title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (left + right), north - cell_height + 2.6, "center");
+        title(quoted_axis_title(panel.y.quantity, panel.y.unit), west + 2.6, 0.5 * (bottom + top), "center rotate by 90");
+        if (!panel.title.empty()) title(quoted_bold(panel.title), left, top + 2.6, "left");
         for (const double height : panel.horizontal_lines)
             if (shows(panel.y, height) && height >= y.from && height <= y.to)
                 script += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back lc rgb '#808080' lw 0.7\n", height);
