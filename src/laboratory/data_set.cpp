@@ -35,7 +35,7 @@ constexpr double cost_of_strip = 1e9;
 /// What the study is told of a tip; nothing of none.
 std::string tip_text(double radius, double standard_error) {
     if (radius == 0.0) return "";
-    return standard_error > 0.0 ? fmt::format("{} ± {} m", radius, standard_error) : fmt::format("{} m", radius);
+    return standard_error > 0.0 ? fmt::format("{:.9g} ± {:.9g} m", radius, standard_error) : fmt::format("{:.9g} m", radius);
 }
 
 /// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.

@@ -92,7 +92,7 @@ struct Strip {
 };
 
 Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
-    constexpr double points_a_rolloff = 24.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
+    constexpr double points_a_rolloff = 40.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
                      highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
     const double longest = *std::max_element(protocol.lengths.begin(), protocol.lengths.end());
     const auto lanes = static_cast<Index>(protocol.lengths.size());

@@ -35,9 +35,9 @@ struct PlantedLoop {
 
 /// Makes a data set in a folder, which is created: what instruments would have recorded, and what is behind it.
 ///
-/// NAME/stylus_K.csv (stylus_reference_K.csv where the drive has an artefact), NAME/afm_K.txt, NAME/tem_K.csv (heights [nm]); loops/…csv; truth.json (planted values, SI), truth
-/// spectra as NAME/truth.csv; study.toml, which analyses all of it. Same bytes for any number of threads. Files are
-/// replaced as wholes; those of other recipes in the same folder are left.
+/// NAME/stylus_K.csv (stylus_reference_K.csv where the drive has an artefact), NAME/afm_K.txt, NAME/tem_K.csv (heights
+/// [nm]); loops/…csv; truth.json (planted values, SI), truth spectra as NAME/truth.csv; study.toml, which analyses all of it.
+/// Same bytes for any number of threads. Files are replaced as wholes; those of other recipes in the same folder are left.
 ///
 /// Surfaces. Stylus: one strip, all scans side by side on it, where a ball feels them; without a tip a line each. AFM: a
 /// patch a quarter wider than each map. TEM: a line of the surface, eight times as long as each contour; of a foil with
