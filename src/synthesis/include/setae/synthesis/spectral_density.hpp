@@ -40,7 +40,8 @@ struct Anisotropy {
 ///
 /// band [1/m]: C_iso is tabulated over it, up to 1280 nodes a decade where it is curved, power laws between, its bends and
 /// jumps found; it counts as constant below the band and as zero above it (and above where it is first zero). C1D is not
-/// constant below the band: it still rises there by up to two thirds. Relative error below 3e-5 up to the cutoff, 1e-4 close to jumps.
+/// constant below the band: it still rises there by up to two thirds. Relative error below 3e-5 up to the cutoff, 1e-4 close to jumps; where
+/// C_iso falls to zero without a jump 1e-2 within the last per cent.
 /// Cost: 0.5 ms for five decades of power laws, 10 ms of other curves.
 /// @throws InvalidArgument unless 0 < lower < upper and C_iso > 0 from lower on.
 [[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band);
