@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ranges.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::figures {
@@ -101,6 +104,47 @@ Range y_range(const Panel& panel) {
 
 double share(const Axis& axis, const Range& range, double value) {
     return (scaled(axis, value) - scaled(axis, range.from)) / (scaled(axis, range.to) - scaled(axis, range.from));
+}
+
+Series clipped_band(const Panel& panel, const Series& band, const Range& x, const Range& y) {
+    constexpr int steps = 64;
+    std::vector<double> across, middle, lower, upper;
+    const auto value = [](const Array1D& values, Index i) { return values.size() > 0 ? values[i] : undefined; };
+    const auto seen = [&](Index i) { return shows(panel.x, band.x[i]) && shows(panel.y, band.upper[i]) && std::isfinite(band.lower[i]); };
+    const auto inside = [](const Range& range, double at) { return at >= range.from && at <= range.to; };
+    const auto held = [&](double at) { return std::clamp(at, y.from, y.to); };
+    const auto add = [&](double at, double height, double from, double to) {
+        across.push_back(at);
+        middle.push_back(height);
+        lower.push_back(from);
+        upper.push_back(to);
+    };
+    for (Index i = 0; i < band.x.size(); ++i) {
+        if (!seen(i)) {
+            add(undefined, undefined, undefined, undefined);
+            continue;
+        }
+        const auto whole = [&](Index k) { return inside(x, band.x[k]) && inside(y, band.lower[k]) && inside(y, band.upper[k]); };
+        if (i > 0 && seen(i - 1) && !(whole(i - 1) && whole(i)))
+            for (int step = 1; step < steps; ++step) {
+                const double way = static_cast<double>(step) / steps;
+                const auto between = [way](const Axis& axis, double a, double b) { return unscaled(axis, (1.0 - way) * scaled(axis, a) + way * scaled(axis, b)); };
+                const double at = between(panel.x, band.x[i - 1], band.x[i]);
+                // an end a logarithmic axis cannot show counts as at its foot
+                const auto foot = [&](double end) { return shows(panel.y, end) ? end : y.from; };
+                if (inside(x, at))
+                    add(at, between(panel.y, value(band.y, i - 1), value(band.y, i)), held(between(panel.y, foot(band.lower[i - 1]), foot(band.lower[i]))),
+                        held(between(panel.y, band.upper[i - 1], band.upper[i])));
+            }
+        if (inside(x, band.x[i])) add(band.x[i], value(band.y, i), held(band.lower[i]), held(band.upper[i]));
+    }
+    const auto array = [](const std::vector<double>& values) { return Array1D(Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()))); };
+    Series clipped = band;
+    clipped.x = array(across);
+    clipped.lower = array(lower);
+    clipped.upper = array(upper);
+    if (band.y.size() > 0) clipped.y = array(middle);
+    return clipped;
 }
 
 Corner emptiest_corner(const Panel& panel, const Range& x, const Range& y, double width, double height) {

@@ -24,6 +24,9 @@ void require_drawable(const Panel& panel);
 /// Where along an axis a value lies: 0 at from, 1 at to.
 [[nodiscard]] double share(const Axis& axis, const Range& range, double value);
 
+/// A band with points added where it leaves the panel and its ends held inside: gnuplot fills those it clips wrongly.
+[[nodiscard]] Series clipped_band(const Panel& panel, const Series& band, const Range& x, const Range& y);
+
 /// The corner in which a box of width and height (shares of the panel) hides the least data.
 [[nodiscard]] Corner emptiest_corner(const Panel& panel, const Range& x, const Range& y, double width, double height);
 

@@ -217,7 +217,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
     require(figure);
     const auto device = terminal(figure, terminal_ending);
     const auto small = fmt::format("{:.2f}", small_points * device.point);
-    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\n"
+    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset clip two\n"
                                      "set style fill transparent solid 0.25 noborder\n",
                                      device.definition, quoted_name(output_file));
     script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", small);
@@ -240,7 +240,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
         std::string plots;
         for (std::size_t s = 0; s < panel.series.size(); ++s) {
             const auto& series = panel.series[s];
-            const auto lines = data_lines(panel, series, x, y);
+            const auto lines = data_lines(panel, series.mark == Mark::band ? clipped_band(panel, series, x, y) : series, x, y);
             if (lines.empty()) continue;
             const auto name = fmt::format("$panel_{}_series_{}", p + 1, s + 1);
             script += fmt::format("{} << END_OF_DATA\n{}END_OF_DATA\n", name, lines);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -106,6 +107,26 @@ TEST(GnuplotScript, EndsErrorBarsThatReachBelowALogarithmicAxisAtIt) {
     auto figure = figure_of(series);
     figure.panels[0].y.from = 0.5;
     EXPECT_NE(script_of(figure).find("\n1 1 0.5 2 1 1\n10 3 2 4 10 10\n100 9 9 12 100 100\n"), std::string::npos) << script_of(figure);
+}
+
+TEST(GnuplotScript, HoldsBandsInsideThePanel) {
+    // x from 0 to 4, upper from 1e-3 by five decades to 100: the panel shows x from 1 to 3 and y up to 1
+    Series band{.label = "band", .x = Array1D{{0.0, 4.0}}, .y = {}, .lower = Array1D{{-1.0, 1e-3}}, .upper = Array1D{{1e-3, 100.0}}, .mark = Mark::band};
+    auto figure = figure_of(band);
+    figure.panels[0].x = {.quantity = "x", .from = 1.0, .to = 3.0};
+    figure.panels[0].y.from = 1e-4;
+    figure.panels[0].y.to = 1.0;
+    const auto script = script_of(figure);
+    const auto begin = script.find("<< END_OF_DATA\n") + 15, end = script.find("\nEND_OF_DATA");
+    std::istringstream lines(script.substr(begin, end - begin));
+    int points = 0;
+    double x = 0.0, middle = 0.0, lower = 0.0, upper = 0.0, left = 0.0, right = 0.0;
+    for (; lines >> x >> middle >> lower >> upper >> left >> right; ++points) {
+        EXPECT_TRUE(x >= 1.0 && x <= 3.0) << x;
+        EXPECT_NEAR(std::log10(upper), std::min(-3.0 + 1.25 * x, 0.0), 1e-4) << x;
+        EXPECT_NEAR(std::log10(lower), -4.0 + 0.25 * x, 1e-4) << x;
+    }
+    EXPECT_EQ(points, 33);
 }
 
 TEST(GnuplotScript, LeavesAMarginAroundTheData) {
