@@ -164,5 +164,14 @@ TEST(PlantedLoops, LeaveOutWhatDoesNotConformOnRequest) {
     EXPECT_THROW((void)loops("nonconforming = \"skip\"\nspeed = \"-1 nm/s\""), InvalidArgument);
 }
 
+TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
+    for (const char* name : {"standard", "soft_cutoff", "two_slopes", "bump", "non_gaussian", "anisotropic", "no_rolloff"})
+        for (const std::uint64_t seed : {1u, 2u}) {
+            const Recipe recipe = read_recipe(std::string("examples/closure/") + name + ".toml", seed);
+            EXPECT_EQ(recipe.surfaces.size(), 4u) << name;
+            EXPECT_GE(planted_loops(recipe).size(), 12u) << name << ", seed " << seed;
+        }
+}
+
 }  // namespace
 }  // namespace setae::laboratory
