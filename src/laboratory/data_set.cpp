@@ -107,7 +107,8 @@ private:
                     std::vector<MeasurementFile>& files) {
         const StylusProtocol& protocol = *rough.stylus;
         const auto names = named(stem, "stylus", "csv", protocol.lengths.size());
-        const auto references = protocol.artefact > 0.0 ? named(stem, "stylus_reference", "csv", protocol.lengths.size()) : std::vector<std::string>();
+        std::vector<std::string> references;
+        if (protocol.artefact > 0.0) references = named(stem, "stylus_reference", "csv", protocol.lengths.size());
         for (std::size_t k = 0; k < names.size(); ++k)
             files.push_back({names[k], "stylus", tip_text(protocol.tip_radius, protocol.tip_radius_standard_error),
                              references.empty() ? references : std::vector{references[k]}});

@@ -130,7 +130,8 @@ roughness::SpectrumCurve profile_curve(const KnownSurface& surface) {
 }
 
 SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
-    SurfaceTruth truth{.source = surface.isotropic() ? "moments of C_iso; (9)" : "moments of the angle-averaged C_iso; mean of (9) over directions"};
+    SurfaceTruth truth{.source = surface.isotropic() ? "moments of C_iso; (9)"
+                                                     : "moments of the angle-averaged C_iso; mean of (9) over directions"};
     auto& parameters = truth.parameters;
     parameters.rms_height = std::sqrt(moment(surface, 0.0, band) / (2.0 * pi));
     parameters.rms_slope = std::sqrt(moment(surface, 2.0, band) / (2.0 * pi));

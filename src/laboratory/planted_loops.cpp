@@ -36,14 +36,16 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
     }
     specimen.work_approach = specimen.work_retraction = work.raw;
     if (loops.law == RetractionLaw::pinning) {
-        specimen.work_retraction = work_retraction_by_pinning({.work_approach = work.raw, .mean_work = recipe.work_of_adhesion, .stored_energy = stored_energy});
+        specimen.work_retraction = work_retraction_by_pinning({.work_approach = work.raw,
+                                                               .mean_work = recipe.work_of_adhesion,
+                                                               .stored_energy = stored_energy});
         return pair;
     }
     const LoopTruth least = loop_truth(specimen, loops.protocol);
     const double loss = loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * least.largest_contact_area();
     if (loss < least.energy_loss())
-        pair.refusal = fmt::format("the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger loss_factor",
-                                   least.energy_loss(), loss);
+        pair.refusal = fmt::format("the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+                                   "loss_factor", least.energy_loss(), loss);
     else
         specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
     return pair;

@@ -76,7 +76,8 @@ LoopRecipe read_loops(TomlReader reader) {
     take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
     loops.law = reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}}).value_or(loops.law);
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
-    loops.nonconforming = reader.choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse}, {"skip", NonconformingPairs::skip}})
+    loops.nonconforming = reader.choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
+                                                                              {"skip", NonconformingPairs::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
     reader.finish();

@@ -96,7 +96,9 @@ TemProtocol read_tem(TomlReader reader) {
     TemProtocol protocol{.lengths = lengths(reader, "lengths")};
     take(reader, "step", protocol.step);
     if (!(protocol.step > 0.0)) reader.fail("step", "0 m; expected a length > 0");
-    protocol.steps = reader.choice<ContourSteps>("steps", {{"regular", ContourSteps::regular}, {"uniform", ContourSteps::uniform}, {"gamma", ContourSteps::gamma}})
+    protocol.steps = reader.choice<ContourSteps>("steps", {{"regular", ContourSteps::regular},
+                                                           {"uniform", ContourSteps::uniform},
+                                                           {"gamma", ContourSteps::gamma}})
                          .value_or(protocol.steps);
     take_number(reader, "step_spread", protocol.step_spread);
     if (!(protocol.step_spread >= 0.0) || !(protocol.step_spread <= widest_spread(protocol.steps)))

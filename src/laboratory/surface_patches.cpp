@@ -101,10 +101,12 @@ Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
     const double reach = std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
     const double apart = std::max(rolloffs_apart, rolloffs_wide / static_cast<double>(lanes)) * long_rolloff;
     const double lane = std::clamp(apart, 2.0 * reach, std::max(widest_lane, 2.0 * reach));
-    const double width = lane * static_cast<double>(lanes), length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
+    const double width = lane * static_cast<double>(lanes);
+    const double length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
     const double finest = std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
                                    std::sqrt(length * width / most_points));
-    const double step = *std::min_element(protocol.steps.begin(), protocol.steps.end()), pixel = step / std::max(1.0, std::floor(step / finest));
+    const double step = *std::min_element(protocol.steps.begin(), protocol.steps.end());
+    const double pixel = step / std::max(1.0, std::floor(step / finest));
     return {.shape = {.nx = fast_length(length / pixel),
                       .ny = fast_length(width / pixel),
                       .pixel = pixel,
@@ -185,7 +187,8 @@ topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& p
     const Index fine = fine_points(surface, protocol.tip_radius, step, pixels);
     const Index n = fast_length(patch_over_map * static_cast<double>(pixels * fine));
     const double pixel = step / static_cast<double>(fine), start = pixel * static_cast<double>((n - pixels * fine) / 2);
-    const auto map = window_patch(surface, {.nx = n, .ny = n, .pixel = pixel, .window = size, .pointwise = protocol.tip_radius == 0.0}, substream(own, of_heights));
+    const PatchShape shape{.nx = n, .ny = n, .pixel = pixel, .window = size, .pointwise = protocol.tip_radius == 0.0};
+    const auto map = window_patch(surface, shape, substream(own, of_heights));
     AfmOptions options{.nx = pixels,
                        .ny = pixels,
                        .size = size,

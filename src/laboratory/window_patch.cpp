@@ -37,7 +37,8 @@ double variance_between_pixels(const KnownSurface& surface, double pixel) {
         const double angle = pi * (i + 0.5) / directions, from_long = angle - surface.anisotropy.angle;
         const double factor = std::hypot(stretch * std::cos(from_long), std::sin(from_long));
         const double lower = factor * nyquist / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
-        sum += stretch / (factor * factor) * spectral_moment(surface.C_iso, 0.0, surface.band().lower, {lower, std::max(lower, surface.band().upper)});
+        const Band missing{lower, std::max(lower, surface.band().upper)};
+        sum += stretch / (factor * factor) * spectral_moment(surface.C_iso, 0.0, surface.band().lower, missing);
     }
     return sum / directions / (2.0 * pi);
 }
