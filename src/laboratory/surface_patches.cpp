@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -85,34 +87,35 @@ topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& 
     return recorded_scan(line.heights.head(scanned), options);
 }
 
-/// The strip on which a stylus runs and how far its scans are apart.
-struct Strip {
-    PatchShape shape;
-    double lane = 0.0;  ///< [m]
-};
-
-Strip strip_for(const KnownSurface& surface, const StylusProtocol& protocol) {
+/// Scans of one length side by side: the strip on which a stylus runs.
+PatchShape strip_for(const KnownSurface& surface, const StylusProtocol& protocol, const std::vector<std::size_t>& scans) {
     constexpr double points_a_rolloff = 40.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
                      highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
-    const double longest = *std::max_element(protocol.lengths.begin(), protocol.lengths.end());
-    const auto lanes = static_cast<Index>(protocol.lengths.size());
+    const double longest = protocol.lengths[scans.front()], lanes = static_cast<double>(scans.size());
     const double long_rolloff = surface.anisotropy.stretch * surface.rolloff_wavelength;
     const double rms_height = std::sqrt(spectral_moment(surface.C_iso, 0.0, surface.band().lower, {0.0, surface.band().upper}) / (2.0 * pi));
     const double reach = std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
-    const double apart = std::max(rolloffs_apart, rolloffs_wide / static_cast<double>(lanes)) * long_rolloff;
+    const double apart = std::max(rolloffs_apart, rolloffs_wide / lanes) * long_rolloff;
     const double lane = std::clamp(apart, 2.0 * reach, std::max(widest_lane, 2.0 * reach));
-    const double width = lane * static_cast<double>(lanes);
+    const double width = lane * lanes;
     const double length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
     const double finest = std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
                                    std::sqrt(length * width / most_points));
-    const double step = *std::min_element(protocol.steps.begin(), protocol.steps.end());
+    double step = protocol.step(scans.front());
+    for (const auto scan : scans) step = std::min(step, protocol.step(scan));
     const double pixel = step / std::max(1.0, std::floor(step / finest));
-    return {.shape = {.nx = fast_length(length / pixel),
-                      .ny = fast_length(width / pixel),
-                      .pixel = pixel,
-                      .window = longest,
-                      .lanes = lanes},
-            .lane = lane};
+    return {.nx = fast_length(length / pixel),
+            .ny = fast_length(width / pixel),
+            .pixel = pixel,
+            .window = longest,
+            .lanes = static_cast<Index>(scans.size())};
+}
+
+/// Indices of scans by their length, the longest first.
+std::map<double, std::vector<std::size_t>, std::greater<>> by_length(const std::vector<double>& lengths) {
+    std::map<double, std::vector<std::size_t>, std::greater<>> groups;
+    for (std::size_t k = 0; k < lengths.size(); ++k) groups[lengths[k]].push_back(k);
+    return groups;
 }
 
 /// Points of the fine grid to a pixel of a map.
@@ -147,23 +150,25 @@ topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D,
 
 std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D, const StylusProtocol& protocol,
                                                RandomKey key) {
-    std::vector<topography::LineScan> scans;
-    const auto count = protocol.lengths.size();
+    std::vector<topography::LineScan> scans(protocol.lengths.size());
+    const RandomKey heights = substream(key, of_heights);
     if (protocol.tip_radius == 0.0) {
-        for (std::size_t k = 0; k < count; ++k)
-            scans.push_back(bare_scan(surface, C1D, stylus_options(protocol, k, key), substream(substream(key, of_heights), k)));
+        for (std::size_t k = 0; k < scans.size(); ++k)
+            scans[k] = bare_scan(surface, C1D, stylus_options(protocol, k, key), substream(heights, k));
         return scans;
     }
-    const Strip strip = strip_for(surface, protocol);
-    const auto map = window_patch(surface, strip.shape, substream(key, of_heights));
     const topography::Tip tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
-    const topography::Dilator touched(map, tip, {.threads = one_thread});
-    for (std::size_t k = 0; k < count; ++k) {
-        auto options = stylus_options(protocol, k, key);
-        options.tip = topography::SphereTip{protocol.tip_radius};
-        options.start_x = strip.shape.pixel * static_cast<double>((strip.shape.nx - std::llround(strip.shape.window / strip.shape.pixel)) / 2);
-        options.start_y = map.size[1] * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-        scans.push_back(stylus_scan(touched, options));
+    for (const auto& [length, group] : by_length(protocol.lengths)) {
+        const PatchShape strip = strip_for(surface, protocol, group);
+        const auto map = window_patch(surface, strip, substream(heights, group.front()));
+        const topography::Dilator touched(map, tip, {.threads = one_thread});
+        for (std::size_t lane = 0; lane < group.size(); ++lane) {
+            auto options = stylus_options(protocol, group[lane], key);
+            options.tip = topography::SphereTip{protocol.tip_radius};
+            options.start_x = strip.pixel * static_cast<double>((strip.nx - std::llround(length / strip.pixel)) / 2);
+            options.start_y = map.size[1] * (static_cast<double>(lane) + 0.5) / static_cast<double>(group.size());
+            scans[group[lane]] = stylus_scan(touched, options);
+        }
     }
     return scans;
 }

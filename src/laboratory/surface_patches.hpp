@@ -9,7 +9,7 @@
 
 namespace setae::laboratory {
 
-/// All scans of a surface: on one strip below a tip, on lines of their own without.
+/// All scans of a surface: below a tip those of one length on one strip, without a tip each on a line of its own.
 [[nodiscard]] std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D,
                                                              const StylusProtocol& protocol, synthesis::RandomKey key);
 

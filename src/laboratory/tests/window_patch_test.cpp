@@ -124,6 +124,19 @@ TEST(TemContour, OfAThickFoilLiesHigherThanALine) {
     EXPECT_GT(thick.heights.mean(), surface_truth(surface).parameters.rms_height);
 }
 
+TEST(StylusStrip, OfEachLengthKeepsTheOrderOfTheProtocol) {
+    const KnownSurface surface = self_affine(1.0, 4e-4);
+    const StylusProtocol protocol{.lengths = {10e-6, 20e-6, 10e-6}, .steps = {0.5e-6, 0.5e-6, 0.25e-6}, .tip_radius = 5e-6, .tilt = 0.5};
+    const auto scans = stylus_scans(surface, LineSpectrum(surface), protocol, {9, 1});
+    ASSERT_EQ(scans.size(), 3u);
+    EXPECT_EQ(scans[0].heights.size(), 20);
+    EXPECT_EQ(scans[1].heights.size(), 40);
+    EXPECT_EQ(scans[2].heights.size(), 40);
+    // the tilt is far steeper than the surface: it ends as high as the scan is long
+    EXPECT_NEAR(scans[1].heights[39] / (0.5 * 19.5e-6), 1.0, 0.01);
+    EXPECT_NEAR(scans[2].heights[39] / (0.5 * 9.75e-6), 1.0, 0.01);
+}
+
 TEST(StylusStrip, OfARollOffBeyondTheScanIsMadeInLanes) {
     const KnownSurface surface = self_affine(1000.0, 4e-4);
     const StylusProtocol protocol{.lengths = {50e-6, 50e-6}, .steps = {0.5e-6}, .tip_radius = 5e-6};

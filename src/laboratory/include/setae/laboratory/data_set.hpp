@@ -39,8 +39,8 @@ struct PlantedLoop {
 /// [nm]); loops/…csv; truth.json (planted values, SI), truth spectra as NAME/truth.csv; study.toml, which analyses all of it.
 /// Same bytes for any number of threads. Files are replaced as wholes; those of other recipes in the same folder are left.
 ///
-/// Surfaces. Stylus: one strip, all scans side by side on it, where a ball feels them; without a tip a line each. AFM: a
-/// patch a quarter wider than each map. TEM: a line of the surface, eight times as long as each contour; of a foil with
+/// Surfaces. Stylus: a strip for all scans of one length, side by side; without a tip a line each. AFM: a patch a quarter
+/// wider than each map. TEM: a line of the surface, eight times as long as each contour; of a foil with
 /// thickness a patch. Waves up to eight times as long as what is measured are in it; longer ones are missing, but for
 /// transformed heights, where they set the height about which the patch lies.
 /// @return files written, relative to the folder, in order.
