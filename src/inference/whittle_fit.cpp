@@ -15,7 +15,9 @@
 namespace setae::inference {
 namespace {
 
-constexpr double noise_prior_deviation = 2.3;  // of ln σ²: a factor of ten either way
+// The least P/N any mode shows bounds σ² from above, since waves shorter than two pixels are in it, too. Far below it noise does not
+// matter, and data that need more will say so at little cost.
+constexpr double noise_prior_share = 1e-3, noise_prior_deviation = 3.0;
 
 /// Parameters: theta, then one ln σ² for each class that has noise.
 class Problem {
@@ -114,7 +116,7 @@ private:
             const double level = data.periodogram[k] / data.noise_response[k];
             if (k == 0 || level < lowest) lowest = level;
         }
-        prior_centre_[at] = std::log(0.1 * std::max(lowest, 1e-60));
+        prior_centre_[at] = std::log(noise_prior_share * std::max(lowest, 1e-60));
         precision_(at, at) = 1.0 / (noise_prior_deviation * noise_prior_deviation);
     }
 
