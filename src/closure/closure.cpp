@@ -2,22 +2,13 @@
 #include "setae/closure/closure.hpp"
 
 #include <filesystem>
-#include <mutex>
 
-#include <fmt/format.h>
-
-#include "setae/core/errors.hpp"
+#include "data_sets.hpp"
 
 namespace setae::closure {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What one run leaves.
-struct RunResult {
-    std::vector<Comparison> comparisons;
-    std::string failure;
-};
 
 workflow::Study study_of(const std::string& folder, const ClosureOptions& options) {
     auto study = workflow::read_study((fs::path(folder) / "study.toml").string());
@@ -35,42 +26,18 @@ workflow::Study by_paper(workflow::Study study) {
     return study;
 }
 
-RunResult run_once(const std::string& recipe_file, int run, const ClosureOptions& options) {
-    RunResult result;
-    constexpr parallel::Threads one{1};
-    const auto folder = (fs::path(options.folder) / fmt::format("run_{:04}", run)).string();
-    try {
-        const auto recipe = laboratory::read_recipe(recipe_file, options.first_seed + static_cast<std::uint64_t>(run));
-        const auto planted = planted_in(recipe);
-        laboratory::make(recipe, folder, one);
-        const auto study = study_of(folder, options);
-        result.comparisons = comparisons(run, recipe, planted, workflow::run_study(study, one));
-        const auto paper = comparisons_by_paper(run, recipe, planted, workflow::run_study(by_paper(study), one));
-        result.comparisons.insert(result.comparisons.end(), paper.begin(), paper.end());
-    } catch (const Error& error) {
-        result.failure = error.what();
-    }
-    std::error_code ignored;
-    if (!options.keep) fs::remove_all(folder, ignored);
-    return result;
-}
-
 }  // namespace
 
 Closure run_closure(const std::string& recipe, const ClosureOptions& options) {
-    if (options.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", options.runs));
-    (void)laboratory::read_recipe(recipe);  // what is wrong in it is said once, not once a run
-    std::error_code error;
-    fs::create_directories(options.folder, error);
-    if (error) throw FileError(fmt::format("{}: cannot make the folder: {}", options.folder, error.message()));
-    std::vector<RunResult> results(static_cast<std::size_t>(options.runs));
-    std::mutex counting;
-    int done = 0;
-    parallel::for_each_index(results.size(), options.threads, [&](std::size_t r) {
-        results[r] = run_once(recipe, static_cast<int>(r), options);
-        const std::lock_guard lock(counting);
-        ++done;
-        if (options.progress) options.progress(done);
+    const DataSets sets{recipe, options.folder, options.runs, options.first_seed, options.keep, options.threads, options.progress};
+    auto results = for_each_data_set(sets, [&](int run, const laboratory::Recipe& made, const std::string& folder) {
+        constexpr parallel::Threads one{1};
+        const auto planted = planted_in(made);
+        const auto study = study_of(folder, options);
+        auto rows = comparisons(run, made, planted, workflow::run_study(study, one));
+        const auto paper = comparisons_by_paper(run, made, planted, workflow::run_study(by_paper(study), one));
+        rows.insert(rows.end(), paper.begin(), paper.end());
+        return rows;
     });
     Closure closure;
     for (std::size_t r = 0; r < results.size(); ++r) {

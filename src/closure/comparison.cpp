@@ -5,11 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
-
-#include "setae/contact/elasticity.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/resampling.hpp"
+#include "surface_quantities.hpp"
 
 namespace setae::closure {
 namespace {
@@ -17,38 +15,6 @@ namespace {
 using roughness::SpectralParameters;
 using workflow::SpectrumResult;
 using workflow::StudyResult;
-
-/// A number of a surface.
-struct SurfaceQuantity {
-    std::string name, unit;
-    std::function<double(const SpectralParameters&)> value;
-    double least = 0.0;  ///< what it exceeds
-};
-
-std::vector<SurfaceQuantity> surface_quantities() {
-    std::vector<SurfaceQuantity> quantities{
-        {"rms_height", "m", [](const SpectralParameters& p) { return p.rms_height; }},
-        {"rms_slope", "1", [](const SpectralParameters& p) { return p.rms_slope; }},
-        {"rms_curvature", "1/m", [](const SpectralParameters& p) { return p.rms_curvature; }},
-        {"elastic_energy_per_modulus", "m", [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; }},
-        {"true_area_ratio", "1", [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }, 1.0},
-    };
-    for (std::size_t d = 0; d < roughness::no_decades.size(); ++d)
-        quantities.push_back({fmt::format("C1D 1e{}", roughness::first_decade + static_cast<int>(d)), "m3",
-                              [d](const SpectralParameters& p) { return p.decade_C1D[d]; }});
-    return quantities;
-}
-
-/// Planted parameters with the decades of the planted C1D.
-SpectralParameters planted_parameters(const laboratory::SurfaceTruth& truth) {
-    auto parameters = truth.parameters;
-    if (truth.C1D.wavevector.size() > 1) parameters.decade_C1D = roughness::decade_means(truth.C1D);
-    return parameters;
-}
-
-double planted_value(const SurfaceQuantity& quantity, const laboratory::SurfaceTruth& truth) {
-    return quantity.name == "true_area_ratio" ? truth.area_ratio : quantity.value(planted_parameters(truth));
-}
 
 /// Calls visit(surface's result, planted truth) for every surface of the study that did not fail.
 void for_each_surface(const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study,

@@ -83,6 +83,34 @@ std::string summary_table(const std::vector<SummaryRow>& rows) {
     return text;
 }
 
+std::string bias_table(const std::vector<SummaryRow>& rows) {
+    std::vector<std::string> quantities, methods;
+    const auto add = [](std::vector<std::string>& names, const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const auto& row : rows) {
+        add(quantities, row.quantity);
+        add(methods, row.method);
+    }
+    std::string text = fmt::format("{:<28} {:>6}", "bias", "in");
+    for (const auto& method : methods) text += fmt::format(" {:>16}", method);
+    for (const auto& quantity : quantities) {
+        std::string line;
+        for (const auto& method : methods) {
+            const auto row = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) { return r.quantity == quantity && r.method == method; });
+            if (row == rows.end()) {
+                line += fmt::format(" {:>16}", "");
+                continue;
+            }
+            const auto [factor, unit] = printed_unit(*row);
+            if (line.empty()) line = fmt::format("\n{:<28} {:>6}", quantity, unit);
+            line += fmt::format(" {:>+16.2f}", factor * row->bias);
+        }
+        text += line;
+    }
+    return text + "\n";
+}
+
 std::string comparisons_csv(const std::vector<Comparison>& comparisons) {
     std::string text = "run,item,quantity,unit,method,planted,found,standard_error,interval_lower,interval_upper,covered\n";
     for (const auto& c : comparisons) {

@@ -8,6 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/laboratory/data_set.hpp"
 #include "lab_area.hpp"
+#include "lab_causes.hpp"
 #include "lab_closure.hpp"
 #include "verbs.hpp"
 
@@ -58,6 +59,7 @@ void add_lab(CLI::App& program, Action& action) {
     group->require_subcommand(1);
     add_make(*group, action);
     add_closure(*group, action);
+    add_causes(*group, action);
     add_area(*group, action);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab_closure.hpp"
 
-#include <unistd.h>
-
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "closure_output.hpp"
 #include "setae/closure/closure.hpp"
 #include "setae/closure/report.hpp"
 #include "setae/core/errors.hpp"
@@ -16,8 +16,6 @@
 
 namespace setae::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* explanation =
     "Each run makes the recipe's data set with a seed of its own, studies it from its files, compares with what is planted.\n"
@@ -41,23 +39,15 @@ struct ClosureArguments {
 
 closure::ClosureOptions options_of(const ClosureArguments& arguments) {
     const auto left_out = [&](const char* name) { return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end(); };
-    closure::ClosureOptions options{.runs = arguments.runs,
-                                    .first_seed = arguments.seed,
-                                    .folder = arguments.output,
-                                    .keep = arguments.keep,
-                                    .spectrum = arguments.spectrum,
-                                    .tip_factor = !left_out("tip-factor"),
-                                    .tip_band = !left_out("tip-band"),
-                                    .threads = arguments.common.workers()};
-    if (isatty(STDERR_FILENO) != 0)
-        options.progress = [runs = arguments.runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
-    return options;
-}
-
-workflow::Json json_of(const closure::SummaryRow& row) {
-    return {{"quantity", row.quantity}, {"method", row.method}, {"unit", row.measure == closure::Deviation::relative ? "1" : row.unit},
-            {"count", row.count}, {"bias", row.bias}, {"bias_standard_error", row.bias_error}, {"scatter", row.scatter}, {"stated", row.stated},
-            {"worst", row.worst}, {"coverage", row.coverage}, {"coverage_interval", {row.coverage_interval.lower, row.coverage_interval.upper}}};
+    return {.runs = arguments.runs,
+            .first_seed = arguments.seed,
+            .folder = arguments.output,
+            .keep = arguments.keep,
+            .spectrum = arguments.spectrum,
+            .tip_factor = !left_out("tip-factor"),
+            .tip_band = !left_out("tip-band"),
+            .threads = arguments.common.workers(),
+            .progress = progress_of(arguments.runs)};
 }
 
 ExitCode run(const ClosureArguments& arguments) {
@@ -66,20 +56,12 @@ ExitCode run(const ClosureArguments& arguments) {
     for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.comparisons.empty()) return ExitCode::nothing_done;
     const auto rows = closure::summary(found.comparisons);
-    const auto table = closure::summary_table(rows);
-    const auto path = [&](const char* name) { return (fs::path(arguments.output) / name).string(); };
-    io::write_whole_file(path("comparisons.csv"), closure::comparisons_csv(found.comparisons));
-    io::write_whole_file(path("closure.txt"), table);
-    const auto figure = closure::closure_figure(rows);
-    figures::write_data(figure, path("closure.csv"));
-    for (const char* name : {"closure.svg", "closure.png", "closure.pdf"}) figures::draw(figure, path(name));
-    if (arguments.common.json) {
-        workflow::Json json{{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", workflow::Json::array()}};
-        for (const auto& row : rows) json["rows"].push_back(json_of(row));
-        print_json(json);
-    } else {
-        print(table + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
-    }
+    write_closure(rows, "closure", arguments.output);
+    io::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), closure::comparisons_csv(found.comparisons));
+    if (arguments.common.json)
+        print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
+    else
+        print(closure::summary_table(rows) + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
     return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 

@@ -12,6 +12,9 @@ namespace setae::closure {
 /// The rows as aligned text: per cent where relative, the unit where absolute.
 [[nodiscard]] std::string summary_table(const std::vector<SummaryRow>& rows);
 
+/// Biases alone, a quantity a line, a method a column, in per cent where relative and in the unit where absolute.
+[[nodiscard]] std::string bias_table(const std::vector<SummaryRow>& rows);
+
 /// Every comparison as CSV: run, item, quantity, unit, method, planted, found, standard_error, interval_lower, interval_upper, covered.
 [[nodiscard]] std::string comparisons_csv(const std::vector<Comparison>& comparisons);
 

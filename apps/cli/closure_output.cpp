@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "closure_output.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/closure/report.hpp"
+#include "setae/io/whole_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+workflow::Json json_of(const closure::SummaryRow& row) {
+    return {{"quantity", row.quantity},
+            {"method", row.method},
+            {"unit", row.measure == closure::Deviation::relative ? "1" : row.unit},
+            {"count", row.count},
+            {"bias", row.bias},
+            {"bias_standard_error", row.bias_error},
+            {"scatter", row.scatter},
+            {"stated", row.stated},
+            {"worst", row.worst},
+            {"coverage", row.coverage},
+            {"coverage_interval", {row.coverage_interval.lower, row.coverage_interval.upper}}};
+}
+
+}  // namespace
+
+std::function<void(int)> progress_of(int runs) {
+    if (isatty(STDERR_FILENO) == 0) return {};
+    return [runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
+}
+
+workflow::Json json_of(const std::vector<closure::SummaryRow>& rows) {
+    workflow::Json list = workflow::Json::array();
+    for (const auto& row : rows) list.push_back(json_of(row));
+    return list;
+}
+
+void write_closure(const std::vector<closure::SummaryRow>& rows, const std::string& name, const std::string& folder) {
+    const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
+    io::write_whole_file(path(".txt"), closure::summary_table(rows));
+    const auto figure = closure::closure_figure(rows);
+    figures::write_data(figure, path(".csv"));
+    for (const char* ending : {".svg", ".png", ".pdf"}) figures::draw(figure, path(ending));
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "session.hpp"
+#include "setae/closure/summary.hpp"
+
+namespace setae::cli {
+
+/// "n of N runs" on standard error where that is a terminal, else nothing.
+[[nodiscard]] std::function<void(int)> progress_of(int runs);
+
+[[nodiscard]] workflow::Json json_of(const std::vector<closure::SummaryRow>& rows);
+
+/// NAME.txt, NAME.csv and the figure as NAME.svg, .png and .pdf in a folder.
+/// @throws FileError.
+void write_closure(const std::vector<closure::SummaryRow>& rows, const std::string& name, const std::string& folder);
+
+}  // namespace setae::cli

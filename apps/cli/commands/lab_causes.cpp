@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab_causes.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "closure_output.hpp"
+#include "setae/closure/causes.hpp"
+#include "setae/closure/report.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "What the arithmetic mean of spectra [D19] reads of the recipe's surfaces if every periodogram were its own expectation\n"
+    "under one cause alone, so that nothing scatters:\n"
+    "none               C1D at the wavevectors of the measurements, inside their reliable bands\n"
+    "segments           straight lines between the points of contours\n"
+    "trend and window   parabola (stylus) or tilt (lines of maps) removed, Hann window\n"
+    "aliasing           waves shorter than two pixels\n"
+    "tip                a ball in place of a point, inside the band of its criterion\n"
+    "eq. (11)           C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)) in place of the exact moments\n"
+    "all                all of them\n"
+    "work_of_adhesion at E* = 1 MPa and gamma_1 = 25 mJ/m2, from the planted W_app; ..._from_loss: W_int r/r_found\n";
+
+struct CausesArguments {
+    Common common;
+    std::string recipe;
+    std::string output = "causes";
+    int runs = 5;
+    std::uint64_t seed = 1;
+};
+
+ExitCode run(const CausesArguments& arguments) {
+    if (arguments.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+    const auto rows = closure::summary(closure::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
+                                                                                     .first_seed = arguments.seed,
+                                                                                     .folder = arguments.output,
+                                                                                     .threads = arguments.common.workers(),
+                                                                                     .progress = progress_of(arguments.runs)}));
+    write_closure(rows, "causes", arguments.output);
+    if (arguments.common.json) print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
+    else print(closure::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_causes(CLI::App& group, Action& action) {
+    auto arguments = std::make_shared<CausesArguments>();
+    auto* verb = group.add_subcommand("causes", "what each thing a mean of spectra leaves uncorrected does, alone");
+    verb->add_option("recipe", arguments->recipe, "TOML file of the recipe");
+    verb->add_option("-o,--output", arguments->output, "folder of tables and figure; default: causes");
+    verb->add_option("--runs", arguments->runs, "data sets; default: 5");
+    verb->add_option("--seed", arguments->seed, "of the first run; default: 1");
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli
