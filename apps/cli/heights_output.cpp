@@ -37,15 +37,19 @@ struct CsvWriter {
 
 }  // namespace
 
+void require_heights_ending(const std::string& path) {
+    if (!path.ends_with(".npy") && !path.ends_with(".csv") && !path.ends_with(".nc"))
+        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending .nc, .npy or .csv", path));
+}
+
 void write_heights(const std::string& path, const topography::Measurement& measurement) {
+    require_heights_ending(path);
     if (path.ends_with(".npy"))
         std::visit([&](const auto& m) { io::write_npy(path, m.heights); }, measurement);
     else if (path.ends_with(".csv"))
         std::visit(CsvWriter{path}, measurement);
-    else if (path.ends_with(".nc"))
-        io::write_netcdf(path, measurement);
     else
-        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending .nc, .npy or .csv", path));
+        io::write_netcdf(path, measurement);
 }
 
 }  // namespace setae::cli

@@ -14,6 +14,9 @@ namespace setae::cli {
 /// @throws InvalidArgument for another ending; FileError.
 void write_heights(const std::string& path, const topography::Measurement& measurement);
 
+/// @throws InvalidArgument where write_heights would for the path's ending, before heights are dear to make.
+void require_heights_ending(const std::string& path);
+
 /// What they look like, for --explain.
 inline constexpr const char* heights_output_explanation =
     ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"

@@ -60,6 +60,7 @@ MadeRoughness measured(const topography::LineScan& scan) {
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.output.empty()) throw InvalidArgument("expected -o OUT.nc, OUT.npy or OUT.csv");
+    require_heights_ending(arguments.output);
     const auto plan = arguments.options.plan(arguments.common.workers());
     const auto expected = plan.expected();
     const auto measurement = plan.make();
