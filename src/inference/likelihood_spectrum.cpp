@@ -13,6 +13,7 @@
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/estimate.hpp"
 #include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
 #include "setae/synthesis/abel.hpp"
@@ -20,6 +21,9 @@
 
 namespace setae::inference {
 namespace {
+
+/// Log-normal heights beyond it are another kind of surface.
+constexpr double most_skewness = 1.5;
 
 /// rms change of ln T, weighted by freedoms, that ends the rounds.
 constexpr double small_change = 0.005;
@@ -135,7 +139,7 @@ private:
         return synthesis::tabulated_density(at, line);
     }
 
-    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others. Whether T was what the derivatives had
+    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as the tip reads them. Whether T was what the derivatives had
     /// led the fit to expect.
     bool simulate_tips() {
         if (rounds_ == 0) wavelength_ = median_wavelength();
@@ -169,12 +173,32 @@ private:
                                  .correlation_length = 0.5 * wavelength_,
                                  .seed = options_.seed,
                                  .threads = options_.threads};
+        auto& skewness = skewness_[radius];
+        simulation.skewness = skewness.value;
         if (rounds_ == 0) {
+            // a patch without the longest waves says nothing of the skewness of heights
+            constexpr double waves_a_patch = 8.0;
+            if (simulation.step * static_cast<double>(simulation.points) > waves_a_patch * wavelength_) skewness.standard_error = measured_skewness(radius).standard_error;
+            simulation.skewness_response = skewness.uncertain();
             simulation.repetitions = 1;
             responses_[radius] = tip_response(C_iso(), simulation);
         } else {
             responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
         }
+        if (skewness.uncertain())
+            skewness.value = std::clamp(skewness.value + measured_skewness(radius).value - responses_[radius].read_skewness, -most_skewness, most_skewness);
+    }
+
+    /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.
+    [[nodiscard]] Estimate measured_skewness(double radius) const {
+        std::vector<double> values;
+        for (const auto& g : groups_)
+            if (g.tip_radius == radius) values.insert(values.end(), g.skewness.begin(), g.skewness.end());
+        const auto n = static_cast<double>(values.size());
+        double mean = 0.0, squares = 0.0;
+        for (const double v : values) mean += v / n;
+        for (const double v : values) squares += (v - mean) * (v - mean);
+        return {mean, values.size() < 3 ? undefined : std::sqrt(squares / (n * (n - 1.0)))};
     }
 
     /// A that T answers to.
@@ -188,17 +212,21 @@ private:
         return g.data.log_transfer + g.data.amplitude_response * std::log(amplitude(g) / g.data.reference_amplitude);
     }
 
-    /// Of the fit, plus what uncertain radii and the noise of the simulation do, each tip by itself.
+    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself.
     [[nodiscard]] Eigen::MatrixXd full_covariance() const {
         Eigen::MatrixXd covariance = fit_.covariance;
         for (const auto& [radius, response] : responses_) {
-            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), response.simulation_errors.rows() + 1);  // the last column: by the radius
+            // a column a repetition, then by the radius, then by the skewness
+            const Index repetitions = response.simulation_errors.rows();
+            const auto& skewness = skewness_.at(radius);
+            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 2);
             for (std::size_t c = 0; c < groups_.size(); ++c) {
                 const auto& g = groups_[c];
                 if (g.tip_radius != radius) continue;
                 const Eigen::MatrixXd answer = fit_.gain * fit_.jacobian[c].transpose() * g.data.freedom.matrix().asDiagonal();
-                moved.leftCols(moved.cols() - 1) += answer * g.tip.simulation_errors.matrix().transpose();
-                moved.rightCols(1) += answer * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+                moved.leftCols(repetitions) += answer * g.tip.simulation_errors.matrix().transpose();
+                moved.col(repetitions) += answer * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+                moved.col(repetitions + 1) += answer * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
             covariance += moved * moved.transpose();
         }
@@ -251,6 +279,7 @@ private:
     Smoothness smoothness_;
     WhittleFit fit_;
     std::map<double, TipResponse> responses_;  ///< by radius
+    std::map<double, Estimate> skewness_;      ///< of the surface's heights, by radius of the tip that read them
     double wavelength_ = 0.0;                  ///< half of ∫ q C_iso dq lies below it
     int rounds_ = 0;
 };

@@ -51,6 +51,11 @@ std::string class_name(const topography::Metadata& metadata, Index points, doubl
     return fmt::format("{} of {} points over {:.4g} um", metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
 }
 
+double skewness_of(const Array2D& heights) {
+    const Array2D centred = heights - heights.mean();
+    return centred.cube().mean() / std::pow(centred.square().mean(), 1.5);
+}
+
 void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap& map, const ObservedSurface& observed, const SpectrumRange& range,
                  const LikelihoodOptions& options) {
     const ScanShape shape{map.heights.rows(), trend_degree(observed.trend)};
@@ -82,6 +87,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap
         groups.push_back(std::move(group));
         place = groups.end() - 1;
     }
+    if (place->tip_radius > 0.0) place->skewness.push_back(skewness_of(map.heights));
     const double n = ++place->measurements;
     place->data.periodogram += (periodogram - place->data.periodogram) / n;
     place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(band_end)) / n);

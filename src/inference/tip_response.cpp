@@ -11,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
+#include "setae/synthesis/height_transform.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
 
@@ -18,7 +19,7 @@ namespace setae::inference {
 namespace {
 
 constexpr double bins_a_decade = 8.0;
-constexpr double amplitude_step = 1.2, radius_step = 1.1;
+constexpr double amplitude_step = 1.2, radius_step = 1.1, skewness_step = 0.2;
 
 /// Every second pixel along x, every eighth line: what is read.
 constexpr Index stride_x = 2, stride_y = 8;
@@ -110,28 +111,50 @@ private:
     double share_;
 };
 
+/// Heights of a Gaussian patch become log-normal of the same rms height.
+topography::HeightMap with_skewness(topography::HeightMap patch, double skewness) {
+    if (skewness == 0.0) return patch;
+    const auto transform = synthesis::lognormal_heights(skewness);
+    const double rms = std::sqrt(patch.heights.square().mean());
+    patch.heights = patch.heights.unaryExpr([&](double h) { return rms * transform(h / rms); });
+    return patch;
+}
+
+double skewness_of(const Array2D& heights) {
+    const Array2D centred = heights - heights.mean();
+    return centred.cube().mean() / std::pow(centred.square().mean(), 1.5);
+}
+
 /// Sums of line power over repetitions, a bin a column.
 struct PowerSums {
-    Array1D surface, touched, higher, blunter;
-    Array2D single;  ///< ln T of each repetition
+    Array1D surface, touched, higher, blunter, skewed_surface, skewed;
+    Array2D single;              ///< ln T of each repetition
+    double read_skewness = 0.0;  ///< mean over repetitions
 };
 
 PowerSums power_sums(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins, bool with_derivatives) {
     const Index n = simulation.points, count = bins.size();
     const double size = simulation.step * static_cast<double>(n), radius = simulation.tip_radius;
     const Array1D none = Array1D::Zero(count);
-    PowerSums sums{none, none, none, none, Array2D(simulation.repetitions, count)};
+    PowerSums sums{none, none, none, none, none, none, Array2D(simulation.repetitions, count)};
     const auto power = [&](const Array2D& lines) { return bins.sums(line_power(lines, simulation.threads)); };
     for (int r = 0; r < simulation.repetitions; ++r) {
-        auto patch = synthesis::random_surface(C_iso, {n, n, size, size}, {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
-        const Array1D surface = power(every_point_read(patch)), touched = power(read(patch, radius, simulation.threads));
+        const auto parent = synthesis::random_surface(C_iso, {n, n, size, size}, {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
+        auto patch = with_skewness(parent, simulation.skewness);
+        const Array2D readings = read(patch, radius, simulation.threads);
+        const Array1D surface = power(every_point_read(patch)), touched = power(readings);
         sums.surface += surface;
         sums.touched += touched;
         sums.single.row(r) = (touched / surface).log().transpose();
+        sums.read_skewness += skewness_of(readings) / simulation.repetitions;
         if (!with_derivatives) continue;
         if (simulation.radius_response) sums.blunter += power(read(patch, radius * radius_step, simulation.threads));
         patch.heights *= std::sqrt(amplitude_step);
         sums.higher += power(read(patch, radius, simulation.threads)) / amplitude_step;
+        if (!simulation.skewness_response) continue;
+        patch = with_skewness(parent, simulation.skewness + skewness_step);
+        sums.skewed_surface += power(every_point_read(patch));
+        sums.skewed += power(read(patch, radius, simulation.threads));
     }
     return sums;
 }
@@ -163,9 +186,12 @@ TipResponse simulated(const synthesis::SpectralDensity& C_iso, const TipSimulati
     TipResponse response;
     response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
     response.log_transfer = log_ratio(sums.touched, sums.surface);
-    response.amplitude_response = response.radius_response = Array1D::Zero(bins.size());
+    response.read_skewness = sums.read_skewness;
+    response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(bins.size());
     if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
     if (with_derivatives && simulation.radius_response) response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
+    if (with_derivatives && simulation.skewness_response)
+        response.skewness_response = (log_ratio(sums.skewed, sums.skewed_surface) - response.log_transfer) / skewness_step;
     response.simulation_errors = simulation_errors(sums.single, weights);
     return response;
 }
@@ -184,6 +210,7 @@ TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimul
     TipResponse response = simulated(C_iso, simulation, false);
     response.amplitude_response = before.amplitude_response;
     response.radius_response = before.radius_response;
+    response.skewness_response = before.skewness_response;
     return response;
 }
 
@@ -192,7 +219,7 @@ SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDe
     constexpr int aliases = 12;
     const Index n = wavevectors.size(), repetitions = response.simulation_errors.rows();
     const auto zero = Array1D::Zero(n);
-    SampledResponse result{zero, zero, zero, Array2D::Zero(repetitions, n)};
+    SampledResponse result{zero, zero, zero, zero, Array2D::Zero(repetitions, n)};
     for (Index k = 0; k < n; ++k) {
         double plain = 0.0, read = 0.0;
         for (int m = -aliases; m <= aliases; ++m) {
@@ -203,12 +230,14 @@ SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDe
             read += kept;
             result.amplitude_response[k] += kept * place.of(response.amplitude_response);
             result.radius_response[k] += kept * place.of(response.radius_response);
+            result.skewness_response[k] += kept * place.of(response.skewness_response);
             for (Index r = 0; r < repetitions; ++r) result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
         }
         result.log_transfer[k] = plain > 0.0 ? std::log(read / plain) : 0.0;
         const double share = read > 0.0 ? 1.0 / read : 0.0;
         result.amplitude_response[k] *= share;
         result.radius_response[k] *= share;
+        result.skewness_response[k] *= share;
         result.simulation_errors.col(k) *= share;
     }
     return result;

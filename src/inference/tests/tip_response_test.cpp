@@ -81,6 +81,22 @@ TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     EXPECT_LT(at(response.wavevector, response.radius_response, 2.0 * pi / 300e-9), -0.05);
 }
 
+// A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than they are.
+TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
+    auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
+    peaks.skewness = 0.8;
+    valleys.skewness = -0.8;
+    gaussian.skewness_response = true;
+    const auto C_iso = gentle(0.1);
+    const double q = 2.0 * pi / 600e-9;
+    const auto of_gaussian = tip_response(C_iso, gaussian);
+    const auto loss = [&](const TipResponse& r) { return at(r.wavevector, r.log_transfer, q); };
+    EXPECT_GT(loss(tip_response(C_iso, peaks)), loss(of_gaussian) + 0.02);
+    EXPECT_LT(loss(tip_response(C_iso, valleys)), loss(of_gaussian) - 0.02);
+    EXPECT_GT(at(of_gaussian.wavevector, of_gaussian.skewness_response, q), 0.02);
+    EXPECT_GT(of_gaussian.read_skewness, 0.02);
+}
+
 TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
     const auto first = tip_response(gentle(0.02), simulation(1e-6));
     const auto again = tip_response(gentle(0.021), simulation(1e-6), first);
@@ -127,7 +143,7 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
     response.wavevector = Array1D::LinSpaced(2, 1e6, 9e6);
     response.log_transfer = Array1D(2);
     response.log_transfer << 0.0, std::log(0.5);
-    response.amplitude_response = response.radius_response = Array1D::Zero(2);
+    response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(2);
     const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 fold together
     const auto C1D = [](double q) { return std::abs(q - 1e6) < 1.0 ? 3.0 : std::abs(q - 9e6) < 1.0 ? 1.0 : 0.0; };
     const auto found = sampled(response, C1D, pixel, Array1D::Constant(1, 1e6));

@@ -26,7 +26,7 @@ struct LikelihoodOptions {
     bool tip_factor = true;              ///< simulate tips; false: T = 1
     bool tip_band = true;                ///< use tip-based data below 2π/l_c alone
     double least_transfer = 0.4;         ///< use tip-based data where T is larger
-    int rounds = 3;                      ///< simulations of each tip
+    int rounds = 5;                      ///< most simulations of each tip; they end when T settles
     Index tip_points = 1024;             ///< of a side of the simulated patch
     std::uint64_t seed = 1;
     parallel::Threads threads;

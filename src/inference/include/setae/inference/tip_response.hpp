@@ -15,6 +15,8 @@ struct TipSimulation {
     Index points = 1024;             ///< of a side of the patch
     int repetitions = 2;             ///< patches, each of its own random numbers
     bool radius_response = true;     ///< whether ∂ ln T/∂ ln R is wanted; else it is 0
+    double skewness = 0.0;           ///< of the surface's heights, log-normal; 0: Gaussian
+    bool skewness_response = false;  ///< whether ∂ ln T/∂ skewness is wanted; else it is 0
     double correlation_length = 0.0; ///< of the heights [m]: lines that far apart count as independent in the smoothing
     std::uint64_t seed = 1;
     parallel::Threads threads;
@@ -30,11 +32,13 @@ struct TipResponse {
     Array1D log_transfer;        ///< ln T, smoothed over ln q
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A for C_iso ∝ A
     Array1D radius_response;     ///< ∂ ln T/∂ ln R
+    Array1D skewness_response;   ///< ∂ ln T/∂ skewness
+    double read_skewness = 0.0;  ///< of the heights as the tip reads them
     Array2D simulation_errors;   ///< a row a repetition: how its ln T departs from the mean, over √(n(n − 1)); the outer products of its rows
                                  ///< sum up to the covariance of ln T that the simulation leaves. None for one repetition.
 };
 
-/// Simulates the tip on periodic random patches of the given spectrum: 2-D dilation, read along x, the same surface with and
+/// Simulates the tip on periodic random patches of the given spectrum, their heights transformed to the skewness asked for: 2-D dilation, read along x, the same surface with and
 /// without tip. T is constant below the lowest and above the highest bin. Same random numbers for every spectrum, so that T
 /// changes smoothly with it.
 /// @throws InvalidArgument for a radius, step or correlation length that is not positive, or a spectrum without power.
@@ -48,7 +52,7 @@ struct TipResponse {
 ///   T = Σ_m T(|q + 2πm/Δ|) C1D(|q + 2πm/Δ|)/Σ_m C1D(|q + 2πm/Δ|).
 /// C1D: density of lines [m³]; values: any of the curves of a TipResponse (ln T, or a derivative weighted by T).
 struct SampledResponse {
-    Array1D log_transfer, amplitude_response, radius_response;
+    Array1D log_transfer, amplitude_response, radius_response, skewness_response;
     Array2D simulation_errors;  ///< a row a repetition
 };
 [[nodiscard]] SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDensity& C1D, double pixel_size,
