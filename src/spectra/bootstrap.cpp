@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/spectra/bootstrap.hpp"
 
-#include <cmath>
 #include <map>
-#include <random>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "combination_mean.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/synthesis/random_numbers.hpp"
 
 namespace setae::spectra {
 namespace {
-
-/// Uniform index below n: the same numbers with any standard library, whose own distributions differ.
-std::size_t draw_index(std::mt19937_64& engine, std::size_t n) {
-    const std::uint64_t size = n, remainder = (~std::uint64_t{0} % size + 1) % size;
-    for (;;) {
-        const std::uint64_t number = engine();
-        if (number <= ~std::uint64_t{0} - remainder) return static_cast<std::size_t>(number % size);
-    }
-}
 
 /// Members among which to draw, all or those of each instrument; members without data in any bin are no draw.
 std::vector<std::vector<std::size_t>> strata(const BinnedSpectra& spectra, bool by_instrument) {
@@ -34,15 +24,13 @@ std::vector<std::vector<std::size_t>> strata(const BinnedSpectra& spectra, bool 
 }
 
 Multiplicity draw(const std::vector<std::vector<std::size_t>>& strata, std::size_t members, const BootstrapOptions& options, std::size_t resample) {
-    const std::uint64_t seed = options.seed;
-    // seed_seq mixes both, so that neighbouring seeds and resamples share nothing
-    std::seed_seq mixed{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                        static_cast<std::uint32_t>(resample), static_cast<std::uint32_t>(resample >> 32)};
-    std::mt19937_64 engine(mixed);
+    const auto key = synthesis::substream({options.seed, 0}, resample);
+    std::uint64_t drawn_so_far = 0;
+    const auto index_below = [&](std::size_t n) { return static_cast<std::size_t>(synthesis::random_index(key, drawn_so_far++, static_cast<Index>(n))); };
     Multiplicity drawn(members, 0);
     for (std::size_t s = 0; s < strata.size(); ++s) {
-        const auto& stratum = strata[options.draw == Draw::instruments_and_within ? draw_index(engine, strata.size()) : s];
-        for (std::size_t k = 0; k < stratum.size(); ++k) ++drawn[stratum[draw_index(engine, stratum.size())]];
+        const auto& stratum = strata[options.draw == Draw::instruments_and_within ? index_below(strata.size()) : s];
+        for (std::size_t k = 0; k < stratum.size(); ++k) ++drawn[stratum[index_below(stratum.size())]];
     }
     return drawn;
 }
