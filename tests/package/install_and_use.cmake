@@ -9,4 +9,6 @@ run(${CMAKE_COMMAND} -S ${STRANGER} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PRE
     -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/stranger)
-run(${WORK}/prefix/bin/setae --version)
+if(PROGRAM)
+  run(${WORK}/prefix/bin/setae --version)
+endif()

@@ -53,20 +53,54 @@ TEST(ParameterSpread, KeepsAreaRatiosAboveOne) {
 
 TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
     ParameterSpread spread;
-    spread.replicas = {of_height(1.0), of_height(3.0)};
-    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.5)}, {of_height(1.1), of_height(1.1)}};
+    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)}, {of_height(1.1), of_height(1.1)}};
     const auto term = spread.variance_term(height);
-    EXPECT_NEAR(term.variance, 2.0, 1e-12);
+    EXPECT_NEAR(term.variance, 2.0 / 3.0 * 0.08, 1e-12);
     EXPECT_NEAR(term.degrees_of_freedom, 2.0, 1e-12);  // the second stratum adds nothing
     EXPECT_EQ(ParameterSpread{}.variance_term(height).variance, 0.0);
     EXPECT_TRUE(std::isinf(ParameterSpread{}.variance_term(height).degrees_of_freedom));
+}
+
+// ± and interval of one number speak of the same scatter: SE of f is s of ln f times f, to first order.
+TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
+    ParameterSpread spread;
+    spread.replicas = {of_height(1.0), of_height(3.0)};  // not looked at beside the jackknife
+    spread.left_out = {{of_height(1.001), of_height(1.003), of_height(0.998)}};
+    spread.sources = {{"tip radius", of_height(1.002), of_height(0.998)}};
+    const auto estimate = spread.estimate(1.0, height);
+    const double half_width = 0.5 * std::log(estimate.interval->upper / estimate.interval->lower);
+    EXPECT_NEAR(half_width / (student_t_quantile(0.975, *estimate.degrees_of_freedom) * estimate.standard_error), 1.0, 2e-3);
+    EXPECT_FALSE(estimate.seed) << "no random numbers behind it";
+    EXPECT_NEAR(std::pow(estimate.standard_error, 2), spread.covariance(height, height), 1e-18);
+}
+
+TEST(ParameterSpread, CovarianceOfTheJackknifeIsItsVarianceForTheSameFunction) {
+    ParameterSpread spread;
+    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)}, {of_height(0.9)}};  // one alone has no scatter
+    const auto twice = [](const SpectralParameters& p) { return 2.0 * p.rms_height; };
+    EXPECT_NEAR(spread.covariance(height, twice), 2.0 * 2.0 / 3.0 * 0.08, 1e-12);
+}
+
+TEST(ParameterSpread, FallsBackOnReplicasWithoutStrata) {
+    ParameterSpread spread;
+    spread.seed = 7;
+    spread.replicas = {of_height(std::exp(0.1)), of_height(std::exp(-0.1))};
+    const auto estimate = spread.estimate(1.0, height);
+    EXPECT_EQ(estimate.method, "bootstrap on ln");
+    EXPECT_EQ(estimate.seed, 7u);
+    EXPECT_NEAR(std::log(estimate.interval->upper), normal_quantile(0.975) * std::sqrt(0.02), 1e-12);
+    spread.replicas_are_draws = true;
+    EXPECT_EQ(spread.estimate(1.0, height).method, "likelihood");
 }
 
 TEST(ParameterSpread, HasNoIntervalWithoutAnythingToRestOn) {
     EXPECT_FALSE(ParameterSpread{}.estimate(1.0, height).interval);
     ParameterSpread spread;
     spread.left_out = {{of_height(0.9), of_height(1.2)}};  // 0.9 is no area ratio
-    EXPECT_FALSE(spread.estimate(1.1, height, 1.0).interval);
+    const auto estimate = spread.estimate(1.1, height, 1.0);
+    EXPECT_FALSE(estimate.interval);
+    EXPECT_EQ(estimate.method, "jackknife t");
+    EXPECT_NEAR(estimate.standard_error, 0.15, 1e-12);  // half of Σ 0.15²
 }
 
 }  // namespace

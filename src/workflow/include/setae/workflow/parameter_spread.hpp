@@ -8,13 +8,18 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 
 namespace setae::workflow {
 
-/// How uncertain spectral parameters are, and why: bootstrap replicas, values without each measurement, and pairs of values
-/// a given ± leads to.
+/// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a given ±
+/// leads to. Standard errors, covariances and intervals rest on the same of them:
+///
+///   draws from the covariance of a fit, where the replicas are such: their scatter is the uncertainty itself
+///   else the jackknife within strata, where any stratum has two members, plus what the sources do
+///   else the scatter of bootstrap replicas, plus what the sources do
 struct ParameterSpread {
     struct Source {
         std::string name;  ///< such as "tip radius"
@@ -24,25 +29,36 @@ struct ParameterSpread {
 
     std::vector<roughness::SpectralParameters> replicas;
     std::uint64_t seed = 0;  ///< of the replicas
-    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit: their scatter is the uncertainty itself
+    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit, which knows the sources too
     std::vector<std::vector<roughness::SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
 
-    /// Covariance of two functions of the parameters: between replicas, plus ¼ (f₊ − f₋)(g₊ − g₋) of each source.
+    /// Covariance of two functions of the parameters.
+    ///
+    ///   jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source: ¼ (f₊ − f₋)(g₊ − g₋)
+    ///
+    /// 0 where nothing is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
+    /// NaN where nothing is known.
     [[nodiscard]] double standard_error(const Function& f) const;
     /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom that the measurements
-    /// of each stratum leave it, the sources' share counting as known. Variance 0 where nothing is known.
+    /// of each stratum leave it; draws, bootstrap replicas and sources count as known. Variance 0 where nothing is known.
     [[nodiscard]] VarianceTerm variance_term(const Function& f) const;
     /// A function of the parameters, whose value is given, with what this spread says of it.
     ///
-    ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = jackknife variance of x + Σ ¼ (x₊ − x₋)² of the sources
+    ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = variance of x, ν its degrees of freedom, both as above
     ///
-    /// Where the replicas are draws, s² is the variance of x between them and ν infinite (method "likelihood").
-    /// least: what f exceeds, 0 but for area ratios, 1. The standard error is that of standard_error(); without values that
-    /// exceed `least`, or without strata and sources, there is no interval of its own.
+    /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its own.
+    /// Method: "likelihood", "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to them, or "delta on ln" for
+    /// sources alone; without " on ln" where there is no interval of its own.
     /// Source: coverage measured in docs/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
+
+private:
+    [[nodiscard]] bool has_jackknife() const;
+    /// Values of f without each measurement, by stratum.
+    [[nodiscard]] std::vector<LeaveOneOut> without_each(const Function& f) const;
+    [[nodiscard]] std::string method(const std::string& scale) const;
 };
 
 }  // namespace setae::workflow
