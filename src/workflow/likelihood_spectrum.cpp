@@ -24,11 +24,11 @@ roughness::DecadeMeans decade_means(const roughness::SpectrumCurve& C_iso, const
 
 }  // namespace
 
-void estimate_by_likelihood(SurfaceResult& surface, std::span<const PreparedMeasurement> prepared, const AnalysisOptions& options,
+void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
                             parallel::Threads threads) {
     std::vector<inference::ObservedSurface> observed;
     for (std::size_t i = 0; i < prepared.size(); ++i)
-        if (!surface.measurements[i].failed()) observed.push_back({prepared[i].measurement, prepared[i].trend});
+        if (!surface.measurements[i].failed()) observed.push_back({std::move(prepared[i].measurement), prepared[i].trend});
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "setae/workflow/surface_analysis.hpp"
 
@@ -10,8 +10,8 @@ namespace setae::workflow {
 /// Fills `likelihood` of a surface from all its measurements at once and makes it the spectrum used.
 ///
 /// prepared[i] belongs to surface.measurements[i], which has its trend and reliable band; of failed ones it is empty.
-/// @throws UndefinedDataError where the measurements do not determine a spectrum; the surface is then as it was.
-void estimate_by_likelihood(SurfaceResult& surface, std::span<const PreparedMeasurement> prepared, const AnalysisOptions& options,
+/// @throws what inference::likelihood_spectrum throws; the surface is then as it was.
+void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
                             parallel::Threads threads);
 
 }  // namespace setae::workflow

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,38 @@
 
 namespace setae::workflow {
 namespace {
+
+/// What the heights of a surface may take in memory [bytes], from the sizes of its files.
+double memory_of(const SurfaceInput& surface) {
+    constexpr double bytes_a_byte = 4.0;  // heights of 16 bits become doubles
+    std::set<std::string> files;
+    for (const auto& m : surface.measurements) files.insert(m.file);
+    double sum = 0.0;
+    for (const auto& file : files) {
+        std::error_code missing;
+        const auto size = std::filesystem::file_size(file, missing);
+        if (!missing) sum += bytes_a_byte * static_cast<double>(size);
+    }
+    return sum;
+}
+
+/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go into each.
+std::vector<SurfaceResult> analyse_surfaces(const Study& study, parallel::Threads threads) {
+    constexpr double most_memory = 2e9;  // [bytes]
+    std::vector<double> memory;
+    for (const auto& surface : study.surfaces) memory.push_back(memory_of(surface));
+    std::sort(memory.rbegin(), memory.rend());
+    int at_once = 0;
+    for (double sum = 0.0; at_once < std::min<int>(threads.resolved(), static_cast<int>(memory.size())); ++at_once) {
+        sum += memory[static_cast<std::size_t>(at_once)];
+        if (at_once > 0 && sum > most_memory) break;
+    }
+    std::vector<SurfaceResult> results(study.surfaces.size());
+    const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
+    parallel::for_each_index(results.size(), {std::max(1, at_once)},
+                             [&](std::size_t i) { results[i] = analyse_surface(study.surfaces[i], study.analysis, inside); });
+    return results;
+}
 
 ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study) {
     ExperimentResult result;
@@ -114,7 +148,7 @@ StudyResult run_study(Study study, parallel::Threads threads) {
     StudyResult result;
     result.study = std::move(study);
     const auto& inputs = result.study;
-    for (const auto& surface : inputs.surfaces) result.surfaces.push_back(analyse_surface(surface, inputs.analysis, threads));
+    result.surfaces = analyse_surfaces(inputs, threads);
     result.experiments.resize(inputs.experiments.size());
     parallel::for_each_index(inputs.experiments.size(), threads,
                              [&](std::size_t i) { result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs); });

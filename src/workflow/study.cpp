@@ -187,7 +187,7 @@ private:
 
 AnalysisOptions read_analysis(TomlReader reader) {
     AnalysisOptions options;
-    options.spectrum = reader.choice<SpectrumMethod>("spectrum", {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}}).value_or(options.spectrum);
+    options.spectrum = reader.choice<SpectrumMethod>("spectrum", {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}});
     options.limits.longest = reader.quantity("longest_wavelength", dimension::length);
     options.limits.shortest = reader.quantity("shortest_wavelength", dimension::length);
     options.conversion = reader.choice<roughness::Conversion>("conversion", {{"exact", roughness::Conversion::exact}, {"eq11", roughness::Conversion::eq11}}).value_or(options.conversion);

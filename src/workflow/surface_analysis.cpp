@@ -2,6 +2,7 @@
 #include "setae/workflow/surface_analysis.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
@@ -53,11 +54,16 @@ std::vector<Task> tasks_of(const SurfaceInput& input) {
     return tasks;
 }
 
+/// Whether the likelihood's spectrum is wanted of so many measurements: one alone speaks for itself.
+bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurements) {
+    return options.spectrum ? *options.spectrum == SpectrumMethod::likelihood : measurements > 1;
+}
+
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
 /// order, else nothing: maps need not all fit into memory at once for an average.
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
     const auto tasks = tasks_of(input);
-    const bool keep = options.spectrum == SpectrumMethod::likelihood;
+    const bool keep = wants_likelihood(options, std::ssize(tasks));
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
     const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
@@ -75,11 +81,12 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
     return kept;
 }
 
-/// The likelihood's spectrum beside the average, where it is asked for and can be had.
-void add_likelihood(SurfaceResult& surface, const std::vector<PreparedMeasurement>& prepared, const AnalysisOptions& options, parallel::Threads threads) {
-    if (options.spectrum != SpectrumMethod::likelihood) return;
+/// The likelihood's spectrum beside the average, where it is wanted and can be had.
+void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options, parallel::Threads threads) {
+    const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); });
+    if (!wants_likelihood(options, analysed)) return;
     try {
-        estimate_by_likelihood(surface, prepared, options, threads);
+        estimate_by_likelihood(surface, std::move(prepared), options, threads);
     } catch (const Error& error) {
         surface.alerts.push_back({"LIKELIHOOD_FAILED", surface.name, error.what(), "its numbers rest on the average over measurements"});
     }
@@ -122,9 +129,9 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
         } else if (input.power_spectrum) {
             take_power_spectrum(surface, *input.power_spectrum, options);
         } else {
-            const auto prepared = analyse_measurements(surface, input, options, threads);
+            auto prepared = analyse_measurements(surface, input, options, threads);
             estimate_by_average(surface, options, threads);
-            add_likelihood(surface, prepared, options, threads);
+            add_likelihood(surface, std::move(prepared), options, threads);
         }
     } catch (const Error& error) {
         surface.error = error.what();

@@ -45,6 +45,7 @@ workflow::SurfaceInput SurfaceOptions::surface() const {
 
 workflow::AnalysisOptions SurfaceOptions::analysis() const {
     workflow::AnalysisOptions options;
+    options.spectrum = workflow::SpectrumMethod::average;  // what these verbs show is the combined spectrum
     if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
     if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);
     if (!window.empty()) options.window = spectra::window_from_name(window);

@@ -129,7 +129,7 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
         measurement.tip_radius = Estimate{5e-6, error};
         input.measurements.push_back(measurement);
     }
-    const auto surface = analyse_surface(input, {}, {1});
+    const auto surface = analyse_surface(input, {.spectrum = SpectrumMethod::average}, {1});
     ASSERT_EQ(surface.error, "");
     EXPECT_FALSE(surface.measurements[0].bands_of_uncertain_tip);
     ASSERT_TRUE(surface.measurements[1].bands_of_uncertain_tip);

@@ -97,7 +97,7 @@ enum class SpectrumMethod {
 };
 
 struct AnalysisOptions {
-    SpectrumMethod spectrum = SpectrumMethod::average;
+    std::optional<SpectrumMethod> spectrum;  ///< absent: likelihood of surfaces with several measurements, average of one alone
     roughness::WavelengthLimits limits;
     roughness::Conversion conversion = roughness::Conversion::exact;
     spectra::ContourTreatment contours = spectra::ContourTreatment::sinc_corrected;
