@@ -16,12 +16,19 @@ using roughness::SpectralParameters;
 using workflow::SpectrumResult;
 using workflow::StudyResult;
 
-/// Calls visit(surface's result, planted truth) for every surface of the study that did not fail.
+/// What a spectrum can find: where it begins above the roll-off, the planted waves from there on.
+laboratory::SurfaceTruth truth_within(const laboratory::KnownSurface& known, const laboratory::SurfaceTruth& whole, const SpectrumResult& spectrum) {
+    const double lowest = spectrum.curve.band.lower;
+    if (!known.gaussian() || lowest <= known.band().lower) return whole;
+    return laboratory::surface_truth(known, {lowest, known.band().upper});
+}
+
+/// Calls visit(surface's result, what is planted in it, truth) for every surface of the study that did not fail.
 void for_each_surface(const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study,
-                      const std::function<void(const workflow::SurfaceResult&, const laboratory::SurfaceTruth&)>& visit) {
+                      const std::function<void(const workflow::SurfaceResult&, const laboratory::KnownSurface&, const laboratory::SurfaceTruth&)>& visit) {
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = study.surface(recipe.surfaces[i].surface.name);
-        if (!surface.failed()) visit(surface, planted.surfaces[i]);
+        if (!surface.failed()) visit(surface, recipe.surfaces[i].surface, planted.surfaces[i]);
     }
 }
 
@@ -118,8 +125,9 @@ Planted planted_in(const laboratory::Recipe& recipe) {
 
 std::vector<Comparison> comparisons(int run, const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study) {
     std::vector<Comparison> rows;
-    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::SurfaceTruth& truth) {
-        for (const auto& [method, spectrum] : workflow::spectra_of(surface)) add_spectrum(rows, run, surface.name, method, *spectrum, truth);
+    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::KnownSurface& known, const laboratory::SurfaceTruth& truth) {
+        for (const auto& [method, spectrum] : workflow::spectra_of(surface))
+            add_spectrum(rows, run, surface.name, method, *spectrum, truth_within(known, truth, *spectrum));
     });
     const bool likelihood = study.by_average != nullptr;
     const auto add_related = [&](const std::string& method, const StudyResult& related) {
@@ -134,7 +142,8 @@ std::vector<Comparison> comparisons(int run, const laboratory::Recipe& recipe, c
 
 std::vector<Comparison> comparisons_by_paper(int run, const laboratory::Recipe& recipe, const Planted& planted, const StudyResult& study) {
     std::vector<Comparison> rows;
-    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::SurfaceTruth& truth) {
+    for_each_surface(recipe, planted, study, [&](const workflow::SurfaceResult& surface, const laboratory::KnownSurface& known, const laboratory::SurfaceTruth& whole) {
+        const auto truth = truth_within(known, whole, surface.average);
         for (const auto& quantity : surface_quantities())
             add(rows, {run, surface.name, quantity.name, "paper", quantity.unit, Deviation::relative, planted_value(quantity, truth),
                        between_percentiles(surface.average, quantity)});

@@ -37,7 +37,7 @@ public:
         for (auto& g : groups_) {
             const Index n = g.data.wavevector.size();
             g.data.log_transfer = g.data.amplitude_response = Array1D::Zero(n);
-            g.data.freedom = freedom(g, Array1D::Ones(n), Array1D::Ones(n));
+            g.data.freedom = freedom(g, Array1D::Ones(n));
         }
     }
 
@@ -69,6 +69,7 @@ public:
         r.converged = fit_.converged;
         r.band = used_band();
         add_agreement(r);
+        add_scatter_alerts(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0) r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
         if (!r.converged)
@@ -78,11 +79,16 @@ public:
     }
 
 private:
+    /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
+    [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
+        return g.data.wavevector[k] <= g.band_end && std::exp(g.data.log_transfer[k]) >= options_.least_transfer && g.data.periodogram[k] > 0.0;
+    }
+
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
-    [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines, const Array1D& transfer) const {
+    [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines) const {
         Array1D result = g.independent_share * g.mode_counts * lines * static_cast<double>(g.measurements);
         for (Index k = 0; k < result.size(); ++k)
-            if (g.data.wavevector[k] > g.band_end || transfer[k] < options_.least_transfer || !(g.data.periodogram[k] > 0.0)) result[k] = 0.0;
+            if (!inside(g, k)) result[k] = 0.0;
         return result;
     }
 
@@ -111,10 +117,10 @@ private:
             Array1D lines = Array1D::Ones(n);
             if (g.lines > 1) {
                 const double noise = std::exp(fit_.log_noise[static_cast<Index>(c)]);
-                const Array1D signal = (1.0 - g.data.noise_response * noise * g.data.log_transfer.exp() / fit_.expected[c]).max(0.0).min(1.0);
+                const Array1D signal = (1.0 - g.data.noise_response * noise / fit_.expected[c]).max(0.0).min(1.0);
                 lines = independent_lines(C_iso(), g.data.wavevector, signal, g.lines, g.pitch);
             }
-            g.data.freedom = freedom(g, lines, g.data.log_transfer.exp());
+            g.data.freedom = freedom(g, lines);
         }
     }
 
@@ -173,20 +179,30 @@ private:
                                  .correlation_length = 0.5 * wavelength_,
                                  .seed = options_.seed,
                                  .threads = options_.threads};
-        auto& skewness = skewness_[radius];
+        const auto skewness = surface_skewness(simulation);
+        const bool newly_skewed = skewness.uncertain() && !skewness_[radius].uncertain();
+        skewness_[radius] = skewness;
         simulation.skewness = skewness.value;
-        if (rounds_ == 0) {
-            // a patch without the longest waves says nothing of the skewness of heights
-            constexpr double waves_a_patch = 8.0;
-            if (simulation.step * static_cast<double>(simulation.points) > waves_a_patch * wavelength_) skewness.standard_error = measured_skewness(radius).standard_error;
-            simulation.skewness_response = skewness.uncertain();
+        simulation.skewness_response = skewness.uncertain();
+        if (rounds_ == 0 || newly_skewed) {
             simulation.repetitions = 1;
             responses_[radius] = tip_response(C_iso(), simulation);
         } else {
             responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
         }
-        if (skewness.uncertain())
-            skewness.value = std::clamp(skewness.value + measured_skewness(radius).value - responses_[radius].read_skewness, -most_skewness, most_skewness);
+    }
+
+    /// Of the surface's heights: what the tip has read less what it adds to them. 0 and certain unless the readings of at least three
+    /// measurements show that the heights are not Gaussian, and where the simulated patch lacks the longest waves.
+    [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
+        constexpr double waves_a_patch = 8.0, significant = 4.0;
+        const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.tip_radius);
+        if (!measured.uncertain() || simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_) return gaussian;
+        auto skewed = simulation;
+        if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.tip_radius).value;
+        const double excess = measured.value - added_skewness(C_iso(), skewed);
+        if (std::abs(excess) < significant * measured.standard_error) return gaussian;
+        return {std::clamp(excess, -most_skewness, most_skewness), measured.standard_error};
     }
 
     /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.
@@ -212,9 +228,52 @@ private:
         return g.data.log_transfer + g.data.amplitude_response * std::log(amplitude(g) / g.data.reference_amplitude);
     }
 
-    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself.
+    /// How the spectrum answers to relative changes of a group's periodograms.
+    [[nodiscard]] Eigen::MatrixXd answer(std::size_t c) const {
+        return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
+    }
+
+    /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m = Σ ν (P/E − 1)/Σ ν
+    /// scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0 unless Σ b²Σν is
+    /// significantly larger than their number.
+    [[nodiscard]] std::map<std::string, double> scatter_between_measurements() const {
+        struct Sum {
+            double chi_squared = 0.0, excess = 0.0;
+            int count = 0;
+        };
+        std::map<std::string, Sum> sums;
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            const auto& g = groups_[c];
+            const double freedom = g.data.freedom.sum() / g.measurements;
+            if (!(freedom > 0.0)) continue;
+            auto& sum = sums[g.data.instrument];
+            for (const auto& periodogram : g.periodograms) {
+                const double departure = (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
+                sum.chi_squared += departure * departure * freedom;
+                sum.excess += departure * departure - 1.0 / freedom;
+                ++sum.count;
+            }
+        }
+        constexpr double significant = 0.01;
+        std::map<std::string, double> variance;
+        for (const auto& [instrument, sum] : sums) {
+            const double probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(sum.count), sum.chi_squared));
+            variance[instrument] = probability < significant ? std::max(0.0, sum.excess / sum.count) : 0.0;
+        }
+        return variance;
+    }
+
+    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself, and what
+    /// measurements differ by as wholes.
     [[nodiscard]] Eigen::MatrixXd full_covariance() const {
         Eigen::MatrixXd covariance = fit_.covariance;
+        const auto scatter = scatter_between_measurements();
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            const auto found = scatter.find(groups_[c].data.instrument);
+            if (found == scatter.end() || found->second == 0.0) continue;
+            const Eigen::VectorXd together = answer(c).rowwise().sum();
+            covariance += together * together.transpose() * (found->second / groups_[c].measurements);
+        }
         for (const auto& [radius, response] : responses_) {
             // a column a repetition, then by the radius, then by the skewness
             const Index repetitions = response.simulation_errors.rows();
@@ -223,10 +282,10 @@ private:
             for (std::size_t c = 0; c < groups_.size(); ++c) {
                 const auto& g = groups_[c];
                 if (g.tip_radius != radius) continue;
-                const Eigen::MatrixXd answer = fit_.gain * fit_.jacobian[c].transpose() * g.data.freedom.matrix().asDiagonal();
-                moved.leftCols(repetitions) += answer * g.tip.simulation_errors.matrix().transpose();
-                moved.col(repetitions) += answer * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
-                moved.col(repetitions + 1) += answer * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
+                const Eigen::MatrixXd answers = answer(c);
+                moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
+                moved.col(repetitions) += answers * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+                moved.col(repetitions + 1) += answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
             covariance += moved * moved.transpose();
         }
@@ -237,11 +296,19 @@ private:
         Band band{std::numeric_limits<double>::infinity(), 0.0};
         for (const auto& g : groups_)
             for (Index k = 0; k < g.data.wavevector.size(); ++k)
-                if (g.data.freedom[k] > 0.0) {
+                if (inside(g, k)) {
                     band.lower = std::min(band.lower, g.data.wavevector[k]);
                     band.upper = std::max(band.upper, g.data.wavevector[k]);
                 }
         return band;
+    }
+
+    void add_scatter_alerts(LikelihoodSpectrum& r) const {
+        for (const auto& [instrument, variance] : scatter_between_measurements())
+            if (variance > 0.0)
+                r.alerts.push_back({"MEASUREMENTS_SCATTER", instrument,
+                                    fmt::format("its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it", 100.0 * std::sqrt(variance)),
+                                    "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
     }
 
     void add_agreement(LikelihoodSpectrum& r) const {
@@ -250,7 +317,7 @@ private:
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             const auto& g = groups_[c];
             for (Index k = 0; k < g.data.wavevector.size(); ++k) {
-                if (!(g.data.freedom[k] > 0.0)) continue;
+                if (!inside(g, k)) continue;
                 const std::pair key{g.data.instrument, static_cast<int>(std::floor(std::log10(g.data.wavevector[k])))};
                 auto& row = rows[key];
                 const double ratio = g.data.periodogram[k] / fit_.expected[c][k], nu = g.data.freedom[k];

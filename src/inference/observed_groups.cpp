@@ -88,6 +88,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap
         place = groups.end() - 1;
     }
     if (place->tip_radius > 0.0) place->skewness.push_back(skewness_of(map.heights));
+    place->periodograms.push_back(periodogram);
     const double n = ++place->measurements;
     place->data.periodogram += (periodogram - place->data.periodogram) / n;
     place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(band_end)) / n);
@@ -105,6 +106,7 @@ void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& 
     group.independent_share = Array1D::Constant(kernel.bins.size(), share_under_hann);
     group.contour = &contour;
     group.data.periodogram = std::move(kernel.periodogram);
+    group.periodograms = {group.data.periodogram};
     group.measurements = 1;
     group.band_end = pi * static_cast<double>(contour.positions.size() - 1) / kernel.length;
     groups.push_back(std::move(group));

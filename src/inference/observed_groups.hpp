@@ -19,6 +19,7 @@ struct ObservedGroup {
     double pitch = 0.0;             ///< between lines [m]
     Index lines = 1;                ///< of one measurement
     int measurements = 0;
+    std::vector<Array1D> periodograms;  ///< of each measurement [m³]
     std::vector<double> skewness;   ///< of the heights of each measurement with a tip
     double band_end = 0.0;          ///< geometric mean of the reliable bands' ends [1/m]
     Array1D mode_counts;            ///< modes in each group of modes

@@ -111,6 +111,12 @@ private:
     double share_;
 };
 
+topography::HeightMap gaussian_patch(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, double step, int repetition) {
+    const double size = step * static_cast<double>(simulation.points);
+    return synthesis::random_surface(C_iso, {simulation.points, simulation.points, size, size},
+                                     {.key = {simulation.seed, static_cast<std::uint64_t>(repetition)}, .threads = simulation.threads});
+}
+
 /// Heights of a Gaussian patch become log-normal of the same rms height.
 topography::HeightMap with_skewness(topography::HeightMap patch, double skewness) {
     if (skewness == 0.0) return patch;
@@ -128,25 +134,22 @@ double skewness_of(const Array2D& heights) {
 /// Sums of line power over repetitions, a bin a column.
 struct PowerSums {
     Array1D surface, touched, higher, blunter, skewed_surface, skewed;
-    Array2D single;              ///< ln T of each repetition
-    double read_skewness = 0.0;  ///< mean over repetitions
+    Array2D single;  ///< ln T of each repetition
 };
 
 PowerSums power_sums(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins, bool with_derivatives) {
-    const Index n = simulation.points, count = bins.size();
-    const double size = simulation.step * static_cast<double>(n), radius = simulation.tip_radius;
+    const Index count = bins.size();
+    const double radius = simulation.tip_radius;
     const Array1D none = Array1D::Zero(count);
     PowerSums sums{none, none, none, none, none, none, Array2D(simulation.repetitions, count)};
     const auto power = [&](const Array2D& lines) { return bins.sums(line_power(lines, simulation.threads)); };
     for (int r = 0; r < simulation.repetitions; ++r) {
-        const auto parent = synthesis::random_surface(C_iso, {n, n, size, size}, {.key = {simulation.seed, static_cast<std::uint64_t>(r)}, .threads = simulation.threads});
+        const auto parent = gaussian_patch(C_iso, simulation, simulation.step, r);
         auto patch = with_skewness(parent, simulation.skewness);
-        const Array2D readings = read(patch, radius, simulation.threads);
-        const Array1D surface = power(every_point_read(patch)), touched = power(readings);
+        const Array1D surface = power(every_point_read(patch)), touched = power(read(patch, radius, simulation.threads));
         sums.surface += surface;
         sums.touched += touched;
         sums.single.row(r) = (touched / surface).log().transpose();
-        sums.read_skewness += skewness_of(readings) / simulation.repetitions;
         if (!with_derivatives) continue;
         if (simulation.radius_response) sums.blunter += power(read(patch, radius * radius_step, simulation.threads));
         patch.heights *= std::sqrt(amplitude_step);
@@ -186,7 +189,6 @@ TipResponse simulated(const synthesis::SpectralDensity& C_iso, const TipSimulati
     TipResponse response;
     response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
     response.log_transfer = log_ratio(sums.touched, sums.surface);
-    response.read_skewness = sums.read_skewness;
     response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(bins.size());
     if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
     if (with_derivatives && simulation.radius_response) response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
@@ -212,6 +214,13 @@ TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimul
     response.radius_response = before.radius_response;
     response.skewness_response = before.skewness_response;
     return response;
+}
+
+double added_skewness(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation) {
+    constexpr double coarser = 4.0;
+    require(simulation);
+    const auto patch = with_skewness(gaussian_patch(C_iso, simulation, coarser * simulation.step, 0), simulation.skewness);
+    return skewness_of(read(patch, simulation.tip_radius, simulation.threads)) - skewness_of(every_point_read(patch));
 }
 
 SampledResponse sampled(const TipResponse& response, const synthesis::SpectralDensity& C1D, double pixel_size, const ArrayView1D& wavevectors) {

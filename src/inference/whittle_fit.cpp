@@ -15,9 +15,30 @@
 namespace setae::inference {
 namespace {
 
-// The least P/N any mode shows bounds σ² from above, since waves shorter than two pixels are in it, too. Far below it noise does not
-// matter, and data that need more will say so at little cost.
-constexpr double noise_prior_share = 1e-3, noise_prior_deviation = 3.0;
+/// What is known of ln σ² before the fit.
+struct NoisePrior {
+    double centre, deviation;
+};
+
+/// A periodogram that has fallen far and is flat over the two octaves below Nyquist shows the noise itself: a surface that falls that
+/// far goes on falling, aliases included. Else the least P/N of any mode bounds the noise from above; far below the bound it does not matter, and data
+/// that need more will say so at little cost.
+NoisePrior noise_prior(const PeriodogramClass& data) {
+    constexpr double flat = 1.5, far = 100.0, known_to = 0.2, share_of_bound = 1e-3, unknown_to = 3.0, weakest = 1e-60;
+    const Array1D level = data.periodogram / data.noise_response;
+    const double nyquist = data.wavevector[data.wavevector.size() - 1];
+    double sums[2] = {0.0, 0.0};
+    Index counts[2] = {0, 0};
+    for (Index k = 0; k < level.size(); ++k) {
+        if (data.wavevector[k] < 0.25 * nyquist) continue;
+        const int octave = data.wavevector[k] < 0.5 * nyquist ? 0 : 1;
+        sums[octave] += level[k];
+        ++counts[octave];
+    }
+    const double lower = sums[0] / static_cast<double>(counts[0]), upper = sums[1] / static_cast<double>(counts[1]);
+    if (lower < flat * upper && level.maxCoeff() > far * upper) return {std::log(std::max(upper, weakest)), known_to};
+    return {std::log(std::max(share_of_bound * level.minCoeff(), weakest)), unknown_to};
+}
 
 /// Parameters: theta, then one ln σ² for each class that has noise.
 class Problem {
@@ -110,40 +131,35 @@ private:
     void add_noise_prior(std::size_t c) {
         const Index at = noise_index_[c];
         if (at < 0) return;
-        double lowest = 0.0;
-        const auto& data = classes_[c];
-        for (Index k = 0; k < data.periodogram.size(); ++k) {
-            const double level = data.periodogram[k] / data.noise_response[k];
-            if (k == 0 || level < lowest) lowest = level;
-        }
-        prior_centre_[at] = std::log(noise_prior_share * std::max(lowest, 1e-60));
-        precision_(at, at) = 1.0 / (noise_prior_deviation * noise_prior_deviation);
+        const auto prior = noise_prior(classes_[c]);
+        prior_centre_[at] = prior.centre;
+        precision_(at, at) = 1.0 / (prior.deviation * prior.deviation);
     }
 
     void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
         const auto& c = classes_[index];
         const Eigen::VectorXd theta = x.head(spline_.coefficients());
         const Array1D f = (designs_[index] * theta).array().exp();
-        const Eigen::MatrixXd scaled = c.response.matrix() * f.matrix().asDiagonal();
-        Array1D plain = scaled.rowwise().sum().array();
+        Array1D log_transfer = c.log_transfer;
+        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
+        if (c.reference_amplitude > 0.0) {
+            const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
+            log_transfer += c.amplitude_response * std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            amplitude_slope = amplitude.gradient / amplitude.value;
+        }
+        const Eigen::MatrixXd scaled = (c.response.colwise() * log_transfer.exp()).matrix() * f.matrix().asDiagonal();
+        const Array1D surface = scaled.rowwise().sum().array();
+        Array1D expected = surface;
         Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
         derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
         if (const Index at = noise_index_[index]; at >= 0) {
-            const Array1D noise = c.noise_response * std::exp(x[at]);
-            plain += noise;
-            derivative.col(at) = noise.matrix();
+            derivative.col(at) = (c.noise_response * std::exp(x[at])).matrix();
+            expected += derivative.col(at).array();
         }
-        plain = plain.max(1e-300);
-        derivative = plain.inverse().matrix().asDiagonal() * derivative;
-        Array1D log_transfer = c.log_transfer;
+        expected = expected.max(1e-300);
+        derivative = expected.inverse().matrix().asDiagonal() * derivative;
         Eigen::MatrixXd total = derivative;
-        if (c.reference_amplitude > 0.0) {
-            const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
-            const double change = std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
-            log_transfer += c.amplitude_response * change;
-            total.leftCols(spline_.coefficients()) += c.amplitude_response.matrix() * (amplitude.gradient / amplitude.value).transpose();
-        }
-        const Array1D expected = plain * log_transfer.exp();
+        if (amplitude_slope.size() > 0) total.leftCols(spline_.coefficients()) += (c.amplitude_response * surface / expected).matrix() * amplitude_slope.transpose();
         const Array1D ratio = c.periodogram / expected;
         for (Index k = 0; k < ratio.size(); ++k)
             if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);

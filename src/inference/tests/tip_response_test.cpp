@@ -94,7 +94,7 @@ TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
     EXPECT_GT(loss(tip_response(C_iso, peaks)), loss(of_gaussian) + 0.02);
     EXPECT_LT(loss(tip_response(C_iso, valleys)), loss(of_gaussian) - 0.02);
     EXPECT_GT(at(of_gaussian.wavevector, of_gaussian.skewness_response, q), 0.02);
-    EXPECT_GT(of_gaussian.read_skewness, 0.02);
+    EXPECT_GT(added_skewness(C_iso, gaussian), 0.02);
 }
 
 TEST(TipResponse, OnceMoreKeepsTheDerivatives) {

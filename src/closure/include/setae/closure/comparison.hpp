@@ -46,7 +46,7 @@ struct Planted {
 [[nodiscard]] Planted planted_in(const laboratory::Recipe& recipe);
 
 /// Surfaces: rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, true_area_ratio and C1D by decade, by every
-/// spectrum of the study.
+/// spectrum of the study; where a spectrum begins above the roll-off, against the planted waves from there on.
 /// Loops: work_approach, work_retraction, contact_modulus, energy_loss as measured, and predicted_work, predicted_loss.
 /// Study: work_of_adhesion and work_of_adhesion_from_loss, by the spectrum used and by the average.
 /// What failed or was not found is left out. Surfaces and loops are matched by name.

@@ -58,12 +58,12 @@ struct LikelihoodSpectrum {
     Band band;                   ///< from the lowest to the highest wavevector that data speak of; beyond it the prior continues
     Eigen::MatrixXd design;      ///< ln C_iso = design · theta
     Eigen::VectorXd theta;
-    Eigen::MatrixXd covariance;  ///< of theta: scatter of the data, response of the tips, uncertain radii, noise of the simulation
+    Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips, uncertain radii and skewness, noise of the simulation
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
     int rounds = 0;
     bool converged = false;
-    std::vector<Alert> alerts;   ///< INSTRUMENTS_DISAGREE, NOT_CONVERGED
+    std::vector<Alert> alerts;   ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, NOT_CONVERGED
 };
 
 /// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling and

@@ -33,7 +33,6 @@ struct TipResponse {
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A for C_iso ∝ A
     Array1D radius_response;     ///< ∂ ln T/∂ ln R
     Array1D skewness_response;   ///< ∂ ln T/∂ skewness
-    double read_skewness = 0.0;  ///< of the heights as the tip reads them
     Array2D simulation_errors;   ///< a row a repetition: how its ln T departs from the mean, over √(n(n − 1)); the outer products of its rows
                                  ///< sum up to the covariance of ln T that the simulation leaves. None for one repetition.
 };
@@ -47,6 +46,11 @@ struct TipResponse {
 
 /// T alone, on a spectrum changed a little since `before` was simulated with the same step; the derivatives stay those of `before`.
 [[nodiscard]] TipResponse tip_response(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation, const TipResponse& before);
+
+/// Skewness of heights as a tip reads them, less that of the same heights: a ball rests on peaks. One patch, four times as wide as those
+/// of tip_response() and as much coarser, since a skewness needs many of the longest waves.
+/// @throws as tip_response.
+[[nodiscard]] double added_skewness(const synthesis::SpectralDensity& C_iso, const TipSimulation& simulation);
 
 /// ln T at wavevectors for points a pixel_size apart: T averaged over aliases with their C1D,
 ///   T = Σ_m T(|q + 2πm/Δ|) C1D(|q + 2πm/Δ|)/Σ_m C1D(|q + 2πm/Δ|).

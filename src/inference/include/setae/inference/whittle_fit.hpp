@@ -45,7 +45,7 @@ struct WhittleFit {
     bool converged = false;
 };
 
-/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = T (K C_iso + σ² N),  by Fisher scoring with a step limit.
+/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = T K C_iso + σ² N,  by Fisher scoring with a step limit.
 ///
 /// T answers to the fit's own amplitude, ln T = ln T_0 + s (ln A − ln A_0), in E and in the step, so that few simulations of the
 /// tip suffice. Covariance: H1⁻¹ (J₀ᵀνJ₀ + Q) H1⁻ᵀ, H1 = J₀ᵀν(J₀ + J_T) + Q.

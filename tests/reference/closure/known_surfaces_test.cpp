@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measurements simulated on known surfaces, studied from their files: what is planted comes back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "setae/closure/closure.hpp"
+#include "setae/closure/report.hpp"
+#include "setae/core/errors.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::closure;
+
+Closure closure_with(ClosureOptions options, const std::string& name) {
+    options.runs = 1;
+    options.folder = (std::filesystem::temp_directory_path() / ("setae_closure_" + name)).string();
+    const auto found = run_closure("tests/reference/closure/surfaces.toml", options);
+    std::filesystem::remove_all(options.folder);
+    EXPECT_TRUE(found.failed.empty()) << found.failed.front().reason;
+    return found;
+}
+
+const Closure& complete() {
+    static const auto found = closure_with({.threads = {1}}, "complete");
+    return found;
+}
+
+std::vector<Comparison> only(const Closure& closure, const std::string& method) {
+    std::vector<Comparison> rows;
+    for (const auto& c : closure.comparisons)
+        if (c.method == method) rows.push_back(c);
+    return rows;
+}
+
+/// Σ (deviation/stated)² over the decades of C1D and the rms height, and how many they are.
+struct Misfit {
+    double chi_squared = 0.0;
+    int count = 0;
+};
+Misfit misfit(const std::vector<Comparison>& rows) {
+    Misfit found;
+    for (const auto& c : rows) {
+        if (!c.quantity.starts_with("C1D") && c.quantity != "rms_height") continue;
+        found.chi_squared += std::pow(c.deviation() / c.stated_deviation(), 2);
+        ++found.count;
+    }
+    return found;
+}
+
+TEST(KnownSurfaces, AreHeldByTheIntervalsOfEveryQuantityAndDecade) {
+    const auto rows = only(complete(), "likelihood");
+    ASSERT_GE(rows.size(), 18u);
+    int held = 0;
+    for (const auto& c : rows) {
+        EXPECT_LT(std::abs(c.deviation()), 3.5 * c.stated_deviation()) << c.item << " " << c.quantity;
+        held += c.covered() ? 1 : 0;
+    }
+    EXPECT_GE(held, static_cast<int>(0.85 * static_cast<double>(rows.size())));
+}
+
+// The cutoff of tip-based data and the simulated tip are what makes the decades right: without either they are many standard
+// deviations off.
+TEST(KnownSurfaces, AreMissedWithoutTheCutoffAndTheTip) {
+    const auto with = misfit(only(complete(), "likelihood"));
+    const auto without_both = misfit(only(closure_with({.tip_factor = false, .tip_band = false, .threads = {2}}, "without"), "likelihood"));
+    const auto without_cutoff = misfit(only(closure_with({.tip_band = false, .threads = {2}}, "without_cutoff"), "likelihood"));
+    EXPECT_LT(with.chi_squared, 2.5 * with.count);
+    EXPECT_GT(without_both.chi_squared, 20.0 * without_both.count);
+    EXPECT_GT(without_cutoff.chi_squared, 2.0 * with.chi_squared);
+}
+
+// THEORY §4.2: the paper's route reads slope and curvature low, segments between contour points doing most of it.
+TEST(KnownSurfaces, AreMissedByThePapersRoute) {
+    for (const auto& c : only(complete(), "paper")) {
+        if (c.quantity == "rms_curvature") {
+            EXPECT_NEAR(c.deviation(), -0.36, 0.08) << c.item;
+        } else if (c.quantity == "rms_slope") {
+            EXPECT_NEAR(c.deviation(), -0.17, 0.08) << c.item;
+        }
+    }
+}
+
+TEST(KnownSurfaces, GiveTheSameBytesForAnyNumberOfThreads) {
+    EXPECT_EQ(comparisons_csv(closure_with({.threads = {2}}, "threads").comparisons), comparisons_csv(complete().comparisons));
+}
+
+TEST(KnownSurfaces, RefuseWhatIsNoRun) {
+    EXPECT_THROW((void)run_closure("tests/reference/closure/surfaces.toml", {.runs = 0}), InvalidArgument);
+    EXPECT_THROW((void)run_closure("no_recipe.toml", {}), FileError);
+}
+
+}  // namespace
