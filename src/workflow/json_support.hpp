@@ -17,4 +17,7 @@ void add_outcome(Json& json, const std::string& key, const experiment::Outcome<T
     if (!outcome) json[key + "_reason"] = outcome.reason;
 }
 
+/// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
+[[nodiscard]] Json to_json(const FittedSpectrum& fitted);
+
 }  // namespace setae::workflow

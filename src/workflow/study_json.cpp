@@ -116,6 +116,10 @@ Json measurement_json(const MeasurementResult& m) {
 Json spectrum_json(const SurfaceResult& surface, const SpectrumResult& spectrum, const AnalysisOptions& options) {
     Json json;
     for (const auto& q : surface_quantities(surface, spectrum, options.conversion)) add(json, q);
+    if (const auto decades = decade_quantities(surface, spectrum); !decades.empty()) {
+        json["decades"] = Json::array();
+        for (const auto& q : decades) json["decades"].push_back(to_json(q));
+    }
     json["conversion"] = options.conversion == roughness::Conversion::exact ? "exact" : "eq11";
     if (spectrum.other_conversion) {
         Json other;
@@ -141,6 +145,7 @@ Json surface_json(const SurfaceResult& surface, const AnalysisOptions& options) 
         json["spectrum_method"] = method_name(surface, surface.method);
         if (surface.likelihood)
             for (const auto& [method, spectrum] : spectra_of(surface)) json["spectra"][method] = spectrum_json(surface, *spectrum, options);
+        if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
         json["reconstructed"] = surface.reconstructed;
         json["n_measurements"] = surface.measurements.size();
     }
@@ -265,6 +270,34 @@ Json cutoff_json(const CutoffPoint& point, const StudyResult& result) {
     return json;
 }
 
+Json cutoffs_json(const StudyResult& result) {
+    Json scan = Json::array();
+    for (const auto& point : result.cutoff_scan) scan.push_back(cutoff_json(point, result));
+    return scan;
+}
+
+/// W_int of the predictions, or why there is none.
+void add_work(Json& json, const StudyResult& result) {
+    json["work_of_adhesion"] = nullptr;
+    if (!result.work_of_adhesion) {
+        json["work_of_adhesion_reason"] = result.work_of_adhesion.reason;
+        return;
+    }
+    auto work = quantity("work_of_adhesion", "W_int", *result.work_of_adhesion, "J/m2");
+    work.source = result.work_of_adhesion_source;
+    json["work_of_adhesion"] = to_json(work);
+}
+
+/// What rests on surfaces, once more with their averages.
+Json by_average_json(const StudyResult& result) {
+    Json json;
+    add_work(json, result);
+    json["fits"] = fits_json(result);
+    json["pairs"] = pairs_json(result);
+    json["cutoff_scan"] = cutoffs_json(result);
+    return json;
+}
+
 const WorkFit* fit_of(const StudyResult& result, const std::string& fit) {
     if (fit == "modified" && result.modified) return &*result.modified;
     if (fit == "persson_tosatti" && result.persson_tosatti) return &*result.persson_tosatti;
@@ -333,21 +366,14 @@ std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const Spe
 Json to_json(const StudyResult& result) {
     const auto& study = result.study;
     Json json{{"title", study.title}, {"description", study.description}};
-    json["work_of_adhesion"] = nullptr;
-    if (result.work_of_adhesion) {
-        auto work = quantity("work_of_adhesion", "W_int", *result.work_of_adhesion, "J/m2");
-        work.source = result.work_of_adhesion_source;
-        json["work_of_adhesion"] = to_json(work);
-    } else {
-        json["work_of_adhesion_reason"] = result.work_of_adhesion.reason;
-    }
+    add_work(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();
     for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
     json["elastomers"] = Json::object();
     for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
     json["pairs"] = pairs_json(result);
-    if (result.by_average) json["by_average"] = {{"fits", fits_json(*result.by_average)}, {"pairs", pairs_json(*result.by_average)}};
+    if (result.by_average) json["by_average"] = by_average_json(*result.by_average);
     json["experiments"] = Json::array();
     for (const auto& e : result.experiments) {
         Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};
@@ -359,8 +385,7 @@ Json to_json(const StudyResult& result) {
     for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
     json["reference_changes"] = Json::array();
     for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
-    json["cutoff_scan"] = Json::array();
-    for (const auto& point : result.cutoff_scan) json["cutoff_scan"].push_back(cutoff_json(point, result));
+    json["cutoff_scan"] = cutoffs_json(result);
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
     json["alerts"] = to_json(result.alerts);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "setae/synthesis/abel.hpp"
 #include "setae/workflow/json.hpp"
 #include "setae/workflow/study_tables.hpp"
+#include "table_support.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -36,20 +38,60 @@ std::string with_interval(const Estimate& estimate, double factor, int decimals)
 }
 
 TidyTable surfaces_for_reading(const StudyResult& result) {
-    TidyTable table{"Surfaces", {"surface", "method", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n"}, {}};
+    TidyTable table{"Surfaces", {"surface", "method", "h_rms [nm]", "h'_rms", "h''_rms [1/nm]", "A_true/A_app", "U_el/(A E*) [nm]", "n", "± and [ ] by"}, {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
-            table.rows.push_back({surface.name, "failed: " + surface.error, "", "", "", "", "", ""});
+            table.rows.push_back({surface.name, "failed: " + surface.error, "", "", "", "", "", "", ""});
             continue;
         }
         for (const auto& [method, spectrum] : spectra_of(surface)) {
             const auto q = surface_quantities(surface, *spectrum, result.study.analysis.conversion);
             const auto cell = [&](std::size_t i, double factor, int decimals) { return with_interval(q[i].estimate, factor, decimals); };
             table.rows.push_back({surface.name, method, cell(0, 1e9, 2), cell(1, 1.0, 3), cell(2, 1e-9, 3), cell(3, 1.0, 4), cell(5, 1e9, 3),
-                                  q[0].n ? fmt::format("{}", *q[0].n) : ""});
+                                  q[0].n ? fmt::format("{}", *q[0].n) : "", interval_of(q[0].estimate) ? q[0].estimate.method : ""});
         }
     }
     return table;
+}
+
+/// One row a surface and instrument, with the decade in which it agrees least.
+TidyTable agreement_for_reading(const StudyResult& result) {
+    TidyTable table{"Measured periodograms against what the fitted spectra expect",
+                    {"surface", "instrument", "q [1/m]", "χ²", "groups of modes", "least p", "there q [1/m]", "measured/expected"}, {}};
+    const auto decades = [](int first, int last) { return fmt::format("1e{} … 1e{}", first, last + 1); };
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed() || !surface.fitted) continue;
+        const auto& rows = surface.fitted->agreement;  // by instrument, then by decade
+        for (auto first = rows.begin(); first != rows.end();) {
+            const auto end = std::find_if(first, rows.end(), [&](const auto& row) { return row.instrument != first->instrument; });
+            const auto& worst = *std::min_element(first, end, [](const auto& a, const auto& b) { return a.probability < b.probability; });
+            double chi_squared = 0.0;
+            int groups = 0;
+            for (auto row = first; row != end; ++row) {
+                chi_squared += row->chi_squared;
+                groups += row->groups;
+            }
+            table.rows.push_back({surface.name, first->instrument, decades(first->decade, std::prev(end)->decade), fmt::format("{:.0f}", chi_squared), fmt::format("{}", groups),
+                                  fmt::format("{:.2g}", worst.probability), decades(worst.decade, worst.decade), fmt::format("{:.2f}", worst.ratio)});
+            first = end;
+        }
+    }
+    return table;
+}
+
+/// Whether instruments agree, in one line; nothing where no spectrum was fitted.
+std::string agreement_line(const StudyResult& result) {
+    std::string surfaces;
+    bool fitted = false;
+    for (const auto& surface : result.surfaces) {
+        fitted = fitted || surface.fitted;
+        const auto& alerts = surface.alerts;
+        if (std::any_of(alerts.begin(), alerts.end(), [](const Alert& alert) { return alert.code == "INSTRUMENTS_DISAGREE"; }))
+            surfaces += (surfaces.empty() ? "" : ", ") + surface.name;
+    }
+    if (!fitted) return "";
+    return surfaces.empty() ? "Instruments agree with the fitted spectra.\n\n"
+                            : fmt::format("Instruments disagree with the fitted spectra of: {} (agreement.csv has each decade).\n\n", surfaces);
 }
 
 TidyTable elastomers_for_reading(const StudyResult& result) {
@@ -65,20 +107,22 @@ TidyTable elastomers_for_reading(const StudyResult& result) {
 }
 
 TidyTable pairs_for_reading(const StudyResult& result) {
-    TidyTable table{"Work of adhesion on approach [mJ/m²]", {"surface", "elastomer", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""}, {}};
-    for (const auto& p : result.pairs) {
-        if (!p.modified && !p.approach) continue;
-        const double measured = p.approach ? 1e3 * p.approach->value : undefined;
-        const auto predicted = [&](const std::optional<PredictedWork>& w) { return w ? 1e3 * w->work.floored : undefined; };
-        const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;
-        std::string note;
-        if (p.modified && !p.modified->work.conforms) note = "will not conform";
-        else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
-        table.rows.push_back({p.surface, p.elastomer, fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
-                              with_error(measured, p.approach ? 1e3 * p.approach->standard_error : 0.0, 2),
-                              with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->estimate.standard_error : 0.0, 2), with_error(raw, 0.0, 2),
-                              with_error(predicted(p.persson_tosatti), 0.0, 2), with_error(measured - predicted(p.modified), 0.0, 2), note});
-    }
+    TidyTable table{"Work of adhesion on approach [mJ/m²]", {"surface", "elastomer", "method", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""}, {}};
+    for (const auto* study : by_method(result))
+        for (const auto& p : study->pairs) {
+            const auto& surface = study->surface(p.surface);
+            if ((!p.modified && !p.approach) || (study != &result && !surface.likelihood)) continue;
+            const double measured = p.approach ? 1e3 * p.approach->value : undefined;
+            const auto predicted = [&](const std::optional<PredictedWork>& w) { return w ? 1e3 * w->work.floored : undefined; };
+            const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;
+            std::string note;
+            if (p.modified && !p.modified->work.conforms) note = "will not conform";
+            else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
+            table.rows.push_back({p.surface, p.elastomer, method_name(surface, surface.method), fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
+                                  with_error(measured, p.approach ? 1e3 * p.approach->standard_error : 0.0, 2),
+                                  with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->estimate.standard_error : 0.0, 2), with_error(raw, 0.0, 2),
+                                  with_error(predicted(p.persson_tosatti), 0.0, 2), with_error(measured - predicted(p.modified), 0.0, 2), note});
+        }
     return table;
 }
 
@@ -99,11 +143,12 @@ TidyTable fits_for_reading(const StudyResult& result) {
 }
 
 TidyTable cutoffs_for_reading(const StudyResult& result) {
-    TidyTable table{"W_int against the short cutoff", {"shortest wavelength", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"}, {}};
-    for (const auto& p : result.cutoff_scan)
-        table.rows.push_back({format_value(p.shortest_wavelength, "m"), with_error(p.modified.work_of_adhesion, 1e3, 2),
-                              with_error(p.modified.r_squared, 0.0, 3), with_error(p.persson_tosatti.work_of_adhesion, 1e3, 2),
-                              with_error(p.persson_tosatti.r_squared, 0.0, 3)});
+    TidyTable table{"W_int against the short cutoff", {"shortest wavelength", "method", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"}, {}};
+    for (const auto* study : by_method(result))
+        for (const auto& p : study->cutoff_scan)
+            table.rows.push_back({format_value(p.shortest_wavelength, "m"), method_name(*study), with_error(p.modified.work_of_adhesion, 1e3, 2),
+                                  with_error(p.modified.r_squared, 0.0, 3), with_error(p.persson_tosatti.work_of_adhesion, 1e3, 2),
+                                  with_error(p.persson_tosatti.r_squared, 0.0, 3)});
     return table;
 }
 
@@ -175,13 +220,15 @@ std::string summary(const StudyResult& result) {
         if (!table.rows.empty()) text += as_text(table) + "\n";
     };
     append(surfaces_for_reading(result));
+    append(agreement_for_reading(result));
+    text += agreement_line(result);
     append(elastomers_for_reading(result));
     append(experiments_for_reading(result));
     append(references_for_reading(result));
     append(pairs_for_reading(result));
     append(fits_for_reading(result));
     append(cutoffs_for_reading(result));
-    text += "± is one standard error, [ ] the 95 % interval; how each was found stands in the tables and in study.json.\n";
+    text += "± is one standard error, [ ] the 95 % interval, both by one method; it stands in the tables and in study.json.\n";
     if (!result.loop && !result.pairs.empty()) text += "No fit of loop energies: " + result.loop.reason + ".\n";
     if (!result.work_of_adhesion && !result.pairs.empty()) text += "No prediction: " + result.work_of_adhesion.reason + ".\n";
     return text;
@@ -205,6 +252,9 @@ std::vector<std::string> write_results(const StudyResult& result) {
     write_table("pairs.csv", pair_table(result));
     write_table("fits.csv", fit_table(result));
     write_table("measurements.csv", measurement_table(result));
+    write_table("decades.csv", decade_table(result));
+    write_table("agreement.csv", agreement_table(result));
+    write_table("tip_factors.csv", tip_factor_table(result));
     write_table("cumulative.csv", cumulative_table(result));
     write_table("cutoff_scan.csv", cutoff_table(result));
     write_table("alerts.csv", alert_table(result));
@@ -213,6 +263,12 @@ std::vector<std::string> write_results(const StudyResult& result) {
         const auto table = spectrum_table(surface);
         io::write_netcdf(path_of("psd_" + as_file_name(surface.name) + ".nc"), table);
         io::write_csv(path_of("psd_" + as_file_name(surface.name) + ".csv"), table);
+        if (!surface.fitted) continue;
+        auto fitted = fitted_spectrum_table(*surface.fitted);
+        fitted.metadata = {{"surface", surface.name}, {"source", "C_iso fitted to all measurements"}, {"normalisation", table.metadata.at("normalisation")},
+                           {"band", "_low and _high: 95 %"}};
+        io::write_netcdf(path_of("likelihood_" + as_file_name(surface.name) + ".nc"), fitted);
+        io::write_csv(path_of("likelihood_" + as_file_name(surface.name) + ".csv"), fitted);
     }
     io::write_whole_file(path_of("study.json"), to_json(result).dump(2) + "\n");
     return files;

@@ -5,55 +5,12 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/workflow/json.hpp"
+#include "table_support.hpp"
 
 namespace setae::workflow {
 namespace {
 
-using Cells = std::vector<TidyTable::Cell>;
-
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-    to.insert(to.end(), more.begin(), more.end());
-}
-
-template <class... T>
-void add_cells(Cells& row, T&&... cells) {
-    (row.emplace_back(std::forward<T>(cells)), ...);
-}
-
 double value_of(const std::optional<Estimate>& value) { return value ? value->value : undefined; }
-
-/// Names of what uncertainty_cells() gives of a quantity.
-std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
-    const std::string of = name.empty() ? "" : " " + name, in = unit.empty() ? "" : " [" + unit + "]";
-    return {"standard_error" + of + in, "interval_low" + of + in, "interval_high" + of + in, "level" + of, "interval_method" + of, "seed" + of};
-}
-
-Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
-    const auto interval = estimate ? interval_of(*estimate) : std::nullopt;
-    const bool uncertain = estimate && estimate->uncertain(), known = uncertain || interval;
-    Cells cells;
-    add_cells(cells, uncertain ? estimate->standard_error : undefined, interval ? interval->lower : undefined, interval ? interval->upper : undefined,
-        interval ? interval->level : undefined, known ? estimate->method : std::string(),
-        known && estimate->seed ? std::to_string(*estimate->seed) : std::string());
-    return cells;
-}
-
-/// A study and, where it rests on likelihoods, the same on averages.
-std::vector<const StudyResult*> by_method(const StudyResult& result) {
-    std::vector<const StudyResult*> found{&result};
-    if (result.by_average) found.push_back(result.by_average.get());
-    return found;
-}
-
-/// The method behind numbers that rest on all surfaces; those without measurements have no choice.
-std::string method_name(const StudyResult& result) {
-    for (const auto& surface : result.surfaces)
-        if (!surface.failed() && surface.method == SpectrumMethod::likelihood) return method_name(surface, surface.method);
-    for (const auto& surface : result.surfaces)
-        if (!surface.failed()) return method_name(surface, surface.method);
-    return "";
-}
 
 const ReportedValue* reported(const StudyResult& result, const std::string& fit, const std::string& quantity) {
     for (const auto& r : result.study.reported)
@@ -107,6 +64,35 @@ void add_alerts(TidyTable& table, const std::vector<Alert>& alerts) {
 
 }  // namespace
 
+std::vector<const StudyResult*> by_method(const StudyResult& result) {
+    std::vector<const StudyResult*> found{&result};
+    if (result.by_average) found.push_back(result.by_average.get());
+    return found;
+}
+
+std::string method_name(const StudyResult& result) {
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed() && surface.method == SpectrumMethod::likelihood) return method_name(surface, surface.method);
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed()) return method_name(surface, surface.method);
+    return "";
+}
+
+std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
+    const std::string of = name.empty() ? "" : " " + name, in = unit.empty() ? "" : " [" + unit + "]";
+    return {"standard_error" + of + in, "interval_low" + of + in, "interval_high" + of + in, "level" + of, "interval_method" + of, "seed" + of};
+}
+
+Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
+    const auto interval = estimate ? interval_of(*estimate) : std::nullopt;
+    const bool uncertain = estimate && estimate->uncertain(), known = uncertain || interval;
+    Cells cells;
+    add_cells(cells, uncertain ? estimate->standard_error : undefined, interval ? interval->lower : undefined, interval ? interval->upper : undefined,
+        interval ? interval->level : undefined, known ? estimate->method : std::string(),
+        known && estimate->seed ? std::to_string(*estimate->seed) : std::string());
+    return cells;
+}
+
 TidyTable surface_table(const StudyResult& result) {
     TidyTable table{"", {"surface", "method", "quantity", "symbol", "value"}, {}};
     append(table.columns, uncertainty_columns("", ""));
@@ -140,6 +126,7 @@ TidyTable pair_table(const StudyResult& result) {
     for (const auto* study : by_method(result))
         for (const auto& p : study->pairs) {
             const auto& surface = study->surface(p.surface);
+            if (study != &result && !surface.likelihood) continue;  // the same spectrum once more
             const bool predicted = p.modified.has_value();
             Cells row;
             add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));

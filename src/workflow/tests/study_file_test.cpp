@@ -51,8 +51,9 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 
-TEST_F(StudyFile, AveragesUnlessTheLikelihoodIsAskedFor) {
-    EXPECT_EQ(read(surface).analysis.spectrum, SpectrumMethod::average);
+TEST_F(StudyFile, LeavesTheSpectrumToTheMeasurementsUnlessOneIsAskedFor) {
+    EXPECT_FALSE(read(surface).analysis.spectrum);
+    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"average\"\n") + surface).analysis.spectrum, SpectrumMethod::average);
     EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"likelihood\"\n") + surface).analysis.spectrum, SpectrumMethod::likelihood);
     EXPECT_NE(message_of(std::string("[analysis]\nspectrum = \"best\"\n") + surface).find("analysis.spectrum"), std::string::npos);
 }

@@ -34,7 +34,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json to_json(const experiment::LoopAnalysis& analysis);
 
 /// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
-/// "alerts". No clock time, so that the same input gives the same bytes.
+/// "alerts"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
 [[nodiscard]] Json to_json(const StudyResult& result);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
@@ -42,5 +42,8 @@ using Json = nlohmann::ordered_json;
 
 /// Parameters of one spectrum of a surface as quantities, with their uncertainties and band.
 [[nodiscard]] std::vector<Quantity> surface_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum, roughness::Conversion conversion);
+
+/// Mean of C1D over each decade that one spectrum of a measured surface spans, with its uncertainty; none for others.
+[[nodiscard]] std::vector<Quantity> decade_quantities(const SurfaceResult& surface, const SpectrumResult& spectrum);
 
 }  // namespace setae::workflow

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/table.hpp"
 #include "setae/workflow/study_result.hpp"
 #include "setae/workflow/tidy_table.hpp"
 
@@ -23,6 +24,15 @@ namespace setae::workflow {
 [[nodiscard]] TidyTable cumulative_table(const StudyResult& result);
 /// W_int against the short cutoff.
 [[nodiscard]] TidyTable cutoff_table(const StudyResult& result);
+
+/// One row a measured surface, spectrum and decade: mean of C1D over ln q in the decade.
+[[nodiscard]] TidyTable decade_table(const StudyResult& result);
+/// One row a surface with a fitted spectrum, instrument and decade: measured over expected periodograms.
+[[nodiscard]] TidyTable agreement_table(const StudyResult& result);
+/// One row a surface with a fitted spectrum, group of like measurements by a tip, and wavevector: what the tip does to C1D.
+[[nodiscard]] TidyTable tip_factor_table(const StudyResult& result);
+/// A fitted spectrum with standard error and 95 % band.
+[[nodiscard]] Table fitted_spectrum_table(const FittedSpectrum& fitted);
 
 /// The summary a terminal shows, in the units of the field.
 [[nodiscard]] std::string summary(const StudyResult& result);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/inference/likelihood_spectrum.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
 #include "setae/roughness/spectral_moments.hpp"
@@ -57,6 +58,20 @@ struct SpectrumResult {
 [[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
 [[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
 
+/// The spectrum fitted to all measurements of a surface, as curves, and what the fit knows beside it.
+struct FittedSpectrum {
+    Band band;                          ///< [1/m] wavevectors that data speak of
+    Array1D wavevector;                 ///< forty a decade inside the band [1/m]
+    Array1D C_iso;                      ///< [m⁴]
+    Array1D log_C_iso_standard_error;   ///< of ln C_iso
+    Array1D C1D;                        ///< its Abel integral [m³]
+    Array1D log_C1D_standard_error;     ///< of ln C1D, the fit's covariance carried through the integral
+    std::vector<inference::Agreement> agreement;
+    std::vector<inference::TipFactor> tips;  ///< one for each group of like measurements by a tip
+    int rounds = 0;                     ///< of tip simulations
+    bool converged = false;
+};
+
 /// A surface: its spectra and what follows from them, or why it failed.
 struct SurfaceResult {
     std::string name;
@@ -66,7 +81,8 @@ struct SurfaceResult {
     std::optional<spectra::CombinedSpectrum> combined;
     SpectrumMethod method = SpectrumMethod::average;  ///< whose spectrum everything else rests on
     SpectrumResult average;                    ///< the mean over measurements; of other surfaces the spectrum given
-    std::optional<SpectrumResult> likelihood;  ///< fitted to all measurements at once, where the study asks for it
+    std::optional<SpectrumResult> likelihood;  ///< fitted to all measurements at once, where it is wanted and can be had
+    std::optional<FittedSpectrum> fitted;      ///< beside `likelihood`
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
