@@ -70,6 +70,7 @@ public:
         r.band = used_band();
         add_agreement(r);
         add_scatter_alerts(r);
+        add_rolloff_alert(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0) r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
         if (!r.converged)
@@ -301,6 +302,18 @@ private:
                     band.upper = std::max(band.upper, g.data.wavevector[k]);
                 }
         return band;
+    }
+
+    /// Where the longest waves seen still carry about as much of the mean square height, q² C_iso per ln q, as any.
+    static void add_rolloff_alert(LikelihoodSpectrum& r) {
+        constexpr double much = 0.5;
+        const Array1D height = (r.wavevector >= r.band.lower).select(r.wavevector.square() * r.C_iso, 0.0);
+        const auto first = std::lower_bound(r.wavevector.data(), r.wavevector.data() + r.wavevector.size(), r.band.lower) - r.wavevector.data();
+        if (first == r.wavevector.size() || height[first] < much * height.maxCoeff()) return;
+        r.alerts.push_back({"ROLLOFF_NOT_SEEN", "spectrum",
+                            fmt::format("it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
+                                        2.0e6 * pi / r.band.lower),
+                            "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
     }
 
     void add_scatter_alerts(LikelihoodSpectrum& r) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/inference/likelihood_spectrum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,23 @@ TEST(LikelihoodSpectrum, SaysWhichInstrumentDisagrees) {
     const auto wrong = likelihood_spectrum(observed(1.8), {.shortest_wavelength = shortest_wavelength, .threads = {1}});
     ASSERT_FALSE(wrong.alerts.empty());
     EXPECT_EQ(wrong.alerts[0].code, "INSTRUMENTS_DISAGREE");
+}
+
+TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
+    std::vector<ObservedSurface> short_ones;  // 500 nm of waves up to 500 nm
+    for (std::uint64_t seed : {4, 5, 6}) short_ones.push_back({traced(seed), topography::Trend::mean});
+    const auto fit = likelihood_spectrum(short_ones, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
+    EXPECT_TRUE(std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "ROLLOFF_NOT_SEEN"; }));
+}
+
+// The same places measured twice as high: nothing but the places can tell them apart.
+TEST(LikelihoodSpectrum, WidensItsIntervalsWhereMeasurementsDifferAsWholes) {
+    auto scattered = observed();
+    for (std::size_t i = 0; i < 2; ++i) scattered.push_back({cut_map(10 + i, 128, 40e-9, 1.5), topography::Trend::tilt});
+    const auto fit = likelihood_spectrum(scattered, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
+    EXPECT_TRUE(std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "MEASUREMENTS_SCATTER"; }));
+    const Index middle = fit.wavevector.size() / 2;
+    EXPECT_GT(fit.standard_error[middle], 1.5 * fitted().standard_error[middle]);
 }
 
 TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {

@@ -63,7 +63,7 @@ struct LikelihoodSpectrum {
     std::vector<TipFactor> tips;
     int rounds = 0;
     bool converged = false;
-    std::vector<Alert> alerts;   ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, NOT_CONVERGED
+    std::vector<Alert> alerts;   ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
 };
 
 /// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling and
