@@ -11,7 +11,8 @@ namespace setae::cli {
 namespace {
 
 constexpr const char* explanation =
-    "spectra     C1D(q) = |h(q)|^2/L, averaged over measurements in decade-aligned bins        [D19], [J17]\n"
+    "likelihood  C_iso with the largest -sum nu (ln E + P/E), E the periodogram it expects of each measurement\n"
+    "average     C1D(q) = |h(q)|^2/L, averaged over measurements in decade-aligned bins        [D19], [J17]\n"
     "parameters  h_rms^2 = (1/pi) int C1D dq, h'^2 = (2/pi) int q^2 C1D dq                      exact, isotropic surfaces\n"
     "            U_el/(A_app E*) = (1/8) int q C1D dq                                          [D19] (8)\n"
     "true area   A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
