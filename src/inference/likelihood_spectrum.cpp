@@ -22,6 +22,12 @@
 namespace setae::inference {
 namespace {
 
+/// Σ |ρ|² over the modes of a group of its own size under the Hann window: their mean is worth size/this values.
+double shared_within(double size) { return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size)); }
+
+/// Agreement below it is an alert: neighbouring groups share the window, so that chance goes further than χ² says.
+constexpr double improbable = 1e-6;
+
 /// Log-normal heights beyond it are another kind of surface.
 constexpr double most_skewness = 1.5;
 
@@ -336,7 +342,8 @@ private:
                 const double ratio = g.data.periodogram[k] / fit_.expected[c][k], nu = g.data.freedom[k];
                 row.ratio = (weights[key] * (weights[key] > 0.0 ? row.ratio : 0.0) + nu * ratio) / (weights[key] + nu);
                 weights[key] += nu;
-                row.chi_squared += nu * (ratio - 1.0) * (ratio - 1.0);
+                const double own = nu / (g.independent_share[k] * shared_within(g.mode_counts[k]));
+                row.chi_squared += 2.0 * own * (ratio - 1.0 - std::log(ratio)) / (1.0 + 1.0 / (6.0 * own));
                 ++row.groups;
             }
         }
@@ -344,7 +351,7 @@ private:
             row.instrument = key.first;
             row.decade = key.second;
             row.probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(row.groups), row.chi_squared));
-            if (row.probability < 1e-4)
+            if (row.probability < improbable)
                 r.alerts.push_back({"INSTRUMENTS_DISAGREE", row.instrument,
                                     fmt::format("between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
                                                 row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),

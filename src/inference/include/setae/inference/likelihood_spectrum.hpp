@@ -33,13 +33,17 @@ struct LikelihoodOptions {
 };
 
 /// How well one instrument's periodograms agree with the fit within one decade.
+///
+///   χ² = Σ 2ν (r − 1 − ln r)/(1 + 1/6ν),  r = P/E
+///
+/// over groups of modes: the deviance of gamma variates, each divided by its mean (to 1 % for ν >= 1), ν the values behind a group.
 struct Agreement {
     std::string instrument;
     int decade = 0;           ///< 10^decade … 10^(decade+1) 1/m
     double ratio = 1.0;       ///< mean of P/E, weighted by ν
-    double chi_squared = 0.0; ///< Σ ν (P/E − 1)² over groups of modes
+    double chi_squared = 0.0;
     int groups = 0;
-    double probability = 1.0; ///< of a χ² as large
+    double probability = 1.0; ///< of a χ² as large with as many degrees of freedom as groups
 };
 
 /// What a tip was found to do.
