@@ -9,13 +9,13 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
-#include "independent_lines.hpp"
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/estimate.hpp"
 #include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
+#include "setae/inference/independent_lines.hpp"
 #include "setae/synthesis/abel.hpp"
 #include "setae/synthesis/random_numbers.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../independent_lines.hpp"
+#include "setae/inference/independent_lines.hpp"
 
 #include <cmath>
 

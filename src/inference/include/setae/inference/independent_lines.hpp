@@ -10,7 +10,7 @@ namespace setae::inference {
 ///
 ///   n = N²/Σ_ij ρ²(y_i − y_j),   ρ(y) = [∫_0^∞ C_iso(√(q² + p²)) cos(py) dp/ same at y = 0]
 ///
-/// signal: share of the periodogram's expectation that is surface, not noise, at each q (noise is independent from line to line).
+/// wavevectors, pitch > 0 [1/m, m]. signal: share of the periodogram's expectation that is surface, not noise, at each q (noise is independent from line to line).
 [[nodiscard]] Array1D independent_lines(const synthesis::SpectralDensity& C_iso, const ArrayView1D& wavevectors, const ArrayView1D& signal,
                                         Index lines, double pitch);
 

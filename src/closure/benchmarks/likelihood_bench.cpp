@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fit of one surface of examples/closure/standard.toml (five scans, seven maps, six contours), kernels already made, beside what
+// cannot be avoided: making one simulated patch and reading it with its tip.
+#include <filesystem>
+
+#include <benchmark/benchmark.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/inference/likelihood_spectrum.hpp"
+#include "setae/inference/tip_response.hpp"
+#include "setae/laboratory/data_set.hpp"
+#include "setae/synthesis/random_surface.hpp"
+#include "setae/topography/dilation.hpp"
+#include "setae/workflow/surface_analysis.hpp"
+
+namespace {
+
+using namespace setae;
+
+const laboratory::Recipe& recipe() {
+    static const auto read = [] {
+        auto all = laboratory::read_recipe("examples/closure/standard.toml");
+        all.loops.reset();
+        all.surfaces.resize(1);
+        return all;
+    }();
+    return read;
+}
+
+const std::vector<inference::ObservedSurface>& observed() {
+    static const auto made = [] {
+        const auto folder = (std::filesystem::temp_directory_path() / "setae_likelihood_bench").string();
+        laboratory::make(recipe(), folder);
+        const auto study = workflow::read_study(folder + "/study.toml");
+        std::vector<inference::ObservedSurface> all;
+        for (const auto& input : study.surfaces[0].measurements)
+            for (const auto& prepare : workflow::prepared_measurements(input)) {
+                auto prepared = prepare();
+                all.push_back({std::move(prepared.measurement), prepared.trend});
+            }
+        std::filesystem::remove_all(folder);
+        return all;
+    }();
+    return made;
+}
+
+void likelihood_of_one_surface(benchmark::State& state) {
+    const inference::LikelihoodOptions options{.threads = {static_cast<int>(state.range(0))}};
+    (void)inference::likelihood_spectrum(observed(), options);  // kernels
+    for (auto _ : state) benchmark::DoNotOptimize(inference::likelihood_spectrum(observed(), options));
+}
+BENCHMARK(likelihood_of_one_surface)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void one_patch_and_its_tip(benchmark::State& state) {
+    const parallel::Threads threads{static_cast<int>(state.range(0))};
+    const auto& surface = recipe().surfaces[0].surface;
+    const inference::TipSimulation simulation{.tip_radius = 5e-6, .step = 20e-9, .repetitions = 1, .radius_response = false, .correlation_length = 0.5e-6, .threads = threads};
+    const auto before = inference::tip_response(surface.C_iso, simulation);
+    for (auto _ : state) benchmark::DoNotOptimize(inference::tip_response(surface.C_iso, simulation, before));
+}
+BENCHMARK(one_patch_and_its_tip)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
