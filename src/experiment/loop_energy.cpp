@@ -2,6 +2,7 @@
 #include "setae/experiment/loop_energy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "jump.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -38,16 +40,41 @@ double noise_error(const Array1D& force, const Array1D& displacement, const Inde
     return std::sqrt(std::max(variance, 0.0));
 }
 
-/// Error of a jump: its ends lie somewhere within the sampling steps beside it, which sweeps the area spanned by jump and
-/// step; evenly distributed, hence √12.
-double jump_error(const Array1D& force, const Array1D& displacement, const IndexRange& jump) {
+/// Largest error of a jump. It happened somewhere within its sampling step, f of it with the motion before and 1 − f with that after: the
+/// chord between the samples then errs by ½ [(1 − f) A_after − f A_before], A the area jump and motion of one step span; for steady
+/// motion A (½ − f), evenly distributed between ± A/2.
+double jump_error_limit(const Array1D& force, const Array1D& displacement, const IndexRange& jump) {
     const Index at = largest_step(force, jump);
     const auto area = [&](Index step) {
         if (step < 0 || step + 1 >= force.size()) return 0.0;
         return (force[at + 1] - force[at]) * (displacement[step + 1] - displacement[step]) -
                (displacement[at + 1] - displacement[at]) * (force[step + 1] - force[step]);
     };
-    return std::hypot(area(at - 1), area(at + 1)) / std::sqrt(12.0);
+    return 0.25 * std::abs(area(at - 1) + area(at + 1));
+}
+
+/// P(|N + U_1 + U_2| <= x): N normal, U evenly distributed between ± its limit.
+double probability_within(double x, double deviation, const std::array<double, 2>& limits) {
+    constexpr int cells = 24;
+    double sum = 0.0;
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j) {
+            const auto place = [](int k) { return 2.0 * (k + 0.5) / cells - 1.0; };
+            const double shift = limits[0] * place(i) + limits[1] * place(j);
+            sum += normal_probability((x - shift) / deviation) - normal_probability((-x - shift) / deviation);
+        }
+    return sum / (cells * cells);
+}
+
+/// Half the width of the 95 % interval of such a sum.
+double half_width(double deviation, const std::array<double, 2>& limits) {
+    const double smallest = std::max(deviation, 1e-3 * (limits[0] + limits[1]));
+    double lower = 0.0, upper = 4.0 * deviation + limits[0] + limits[1];
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (lower + upper);
+        (probability_within(middle, smallest, limits) < 0.95 ? lower : upper) = middle;
+    }
+    return upper;
 }
 
 /// The trapezoid rule against itself with every second sample, on the smooth pieces between the jumps.
@@ -90,11 +117,15 @@ LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact
     }
     result.energy = work(force, loop.displacement, touch.extent);
     budget.noise = noise_error(force, loop.displacement, touch.extent, before);
-    if (touch.jump_in) budget.sampling = jump_error(force, loop.displacement, *touch.jump_in);
-    if (touch.pull_off) budget.sampling = std::hypot(budget.sampling, jump_error(force, loop.displacement, *touch.pull_off));
+    std::array<double, 2> limits{};
+    if (touch.jump_in) limits[0] = jump_error_limit(force, loop.displacement, *touch.jump_in);
+    if (touch.pull_off) limits[1] = jump_error_limit(force, loop.displacement, *touch.pull_off);
+    budget.sampling = std::hypot(limits[0], limits[1]) / std::sqrt(3.0);
     budget.discretisation = discretisation_error(force, loop.displacement, touch);
     const double drift = std::isnan(budget.drift) ? 0.0 : budget.drift;
-    budget.total = std::hypot(std::hypot(budget.noise, drift), std::hypot(budget.sampling, budget.discretisation));
+    const double normal = std::hypot(std::hypot(budget.noise, drift), budget.discretisation);
+    budget.total = std::hypot(normal, budget.sampling);
+    if (budget.total > 0.0) result.half_width = half_width(normal, limits);
     return result;
 }
 

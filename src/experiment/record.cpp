@@ -32,6 +32,18 @@ Index leading_free_samples(const Array1D& contact_radius) {
     return i;
 }
 
+/// Samples before the force leaves free flight for good: the first two in a row (or the last one) so far from the median that no noise takes
+/// them there, the scatter being that of the middle half. All of them where there are none.
+Index samples_before_contact(const ArrayView1D& force) {
+    constexpr double far = 8.0, scatter_over_median_deviation = 1.4826;
+    const double zero = median(force);
+    const double limit = far * scatter_over_median_deviation * median((force - zero).abs());
+    const auto is_far = [&](Index i) { return i == force.size() || std::abs(force[i] - zero) > limit; };
+    for (Index i = 0; i < force.size() && limit > 0.0; ++i)
+        if (is_far(i) && is_far(i + 1)) return i;
+    return force.size();
+}
+
 }  // namespace
 
 bool Record::is_free(Index sample) const {
@@ -65,6 +77,8 @@ Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
         count = std::min(count, leading_free_samples(loop.contact_radius));
         if (count < fewest_free_samples) return {};  // recorded in contact only: the zero of force is taken as given
     }
+    // a share of a long record can reach into the contact, which a camera slower than the force shows late
+    if (const Index free = samples_before_contact(loop.force.head(count)); free >= fewest_free_samples) count = free;
     const Baseline baseline = baseline_over(loop, {.first = 0, .last = count - 1});
     const double range = loop.force.maxCoeff() - loop.force.minCoeff();
     constexpr double wander_limit = 0.05;  // of the force range

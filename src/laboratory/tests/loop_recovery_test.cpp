@@ -56,6 +56,19 @@ TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
     EXPECT_NEAR(made.loop.force[analysis.pinned->last], made.truth.unpinned.force, force_between_frames);
 }
 
+// The twentieth part of a long record that is taken for free flight reaches into the contact, which the camera shows a frame late: what
+// is no free flight is left out, and the noise stays that of the sensor.
+TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
+    LoopSpecimen soft = rough;
+    soft.contact_modulus = 0.25e6;
+    const SimulatedLoop made = simulated_loop(soft, {.camera_rate = 2.0}, noise);
+    const auto touch = static_cast<Index>(10.0 * 2e-6 / 60e-9);
+    ASSERT_GT(made.loop.force.size() / 20, touch + 1);
+    const experiment::LoopAnalysis analysis = analysed(made.loop, soft);
+    EXPECT_NEAR(analysis.segments.before.force_noise / noise.force_noise, 1.0, 0.2);
+    EXPECT_LE(analysis.segments.before.range->last, touch);
+}
+
 TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
     LoopSpecimen smooth = rough;
     smooth.work_retraction = smooth.work_approach;

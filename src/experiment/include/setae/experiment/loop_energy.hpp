@@ -24,7 +24,13 @@ struct LoopEnergy {
     LoopErrorBudget standard_error;
     double opening = 0.0;           ///< displacement at the end minus at the start [m]; free flight, so no energy
 
-    [[nodiscard]] Estimate estimate() const { return {energy, standard_error.total, "error budget"}; }
+    double half_width = 0.0;        ///< of the 95 % interval: noise and drift normal, jumps evenly distributed within their steps
+
+    [[nodiscard]] Estimate estimate() const {
+        Estimate found{energy, standard_error.total, "error budget"};
+        if (half_width > 0.0) found.interval = Interval{energy - half_width, energy + half_width};
+        return found;
+    }
 };
 
 /// Loss of one contact, ∮F dδ by the trapezoid rule over its extent.
