@@ -111,7 +111,7 @@ TidyTable pairs_for_reading(const StudyResult& result) {
     for (const auto* study : by_method(result))
         for (const auto& p : study->pairs) {
             const auto& surface = study->surface(p.surface);
-            if ((!p.modified && !p.approach) || (study != &result && !surface.likelihood)) continue;
+            if ((!p.modified && !p.approach) || (study != &result && !result.surface(p.surface).likelihood)) continue;
             const double measured = p.approach ? 1e3 * p.approach->value : undefined;
             const auto predicted = [&](const std::optional<PredictedWork>& w) { return w ? 1e3 * w->work.floored : undefined; };
             const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;

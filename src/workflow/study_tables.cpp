@@ -126,7 +126,7 @@ TidyTable pair_table(const StudyResult& result) {
     for (const auto* study : by_method(result))
         for (const auto& p : study->pairs) {
             const auto& surface = study->surface(p.surface);
-            if (study != &result && !surface.likelihood) continue;  // the same spectrum once more
+            if (study != &result && !result.surface(p.surface).likelihood) continue;  // the same spectrum once more
             const bool predicted = p.modified.has_value();
             Cells row;
             add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
