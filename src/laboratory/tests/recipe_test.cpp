@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include <unistd.h>
+
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/whole_file.hpp"
@@ -38,12 +40,16 @@ spectrum = { model = "self_affine", hurst_exponent = [0.7, 0.95], rolloff_wavele
 
 std::string surface(const std::string& name) { return "[surfaces." + name + "]" + drawn_surface; }
 
+/// A file of this process alone: tests run beside each other.
+struct RecipeFile {
+    explicit RecipeFile(const std::string& text) { io::write_whole_file(path, text); }
+    ~RecipeFile() { std::filesystem::remove(path); }
+    std::string path = (std::filesystem::path(testing::TempDir()) / ("setae_recipe_" + std::to_string(::getpid()) + ".toml")).string();
+};
+
 Recipe recipe_of(const std::string& text, std::optional<std::uint64_t> seed = {}) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "setae_recipe_test";
-    std::filesystem::create_directories(folder);
-    const std::string path = (folder / "recipe.toml").string();
-    io::write_whole_file(path, text);
-    return read_recipe(path, seed);
+    const RecipeFile file(text);
+    return read_recipe(file.path, seed);
 }
 
 double parameter(const SurfaceRecipe& rough, const std::string& key) {
