@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -18,15 +20,19 @@ namespace {
 /// What is known of ln σ² before the fit.
 struct NoisePrior {
     double centre, deviation;
+    double bound;       ///< ln of the least P/N of any mode: more noise there cannot be
+    bool seen = false;  ///< as the floor of the periodogram
 };
 
-/// A periodogram that has fallen far and is flat over the two octaves below Nyquist shows the noise itself: a surface that falls that
-/// far goes on falling, aliases included. Else the least P/N of any mode bounds the noise from above; far below the bound it does not matter, and data
-/// that need more will say so at little cost.
+/// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave, noise is what is left of
+/// the upper one when a surface falling sixfold an octave is taken off, (6 − r)/5 of it: a surface alone falls at least threefold there,
+/// aliases included. Else the bound is all that is known; far below it noise does not matter, and data that need more will say so at
+/// little cost.
 NoisePrior noise_prior(const PeriodogramClass& data) {
-    constexpr double flat = 1.5, far = 100.0, known_to = 0.2, share_of_bound = 1e-3, unknown_to = 3.0, weakest = 1e-60;
-    const Array1D level = data.periodogram / data.noise_response;
-    const double nyquist = data.wavevector[data.wavevector.size() - 1];
+    constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, known_to = 0.3, unknown_to = 3.0, weakest = 1e-60;
+    const double share_of_bound = std::log(1e-3);
+    const Array1D level = (data.periodogram / data.noise_response).max(weakest);
+    const double nyquist = data.wavevector[data.wavevector.size() - 1], bound = std::log(level.minCoeff());
     double sums[2] = {0.0, 0.0};
     Index counts[2] = {0, 0};
     for (Index k = 0; k < level.size(); ++k) {
@@ -36,8 +42,31 @@ NoisePrior noise_prior(const PeriodogramClass& data) {
         ++counts[octave];
     }
     const double lower = sums[0] / static_cast<double>(counts[0]), upper = sums[1] / static_cast<double>(counts[1]);
-    if (lower < flat * upper && level.maxCoeff() > far * upper) return {std::log(std::max(upper, weakest)), known_to};
-    return {std::log(std::max(share_of_bound * level.minCoeff(), weakest)), unknown_to};
+    if (lower > hardly * upper || level.maxCoeff() < far * upper) return {bound + share_of_bound, unknown_to, bound};
+    const double left = (sixfold - std::max(1.0, lower / upper)) / (sixfold - 1.0);
+    return {std::log(left * upper), known_to, bound, true};
+}
+
+/// One a class, of those with noise. What one class of an instrument shows is expected of its others, to a factor of e in σ².
+std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classes) {
+    constexpr double like_others = 1.0;
+    std::vector<NoisePrior> priors(classes.size());
+    std::map<std::string, std::pair<double, int>> seen;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        if (classes[c].noise_response.size() == 0) continue;
+        priors[c] = noise_prior(classes[c]);
+        if (!priors[c].seen) continue;
+        auto& [sum, count] = seen[classes[c].instrument];
+        sum += priors[c].centre;
+        ++count;
+    }
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        const auto found = seen.find(classes[c].instrument);
+        if (found == seen.end() || priors[c].seen) continue;
+        priors[c].centre = std::min(found->second.first / found->second.second, priors[c].bound);
+        priors[c].deviation = like_others;
+    }
+    return priors;
 }
 
 /// Parameters: theta, then one ln σ² for each class that has noise.
@@ -53,7 +82,7 @@ public:
         prior_centre_ = Eigen::VectorXd::Zero(parameters_);
         precision_ = Eigen::MatrixXd::Zero(parameters_, parameters_);
         add_smoothness(smoothness);
-        for (std::size_t c = 0; c < classes.size(); ++c) add_noise_prior(c);
+        add_noise_priors();
     }
 
     [[nodiscard]] Index parameters() const { return parameters_; }
@@ -128,12 +157,14 @@ private:
         }
     }
 
-    void add_noise_prior(std::size_t c) {
-        const Index at = noise_index_[c];
-        if (at < 0) return;
-        const auto prior = noise_prior(classes_[c]);
-        prior_centre_[at] = prior.centre;
-        precision_(at, at) = 1.0 / (prior.deviation * prior.deviation);
+    void add_noise_priors() {
+        const auto priors = noise_priors(classes_);
+        for (std::size_t c = 0; c < classes_.size(); ++c) {
+            const Index at = noise_index_[c];
+            if (at < 0) continue;
+            prior_centre_[at] = priors[c].centre;
+            precision_(at, at) = 1.0 / (priors[c].deviation * priors[c].deviation);
+        }
     }
 
     void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
