@@ -50,8 +50,11 @@ Estimate between_percentiles(const SpectrumResult& spectrum, const SurfaceQuanti
     std::vector<double> replicas;
     for (const auto& p : spectrum.spread.replicas)
         if (const double value = quantity.value(p); std::isfinite(value)) replicas.push_back(value);
-    Estimate result{quantity.value(spectrum.parameters), spectrum.spread.standard_error(quantity.value), "bootstrap percentile"};
-    if (replicas.size() > 1) result.interval = percentile_interval(std::move(replicas));
+    Estimate result{quantity.value(spectrum.parameters), undefined, "bootstrap percentile"};
+    if (replicas.size() < 2) return result;
+    const Eigen::Map<const Array1D> values(replicas.data(), static_cast<Index>(replicas.size()));
+    result.standard_error = std::sqrt((values - values.mean()).square().sum() / static_cast<double>(replicas.size() - 1));
+    result.interval = percentile_interval(std::move(replicas));
     return result;
 }
 

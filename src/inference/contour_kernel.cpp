@@ -210,11 +210,19 @@ Array1D independent_share(const topography::Profile& contour, const ArrayView1D&
     });
     const Array1D variance = (forth.rowwise().squaredNorm() + back.rowwise().squaredNorm()).array();
     Array1D share(bins.size());
-    parallel::for_each_index(static_cast<std::size_t>(bins.size()), threads, [&](std::size_t b) {
-        const auto k = static_cast<Index>(bins.centre(static_cast<Index>(b))) - 1;
-        const Eigen::VectorXcd covariance = forth * forth.row(k).adjoint() + back * back.row(k).adjoint();
-        const Eigen::VectorXcd pseudo = forth * back.row(k).transpose() + back * forth.row(k).transpose();
-        share[static_cast<Index>(b)] = variance[k] / ((covariance.cwiseAbs2() + pseudo.cwiseAbs2()).array() / variance).sum();
+    constexpr Index block = 16;  // groups whose covariances with all modes are one matrix product
+    parallel::for_each_index(static_cast<std::size_t>((bins.size() + block - 1) / block), threads, [&](std::size_t task) {
+        const Index first = static_cast<Index>(task) * block, count = std::min(block, bins.size() - first);
+        const auto mode = [&](Index g) { return static_cast<Index>(bins.centre(first + g)) - 1; };
+        Eigen::MatrixXcd forth_there(count, grid.size()), back_there(count, grid.size());
+        for (Index g = 0; g < count; ++g) {
+            forth_there.row(g) = forth.row(mode(g));
+            back_there.row(g) = back.row(mode(g));
+        }
+        const Eigen::MatrixXcd covariance = forth * forth_there.adjoint() + back * back_there.adjoint();
+        const Eigen::MatrixXcd pseudo = forth * back_there.transpose() + back * forth_there.transpose();
+        for (Index g = 0; g < count; ++g)
+            share[first + g] = variance[mode(g)] / ((covariance.col(g).cwiseAbs2() + pseudo.col(g).cwiseAbs2()).array() / variance).sum();
     });
     return share;
 }

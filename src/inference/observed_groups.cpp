@@ -11,6 +11,7 @@
 #include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
 #include "setae/inference/scan_kernel.hpp"
+#include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/reliability.hpp"
 
 namespace setae::inference {
@@ -82,7 +83,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap
         const ModeBins bins(shape.points / 2);
         group.data.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / map.size[0] * bins.centre(b); });
         group.mode_counts = Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
-        group.independent_share = Array1D::Constant(bins.size(), share_under_hann);
+        group.independent_share = Array1D::Constant(bins.size(), spectra::share_under_hann);
         group.data.periodogram = Array1D::Zero(bins.size());
         groups.push_back(std::move(group));
         place = groups.end() - 1;
@@ -103,7 +104,7 @@ void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& 
     group.data.response = std::move(kernel.response);
     group.data.wavevector = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return 2.0 * pi / kernel.length * kernel.bins.centre(b); });
     group.mode_counts = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
-    group.independent_share = Array1D::Constant(kernel.bins.size(), share_under_hann);
+    group.independent_share = Array1D::Constant(kernel.bins.size(), spectra::share_under_hann);
     group.contour = &contour;
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};

@@ -37,9 +37,6 @@ struct SpectrumRange {
 /// @throws InvalidArgument without measurements or for a shortest wavelength that is not positive.
 [[nodiscard]] SpectrumRange spectrum_range(std::span<const ObservedSurface> observed, const LikelihoodOptions& options);
 
-/// Neighbouring modes of a Hann window share their data: ω = 1/Σ |ρ|² = 1/(1 + 2 (4/9 + 1/36)).
-inline constexpr double share_under_hann = 0.5142857142857142;
-
 /// Periodograms with their kernels, measurements of one shape averaged; freedoms are left to the fit. Contours stand alone,
 /// are pointed to, and have the ω of equal steps until their spectrum is known.
 [[nodiscard]] std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed, const SpectrumRange& range,

@@ -132,6 +132,7 @@ PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumO
     const auto window = resolved(options.window, map.periodic);
     require_uniform(map, window);
     auto spectrum = empty_spectrum(map, map.size[0], window, options);
+    spectrum.pitch = map.pixel_size()[1];
     if (needs_fit(options.trend))
         fill_from_lines(spectrum, topography::detrended(map, options.trend).heights, window, options);
     else

@@ -2,12 +2,17 @@
 #include "average_spectrum.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/inference/independent_lines.hpp"
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/jackknife.hpp"
+#include "setae/spectra/parametric_noise.hpp"
+#include "setae/synthesis/abel.hpp"
+#include "setae/synthesis/spectral_density.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -75,6 +80,29 @@ std::vector<std::vector<SpectralParameters>> parameters_without_each(const spect
     return strata;
 }
 
+/// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
+Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum) {
+    const Index lines = static_cast<Index>(spectrum.count[0]);
+    Array1D independent = Array1D::Ones(spectrum.wavevector.size());
+    if (lines > 1) {
+        const Array1D C_iso = synthesis::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.C1D, std::numeric_limits<double>::infinity());
+        independent = inference::independent_lines(synthesis::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
+                                                   Array1D::Ones(independent.size()), lines, spectrum.pitch);
+    }
+    return independent * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
+}
+
+/// What other places of the surface would give, as far as one measurement can say.
+void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum, const AnalysisOptions& options) {
+    auto replica = spectrum;
+    const Array2D drawn = spectra::parametric_noise(spectrum, own_freedom(spectrum), options.bootstrap_resamples, options.seed);
+    for (Index r = 0; r < drawn.rows(); ++r) {
+        replica.C1D = drawn.row(r).transpose();
+        spread.replicas.push_back(parameters_of(curve_of(replica), options));
+    }
+    spread.replica_method = "parametric noise";
+}
+
 }  // namespace
 
 void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
@@ -91,7 +119,8 @@ void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options,
     auto& spread = surface.average.spread;
     const auto members = spectra::binned(found, combination);
     const auto band = curve_of(*surface.combined).band;
-    spread.replicas = resampled_parameters(members, band, options, threads);
+    if (found.size() == 1 && options.bootstrap_resamples > 0) add_parametric_noise(spread, found.front(), options);
+    else spread.replicas = resampled_parameters(members, band, options, threads);
     spread.seed = options.seed;
     if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);
     if (!has_uncertain_tip(surface.measurements)) return;

@@ -76,7 +76,7 @@ std::string ParameterSpread::method(const std::string& scale) const {
     if (replicas_are_draws) return "likelihood";
     const std::string with_sources = sources.empty() ? "" : ", delta";
     if (has_jackknife()) return "jackknife t" + scale + with_sources;
-    if (replicas.size() > 1) return "bootstrap" + scale + with_sources;
+    if (replicas.size() > 1) return replica_method + scale + with_sources;
     return "delta" + scale;
 }
 

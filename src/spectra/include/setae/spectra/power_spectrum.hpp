@@ -25,6 +25,7 @@ struct PowerSpectrum1D {
     double q_min = 0.0;      ///< reliable band [1/m]
     double q_max = 0.0;
     double length = 0.0;     ///< L [m]
+    double pitch = 0.0;      ///< of a map's lines [m]; 0 for one line
     std::string window;
     std::vector<Alert> alerts;
     topography::Metadata metadata;

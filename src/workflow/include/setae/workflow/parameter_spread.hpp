@@ -29,6 +29,7 @@ struct ParameterSpread {
 
     std::vector<roughness::SpectralParameters> replicas;
     std::uint64_t seed = 0;  ///< of the replicas
+    std::string replica_method = "bootstrap";
     bool replicas_are_draws = false;  ///< drawn from the covariance of a fit, which knows the sources too
     std::vector<std::vector<roughness::SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
