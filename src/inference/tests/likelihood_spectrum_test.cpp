@@ -32,7 +32,7 @@ topography::HeightMap cut_map(std::uint64_t seed, Index points, double pixel, do
 }
 
 /// Every third to seventh point of a fine line.
-topography::Profile traced(std::uint64_t seed) {
+topography::Measurement traced(std::uint64_t seed) {
     const auto map = cut_map(seed, 512, 1e-9);
     std::vector<Index> places{0};
     for (std::uint64_t i = 0; places.back() + 7 < 512; ++i) places.push_back(places.back() + 3 + static_cast<Index>((seed * 31 + i * i * 7) % 5));
