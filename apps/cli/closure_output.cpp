@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "setae/closure/report.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/io/whole_file.hpp"
 
 namespace setae::cli {
@@ -29,6 +30,17 @@ workflow::Json json_of(const closure::SummaryRow& row) {
 }
 
 }  // namespace
+
+void add_options(CLI::App& verb, RepeatedRecipe& repeated) {
+    verb.add_option("recipe", repeated.recipe, "TOML file of the recipe");
+    verb.add_option("-o,--output", repeated.output, "folder of tables and figure; default: " + repeated.output);
+    verb.add_option("--runs", repeated.runs, fmt::format("data sets; default: {}", repeated.runs));
+    verb.add_option("--seed", repeated.seed, fmt::format("of the first run; default: {}", repeated.seed));
+}
+
+void require_recipe(const RepeatedRecipe& repeated) {
+    if (repeated.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+}
 
 std::function<void(int)> progress_of(int runs) {
     if (isatty(STDERR_FILENO) == 0) return {};

@@ -13,6 +13,7 @@
 #include "setae/inference/scan_kernel.hpp"
 #include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/reliability.hpp"
+#include "skewness.hpp"
 
 namespace setae::inference {
 namespace {
@@ -50,11 +51,6 @@ void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRa
 
 std::string class_name(const topography::Metadata& metadata, Index points, double size) {
     return fmt::format("{} of {} points over {:.4g} um", metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
-}
-
-double skewness_of(const Array2D& heights) {
-    const Array2D centred = heights - heights.mean();
-    return centred.cube().mean() / std::pow(centred.square().mean(), 1.5);
 }
 
 void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap& map, const ObservedSurface& observed, const SpectrumRange& range,

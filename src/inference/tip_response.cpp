@@ -14,6 +14,7 @@
 #include "setae/synthesis/height_transform.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
+#include "skewness.hpp"
 
 namespace setae::inference {
 namespace {
@@ -124,11 +125,6 @@ topography::HeightMap with_skewness(topography::HeightMap patch, double skewness
     const double rms = std::sqrt(patch.heights.square().mean());
     patch.heights = patch.heights.unaryExpr([&](double h) { return rms * transform(h / rms); });
     return patch;
-}
-
-double skewness_of(const Array2D& heights) {
-    const Array2D centred = heights - heights.mean();
-    return centred.cube().mean() / std::pow(centred.square().mean(), 1.5);
 }
 
 /// Sums of line power over repetitions, a bin a column.

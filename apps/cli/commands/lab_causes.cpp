@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab_causes.hpp"
 
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 #include "closure_output.hpp"
 #include "setae/closure/causes.hpp"
 #include "setae/closure/report.hpp"
-#include "setae/core/errors.hpp"
 
 namespace setae::cli {
 namespace {
@@ -26,16 +24,8 @@ constexpr const char* explanation =
     "all                all of them\n"
     "work_of_adhesion at E* = 1 MPa and gamma_1 = 25 mJ/m2, from the planted W_app; ..._from_loss: W_int r/r_found\n";
 
-struct CausesArguments {
-    Common common;
-    std::string recipe;
-    std::string output = "causes";
-    int runs = 5;
-    std::uint64_t seed = 1;
-};
-
-ExitCode run(const CausesArguments& arguments) {
-    if (arguments.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+ExitCode run(const RepeatedRecipe& arguments) {
+    require_recipe(arguments);
     const auto rows = closure::summary(closure::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
                                                                                      .first_seed = arguments.seed,
                                                                                      .folder = arguments.output,
@@ -50,12 +40,9 @@ ExitCode run(const CausesArguments& arguments) {
 }  // namespace
 
 void add_causes(CLI::App& group, Action& action) {
-    auto arguments = std::make_shared<CausesArguments>();
+    auto arguments = std::make_shared<RepeatedRecipe>(RepeatedRecipe{.output = "causes", .runs = 5});
     auto* verb = group.add_subcommand("causes", "what each thing a mean of spectra leaves uncorrected does, alone");
-    verb->add_option("recipe", arguments->recipe, "TOML file of the recipe");
-    verb->add_option("-o,--output", arguments->output, "folder of tables and figure; default: causes");
-    verb->add_option("--runs", arguments->runs, "data sets; default: 5");
-    verb->add_option("--seed", arguments->seed, "of the first run; default: 1");
+    add_options(*verb, *arguments);
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -11,7 +11,6 @@
 #include "closure_output.hpp"
 #include "setae/closure/closure.hpp"
 #include "setae/closure/report.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/io/whole_file.hpp"
 
 namespace setae::cli {
@@ -26,12 +25,7 @@ constexpr const char* explanation =
     "           between contour points, percentile bootstrap                                                     [D19]\n"
     "--without  tip-factor: tips not simulated;  tip-band: data beyond the reliable band used (both of the likelihood)\n";
 
-struct ClosureArguments {
-    Common common;
-    std::string recipe;
-    std::string output = "closure";
-    int runs = 25;
-    std::uint64_t seed = 1;
+struct ClosureArguments : RepeatedRecipe {
     bool keep = false;
     workflow::SpectrumMethod spectrum = workflow::SpectrumMethod::likelihood;
     std::vector<std::string> without;
@@ -51,7 +45,7 @@ closure::ClosureOptions options_of(const ClosureArguments& arguments) {
 }
 
 ExitCode run(const ClosureArguments& arguments) {
-    if (arguments.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+    require_recipe(arguments);
     const auto found = closure::run_closure(arguments.recipe, options_of(arguments));
     for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.comparisons.empty()) return ExitCode::nothing_done;
@@ -70,10 +64,9 @@ ExitCode run(const ClosureArguments& arguments) {
 void add_closure(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<ClosureArguments>();
     auto* verb = group.add_subcommand("closure", "make and study a recipe many times: bias and coverage of every quantity");
-    verb->add_option("recipe", arguments->recipe, "TOML file of the recipe");
-    verb->add_option("-o,--output", arguments->output, "folder of tables and figure; default: closure");
-    verb->add_option("--runs", arguments->runs, "data sets; default: 25");
-    verb->add_option("--seed", arguments->seed, "of the first run; default: 1");
+    arguments->output = "closure";
+    arguments->runs = 25;
+    add_options(*verb, *arguments);
     verb->add_flag("--keep", arguments->keep, "leave the data sets in the folder");
     const std::map<std::string, workflow::SpectrumMethod> methods{{"average", workflow::SpectrumMethod::average}, {"likelihood", workflow::SpectrumMethod::likelihood}};
     verb->add_option("--spectrum", arguments->spectrum, "what fits and predictions rest on")->transform(CLI::CheckedTransformer(methods));
