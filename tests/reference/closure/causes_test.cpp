@@ -15,8 +15,8 @@ namespace {
 
 using namespace setae;
 
-/// E[P_k]/C1D(q_k) of n points for C_iso = q^−(2+2H), C1D ∝ q^−(1+2H): the constant by waves of one direction, c = Γ-free since
-/// the kernel's own middle modes have it.
+/// E[P_k]/C1D(q_k) of the first fourteen modes of n points for C_iso = q^−(2+2H), so that C1D ∝ q^−(1+2H); relative to the
+/// fourteenth, which reads the truth.
 Array1D first_modes(Index points, int trend_degree, double hurst) {
     constexpr Index first = -180, last = 90;
     const auto kernel = inference::scan_kernel({points, trend_degree}, first, last, {1});
