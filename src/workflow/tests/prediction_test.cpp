@@ -79,7 +79,7 @@ TEST(Prediction, HasTheFreedomOfItsInputs) {
     auto study = uncertain_study();
     EXPECT_FALSE(run_study(study, {1}).pairs.at(0).modified->estimate.degrees_of_freedom);
     study.work_of_adhesion->degrees_of_freedom = 3.0;
-    const auto& pair = run_study(study, {1}).pairs.at(0);
+    const auto pair = run_study(study, {1}).pairs.at(0);
     const auto& b = *pair.budget;
     // only the work is known with few: ν = 3 (Σ v)²/v_W²
     EXPECT_NEAR(*pair.modified->estimate.degrees_of_freedom, 3.0 * std::pow(pair.modified->estimate.variance(), 2) / std::pow(b.work_of_adhesion, 4), 1e-9);
