@@ -69,6 +69,30 @@ TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
     EXPECT_LE(analysis.segments.before.range->last, touch);
 }
 
+// Where W is almost 0, a(F) is vertical at F = 0: least squares in a alone takes noise of the force for the contact, errors in both do not.
+TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
+    const LoopSpecimen dry{.radius = 1.25e-3, .contact_modulus = 1.3333e6, .work_approach = 1e-7, .work_retraction = 0.02};
+    constexpr int loops = 60;
+    double by_radius = 0.0, by_both = 0.0;
+    int held_by_radius = 0, held_by_both = 0;
+    for (std::uint64_t seed = 1; seed <= loops; ++seed) {
+        const SimulatedLoop made = simulated_loop(dry, {.camera_rate = 2.0}, {.force_noise = 1e-6, .displacement_noise = 5e-10, .radius_noise = 3e-7, .key = {seed, 0}});
+        const auto loading = analysed(made.loop, dry).loading;
+        const auto add = [&](const Estimate& modulus, double& bias, int& held) {
+            bias += (modulus.value / dry.contact_modulus - 1.0) / loops;
+            const auto interval = interval_of(modulus);
+            held += interval && interval->lower <= dry.contact_modulus && dry.contact_modulus <= interval->upper ? 1 : 0;
+        };
+        add(loading.radius_force->contact_modulus, by_radius, held_by_radius);
+        add(loading.radius_force_effective_variance->contact_modulus, by_both, held_by_both);
+    }
+    // one loop scatters by 0.25 % with the errors of both, by 1 % without
+    EXPECT_GT(by_radius, 3e-3);
+    EXPECT_LT(held_by_radius, 45);
+    EXPECT_NEAR(by_both, 0.0, 1e-3);
+    EXPECT_GE(held_by_both, 51);
+}
+
 TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
     LoopSpecimen smooth = rough;
     smooth.work_retraction = smooth.work_approach;
