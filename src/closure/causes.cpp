@@ -106,8 +106,10 @@ PowerSpectrum1D expected_spectrum(const workflow::MeasurementResult& measured, c
     const ArrayView1D q = spectrum.wavevector;
     Array1D C1D = q.unaryExpr([&](double x) { return planted.C1D(std::min(x, 0.999 * planted.shortest)); });
     if (const auto* contour = std::get_if<topography::Profile>(&data)) {
-        const spectra::SegmentResponse segments(contour->positions);
-        if (causes.segments) C1D *= segments.at(q, segments.fitted_exponent(q, spectrum.C1D));
+        if (causes.segments) {
+            const spectra::SegmentResponse segments(contour->positions);
+            C1D *= segments.at(q, segments.fitted_exponent(q, spectrum.C1D));
+        }
     } else {
         const double pixel_size = spectrum.length / static_cast<double>(2 * q.size());
         const bool parabola = measured.trend == topography::Trend::parabola;

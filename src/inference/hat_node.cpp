@@ -56,7 +56,7 @@ public:
         if (z < 1.0) return series(z);
         const auto i = static_cast<std::size_t>(z / step);
         const double from = step * static_cast<double>(i), to = from + step, t = (z - from) / step;
-        const double a = hermite(first_[i], first_[i + 1], slope_of_first(i, from) * step, slope_of_first(i + 1, to) * step, t);
+        const double a = hermite(first_[i], first_[i + 1], slope_of_first(i) * step, slope_of_first(i + 1) * step, t);
         const double b = hermite(second_[i], second_[i + 1], first_[i] / from * step, first_[i + 1] / to * step, t);
         return {a, b};
     }
@@ -76,7 +76,7 @@ private:
     }
 
     /// da/dz at a node, by central differences of the table (exact to step⁴), one-sided ends never being asked for.
-    [[nodiscard]] double slope_of_first(std::size_t i, double) const {
+    [[nodiscard]] double slope_of_first(std::size_t i) const {
         const std::size_t n = first_.size();
         if (i < 2 || i + 2 >= n) return i + 1 < n ? (first_[i + 1] - first_[i]) / step : (first_[i] - first_[i - 1]) / step;
         return (8.0 * (first_[i + 1] - first_[i - 1]) - (first_[i + 2] - first_[i - 2])) / (12.0 * step);

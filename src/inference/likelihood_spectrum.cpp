@@ -28,6 +28,9 @@ double shared_within(double size) { return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0
 /// Agreement below it is an alert: neighbouring groups share the window, so that chance goes further than χ² says.
 constexpr double improbable = 1e-6;
 
+/// τ² of each instrument.
+using Scatter = std::map<std::string, double>;
+
 /// Log-normal heights beyond it are another kind of surface.
 constexpr double most_skewness = 1.5;
 
@@ -68,14 +71,15 @@ public:
         r.wavevector = spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
         r.design = spline_.design(r.wavevector);
         r.theta = fit_.theta;
-        r.covariance = full_covariance();
+        const auto scatter = scatter_between_measurements();
+        r.covariance = full_covariance(scatter);
         r.C_iso = (r.design * r.theta).array().exp();
         r.standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;
         r.converged = fit_.converged;
         r.band = used_band();
         add_agreement(r);
-        add_scatter_alerts(r);
+        add_scatter_alerts(r, scatter);
         add_rolloff_alert(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0) r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
@@ -243,7 +247,7 @@ private:
     /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m = Σ ν (P/E − 1)/Σ ν
     /// scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0 unless Σ b²Σν is
     /// significantly larger than their number.
-    [[nodiscard]] std::map<std::string, double> scatter_between_measurements() const {
+    [[nodiscard]] Scatter scatter_between_measurements() const {
         struct Sum {
             double chi_squared = 0.0, excess = 0.0;
             int count = 0;
@@ -262,7 +266,7 @@ private:
             }
         }
         constexpr double significant = 0.01;
-        std::map<std::string, double> variance;
+        Scatter variance;
         for (const auto& [instrument, sum] : sums) {
             const double probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(sum.count), sum.chi_squared));
             variance[instrument] = probability < significant ? std::max(0.0, sum.excess / sum.count) : 0.0;
@@ -272,9 +276,8 @@ private:
 
     /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself, and what
     /// measurements differ by as wholes.
-    [[nodiscard]] Eigen::MatrixXd full_covariance() const {
+    [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
         Eigen::MatrixXd covariance = fit_.covariance;
-        const auto scatter = scatter_between_measurements();
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             const auto found = scatter.find(groups_[c].data.instrument);
             if (found == scatter.end() || found->second == 0.0) continue;
@@ -322,8 +325,8 @@ private:
                             "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
     }
 
-    void add_scatter_alerts(LikelihoodSpectrum& r) const {
-        for (const auto& [instrument, variance] : scatter_between_measurements())
+    static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
+        for (const auto& [instrument, variance] : scatter)
             if (variance > 0.0)
                 r.alerts.push_back({"MEASUREMENTS_SCATTER", instrument,
                                     fmt::format("its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it", 100.0 * std::sqrt(variance)),

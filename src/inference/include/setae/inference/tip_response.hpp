@@ -54,7 +54,7 @@ struct TipResponse {
 
 /// ln T at wavevectors for points a pixel_size apart: T averaged over aliases with their C1D,
 ///   T = Σ_m T(|q + 2πm/Δ|) C1D(|q + 2πm/Δ|)/Σ_m C1D(|q + 2πm/Δ|).
-/// C1D: density of lines [m³]; values: any of the curves of a TipResponse (ln T, or a derivative weighted by T).
+/// C1D: density of lines [m³]. Derivatives and errors are averaged likewise, weighted with T C1D.
 struct SampledResponse {
     Array1D log_transfer, amplitude_response, radius_response, skewness_response;
     Array2D simulation_errors;  ///< a row a repetition
