@@ -9,6 +9,7 @@ pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)
 
 find_package(Ceres REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
 find_package(pugixml REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

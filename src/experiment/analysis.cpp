@@ -200,7 +200,8 @@ CycleAnalysis analyse_cycle(const Loop& loop, const LoopAnalysis& analysis, Inde
 LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
                      const std::string& subject) {
     const Loop corrected = without_compliance(recorded, options.machine_stiffness);
-    LoopAnalysis analysis{.segments = find_segments(corrected, options.segments)};
+    LoopAnalysis analysis;
+    analysis.segments = find_segments(corrected, options.segments);
     const ContactSegments& contact = analysis.segments.contacts.front();
     const Loop loop = options.force_drift ? without_force_drift(corrected, analysis.segments) : corrected;
     analysis.loading = analyse_loading(loop, analysis.segments, contact, bodies, options);
@@ -214,6 +215,8 @@ LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, con
         analysis.cycles.push_back(analyse_cycle(loop, analysis, i, bodies, options));
         analysis.cycles.back().energy = cycle_energy(corrected, analysis, i);
     }
+    analysis.corrected = loop;
+    analysis.corrected.force -= analysis.segments.before.force;
     analysis.alerts = alerts_of(analysis, loop, bodies, options.limits, subject);
     return analysis;
 }

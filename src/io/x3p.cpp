@@ -13,11 +13,11 @@
 #include "archive.hpp"
 #include "bytes.hpp"
 #include "channel_building.hpp"
-#include "md5.hpp"
 #include "readers.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/io/digest.hpp"
 #include "setae/topography/line_scans.hpp"
 #include "text.hpp"
 

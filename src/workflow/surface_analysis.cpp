@@ -101,6 +101,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     result.name = topography::metadata(measurement).name;
     result.trend = prepared.trend;
     result.alerts = prepared.alerts;
+    result.preview = height_preview(measurement);
     result.real_space = roughness::real_space_parameters(measurement, threads);
     result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) result.triangulated = roughness::triangulated_area(*map, threads);

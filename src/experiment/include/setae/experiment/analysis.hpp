@@ -94,6 +94,7 @@ struct CycleAnalysis {
 };
 
 struct LoopAnalysis {
+    Loop corrected;     ///< the record as analysed: force counted from its zero, drift and the machine's own deflection taken off
     Segments segments;
     BranchAnalysis loading;  ///< of the first contact, partial releases left out
     std::optional<IndexRange> pinned;   ///< after the last press, while the contact radius stays at its largest

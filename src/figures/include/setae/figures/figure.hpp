@@ -27,6 +27,7 @@ struct Series {
     int symbol = -1;      ///< symbol and dash alike; -1: as colour
     bool hollow = false;  ///< symbols
     Array1D left, right;  ///< ends of error bars along x; both empty: none
+    std::vector<std::string> names;  ///< of the points, where each is a thing of its own; empty: none. Not drawn; in the data
 };
 
 /// One axis of a panel.

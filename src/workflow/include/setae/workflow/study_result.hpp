@@ -11,6 +11,7 @@
 #include "setae/experiment/analysis.hpp"
 #include "setae/experiment/reference_loop.hpp"
 #include "setae/workflow/pair_fit.hpp"
+#include "setae/workflow/provenance.hpp"
 #include "setae/workflow/study.hpp"
 #include "setae/workflow/surface_analysis.hpp"
 
@@ -107,6 +108,7 @@ struct CutoffPoint {
 
 struct StudyResult {
     Study study;
+    std::vector<InputFile> inputs;  ///< every file the study names
     std::vector<SurfaceResult> surfaces;
     std::vector<ElastomerResult> elastomers;
     std::vector<ExperimentResult> experiments;

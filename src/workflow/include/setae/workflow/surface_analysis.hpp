@@ -15,6 +15,7 @@
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
+#include "setae/workflow/height_preview.hpp"
 #include "setae/workflow/parameter_spread.hpp"
 #include "setae/workflow/study.hpp"
 
@@ -33,6 +34,7 @@ struct MeasurementResult {
     std::optional<std::array<Band, 2>> bands_of_uncertain_tip;
     std::optional<roughness::SlopeDistribution> slopes;          ///< where there are enough of them
     std::optional<roughness::TriangulatedArea> triangulated;     ///< maps
+    HeightPreview preview;
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }

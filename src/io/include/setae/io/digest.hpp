@@ -10,4 +10,7 @@ namespace setae::io {
 /// Source: RFC 1321.
 [[nodiscard]] std::string md5(std::string_view bytes);
 
+/// SHA-256 digest as 64 lower-case hexadecimal digits. Source: FIPS 180-4.
+[[nodiscard]] std::string sha256(std::string_view bytes);
+
 }  // namespace setae::io

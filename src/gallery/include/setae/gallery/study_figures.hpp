@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/figures/figure.hpp"
+#include "setae/workflow/study_result.hpp"
+
+namespace setae::gallery {
+
+/// A figure of a study, or why it cannot be drawn.
+struct StudyFigure {
+    std::string identifier;  ///< what `setae plot --figure` calls it: "1", "2", "4", "S1" … as the paper, "scales", "spectra:NAME" …
+    std::string name;        ///< stem of its files: "figure_1", "figure_S3", "scales", "spectra_NAME"
+    std::string title;       ///< one line, such as "Power spectral density of every surface"
+    std::string caption;     ///< what is drawn, from what, and what of it is reconstruction
+    figures::Figure figure;  ///< empty where there is a reason
+    std::string reason;      ///< why it cannot be drawn, as a sentence's end: "no experiment has a contact radius"; empty where it can
+
+    [[nodiscard]] bool drawable() const { return reason.empty(); }
+};
+
+/// Width of a figure in a journal.
+enum class FigureWidth {
+    single_column,  ///< 85 mm
+    double_column,  ///< 178 mm
+};
+
+struct GalleryOptions {
+    FigureWidth width = FigureWidth::double_column;
+    parallel::Threads threads;
+};
+
+/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8; "loss" … of
+/// THEORY §12. The same result gives the same figures, for any number of threads.
+[[nodiscard]] std::vector<StudyFigure> study_figures(const workflow::StudyResult& result, const GalleryOptions& options = {});
+
+}  // namespace setae::gallery

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/workflow/provenance.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/io/digest.hpp"
+#include "setae/io/whole_file.hpp"
+
+extern const char* const setae_source_digest;  // cmake/source_digest.cmake
+
+namespace setae::workflow {
+namespace {
+
+/// A path as the study's author wrote it, where the file is beside or below the study.
+std::string as_named(const std::string& path, const std::string& study) {
+    const auto relative = std::filesystem::path(path).lexically_proximate(std::filesystem::path(study).parent_path()).generic_string();
+    return relative.starts_with("..") ? path : relative;
+}
+
+std::vector<std::string> named_files(const Study& study) {
+    std::vector<std::string> files{study.path};
+    const auto add = [&files](const std::string& file) {
+        if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    };
+    for (const auto& surface : study.surfaces) {
+        if (surface.power_spectrum) add(*surface.power_spectrum);
+        for (const auto& measurement : surface.measurements) {
+            add(measurement.file);
+            for (const auto& reference : measurement.references) add(reference);
+        }
+    }
+    for (const auto& experiment : study.experiments) {
+        add(experiment.file);
+        if (experiment.mapping) add(*experiment.mapping);
+    }
+    return files;
+}
+
+}  // namespace
+
+std::vector<InputFile> input_files(const Study& study, parallel::Threads threads) {
+    const auto names = named_files(study);
+    std::vector<InputFile> inputs(names.size());
+    parallel::for_each_index(names.size(), threads, [&](std::size_t i) {
+        inputs[i].path = as_named(names[i], study.path);
+        try {
+            const auto content = io::read_file(names[i]);
+            inputs[i].sha256 = io::sha256(content);
+            inputs[i].size = content.size();
+        } catch (const FileError&) {
+            // without digest: whoever reads the file says why
+        }
+    });
+    return inputs;
+}
+
+std::string version() { return fmt::format("{}+{}", SETAE_VERSION, setae_source_digest); }
+
+}  // namespace setae::workflow
