@@ -15,6 +15,7 @@ enum class Mark {
     line,    ///< a line
     both,    ///< symbols on a line
     band,    ///< filled between lower and upper, with a line along y where there is one
+    area,    ///< the closed polygon through the points, filled
 };
 
 /// One curve of a panel. x and y are in the units of the panel's axes; NaN is a gap.
@@ -27,6 +28,10 @@ struct Series {
     int symbol = -1;      ///< symbol and dash alike; -1: as colour
     bool hollow = false;  ///< symbols
     Array1D left, right;  ///< ends of error bars along x; both empty: none
+    int dash = -1;              ///< of a line, 0 solid; -1: as symbol
+    double line_width = 1.3;    ///< of a line [points], about
+    double opacity = 1.0;       ///< of line and symbols, 0 … 1
+    bool legend_only = false;   ///< explains what other series share; it has no points of its own
     std::vector<std::string> names;  ///< of the points, where each is a thing of its own; empty: none. Not drawn; in the data
 };
 
@@ -43,6 +48,27 @@ struct Axis {
 
 enum class Corner { top_right, top_left, bottom_right, bottom_left };
 
+/// Values over a rectangle, as a picture with a colour bar.
+struct HeatMap {
+    Array2D values;        ///< (nx, ny), row-major as a height map; NaN is left white
+    double width = 0.0;    ///< along x, from 0, in the unit of the panel's axes
+    double height = 0.0;   ///< along y, from 0
+    Axis values_axis;      ///< quantity and unit of the values; ends of the colours
+};
+
+/// Text within a panel, letter by letter.
+struct Note {
+    std::string text;
+    double x = 0.0, y = 0.0;  ///< in the units of the axes
+    enum class Side { centre, right, left } side = Side::centre;  ///< which side of the place the text stands on
+    int colour = 4;           ///< index into the palette; black
+};
+
+/// Where a panel stands within its figure, in shares of its width and height from the top left corner.
+struct Place {
+    double left = 0.0, top = 0.0, width = 1.0, height = 1.0;
+};
+
 /// One pair of axes.
 struct Panel {
     std::string title;  ///< above its left end, letter by letter, such as "A"
@@ -51,6 +77,10 @@ struct Panel {
     std::vector<double> horizontal_lines;  ///< thin, grey, across the panel
     bool legend = true;
     std::optional<Corner> legend_corner;  ///< without: the corner that holds the least data
+    bool legend_beside = false;           ///< to the right of the axes, not within them
+    std::optional<Place> place;           ///< without: its cell of the grid
+    std::optional<HeatMap> map;
+    std::vector<Note> notes;
 };
 
 /// Panels in rows from the left, `columns` a row.

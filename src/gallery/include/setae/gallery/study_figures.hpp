@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/cache/store.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/workflow/study_result.hpp"
 
@@ -30,10 +31,17 @@ enum class FigureWidth {
 struct GalleryOptions {
     FigureWidth width = FigureWidth::double_column;
     parallel::Threads threads;
+    const cache::Store* store = nullptr;  ///< keeps what takes long: the true area of the maps of S7
 };
 
-/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8; "loss" … of
-/// THEORY §12. The same result gives the same figures, for any number of threads.
+/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8 of THEORY §12;
+/// "spectra:NAME" of every measured surface, "scales", "agreement".
+///
+/// The same result gives the same figures, for any number of threads. Never throws for what a study lacks: see `reason`.
 [[nodiscard]] std::vector<StudyFigure> study_figures(const workflow::StudyResult& result, const GalleryOptions& options = {});
+
+/// One of them.
+/// @throws InvalidArgument for an identifier that none has, with the nearest match.
+[[nodiscard]] StudyFigure study_figure(const workflow::StudyResult& result, const std::string& identifier, const GalleryOptions& options = {});
 
 }  // namespace setae::gallery

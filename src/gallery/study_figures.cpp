@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/gallery/study_figures.hpp"
+
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "builders.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+
+namespace setae::gallery {
+namespace {
+
+using Build = std::function<void(const Sitting&, StudyFigure&)>;
+
+/// A figure that a study may have.
+struct Entry {
+    std::string identifier, name, title;
+    Build build;
+};
+
+/// A surface's name as part of a file's: what is no letter, digit, dash or dot of ASCII becomes an underscore.
+std::string file_stem(const std::string& name) {
+    std::string stem;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+        stem += plain ? c : '_';
+    }
+    return stem;
+}
+
+std::vector<Entry> entries_of(const workflow::StudyResult& result) {
+    std::vector<Entry> entries{
+        {"1", "figure_1", "Power spectral density of every surface", combined_spectra},
+        {"2", "figure_2", "Contact radius and displacement against force", contact_of_one_elastomer},
+        {"4", "figure_4", "Work of adhesion measured and predicted, and energy lost", prediction_and_loss},
+        {"S1", "figure_S1", "A stylus scan of each surface", stylus_scans},
+        {"S2", "figure_S2", "Power spectral density by technique", spectra_by_instrument},
+        {"S3", "figure_S3", "Isotropic power spectral density", isotropic_spectra},
+        {"S5", "figure_S5", "Contact radius against force on every elastomer", contact_radius_of_all},
+        {"S6", "figure_S6", "Contact radius against force on the smooth reference", contact_radius_of_references},
+        {"S7", "figure_S7", "True area against slope", true_area},
+        {"S8", "figure_S8", "Work of adhesion measured and predicted without the soft side's area", persson_tosatti_prediction},
+    };
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
+        if (result.surfaces[i].measurements.empty()) continue;
+        const auto& name = result.surfaces[i].name;
+        auto stem = "spectra_" + file_stem(name);
+        // names that differ in other letters alone
+        for (const auto& other : entries)
+            if (other.name == stem) stem += fmt::format("_{}", i + 1);
+        entries.push_back({"spectra:" + name, stem, "Every measurement of " + name,
+                           [i](const Sitting& sitting, StudyFigure& drawn) { measured_spectra(sitting, sitting.result.surfaces[i], drawn); }});
+    }
+    entries.push_back({"scales", "scales", "Which scales cost the energy", scales_of_cost});
+    entries.push_back({"agreement", "agreement", "Measured over expected periodograms", agreement_of_instruments});
+    return entries;
+}
+
+StudyFigure built(const Entry& entry, const Sitting& sitting) {
+    StudyFigure drawn{.identifier = entry.identifier, .name = entry.name, .title = entry.title};
+    try {
+        entry.build(sitting, drawn);
+    } catch (const Error& error) {
+        drawn.reason = error.what();
+    }
+    if (!drawn.drawable()) drawn.figure = {};
+    return drawn;
+}
+
+}  // namespace
+
+std::vector<StudyFigure> study_figures(const workflow::StudyResult& result, const GalleryOptions& options) {
+    const auto entries = entries_of(result);
+    const Sitting sitting{result, options};
+    std::vector<StudyFigure> figures;
+    for (const auto& entry : entries) figures.push_back(built(entry, sitting));
+    return figures;
+}
+
+StudyFigure study_figure(const workflow::StudyResult& result, const std::string& identifier, const GalleryOptions& options) {
+    std::vector<std::string> identifiers;
+    for (const auto& entry : entries_of(result)) {
+        if (entry.identifier == identifier) return built(entry, {result, options});
+        identifiers.push_back(entry.identifier);
+    }
+    const auto nearest = nearest_match(identifier, identifiers);
+    throw InvalidArgument(fmt::format("unknown figure '{}'{}; this study has {}", identifier, nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
+                                      fmt::join(identifiers, ", ")));
+}
+
+}  // namespace setae::gallery
