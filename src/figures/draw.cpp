@@ -89,26 +89,57 @@ void complete_svg(std::string& content) {
     replace_all(content, "<text>", "<text xml:space=\"preserve\">");
 }
 
+/// What gnuplot writes, within a folder of its own.
+std::string output_name(const std::string& ending) { return "figure." + ending; }
+
 }  // namespace
+
+std::string drawn(const Figure& figure, const std::string& ending) {
+    const TemporaryFolder folder;
+    // relative, so that no folder's name needs quoting
+    const auto output = output_name(ending);
+    io::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
+    const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
+    if (outcome.start_error == ENOENT)
+        throw FileError("a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
+    if (outcome.start_error != 0) throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
+    std::error_code missing;
+    if (outcome.status != 0 || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
+        throw FileError(fmt::format("gnuplot failed: {}", trimmed(io::read_file(folder.file("words.txt")))));
+    auto content = io::read_file(folder.file(output.c_str()));
+    if (ending == "pdf") erase_date(content);
+    if (ending == "svg") complete_svg(content);
+    return content;
+}
+
+std::string drawing_program() {
+    const char* search = std::getenv("PATH");
+    std::string_view rest = search ? search : "";
+    while (!rest.empty()) {
+        const auto end = rest.find(':');
+        const auto file = std::filesystem::path(rest.substr(0, end)) / "gnuplot";
+        std::error_code error;
+        const auto real = std::filesystem::canonical(file, error);
+        if (!error && access(real.c_str(), X_OK) == 0) {
+            const auto size = std::filesystem::file_size(real, error);
+            const auto time = std::filesystem::last_write_time(real, error);
+            if (!error) return fmt::format("{} {} {}", real.string(), size, time.time_since_epoch().count());
+        }
+        if (end == std::string_view::npos) break;
+        rest.remove_prefix(end + 1);
+    }
+    return {};
+}
 
 void draw(const Figure& figure, const std::string& path) {
     auto ending = std::filesystem::path(path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
-    const TemporaryFolder folder;
-    // relative, so that no folder's name needs quoting
-    const auto drawn = "figure." + ending;
-    io::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, drawn));
-    const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
-    if (outcome.start_error == ENOENT)
-        throw FileError(fmt::format("{}: cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup", path));
-    if (outcome.start_error != 0) throw FileError(fmt::format("{}: gnuplot cannot be started: {}", path, std::strerror(outcome.start_error)));
-    std::error_code missing;
-    if (outcome.status != 0 || std::filesystem::file_size(folder.file(drawn.c_str()), missing) == 0 || missing)
-        throw FileError(fmt::format("{}: gnuplot failed: {}", path, trimmed(io::read_file(folder.file("words.txt")))));
-    auto content = io::read_file(folder.file(drawn.c_str()));
-    if (ending == "pdf") erase_date(content);
-    if (ending == "svg") complete_svg(content);
-    io::write_whole_file(path, content);
+    try {
+        io::write_whole_file(path, drawn(figure, ending));
+    } catch (const FileError& error) {
+        const std::string message = error.what();
+        throw FileError(message.starts_with(path) ? message : path + ": " + message);
+    }
 }
 
 }  // namespace setae::figures

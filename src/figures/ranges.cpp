@@ -76,6 +76,9 @@ private:
 bool shows(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0.0); }
 
 void require_drawable(const Panel& panel) {
+    if (panel.map && !(panel.map->values.size() > 0 && panel.map->width > 0.0 && panel.map->height > 0.0 && std::isfinite(panel.map->width * panel.map->height)))
+        throw InvalidArgument(fmt::format("panel '{}': a map of {} x {} values over {} x {}; expected values and a size > 0", panel.title, panel.map->values.rows(),
+                                          panel.map->values.cols(), panel.map->width, panel.map->height));
     for (const auto& series : panel.series) {
         require_length(panel, series, series.y, "y", series.mark == Mark::band);
         // both ends or none, and a band has them
@@ -84,10 +87,29 @@ void require_drawable(const Panel& panel) {
         require_length(panel, series, series.upper, "upper", !ends);
         require_length(panel, series, series.left, "left", series.right.size() == 0);
         require_length(panel, series, series.right, "right", series.left.size() == 0);
+        if (!series.names.empty() && series.names.size() != static_cast<std::size_t>(series.x.size()))
+            throw InvalidArgument(fmt::format("panel '{}', series '{}': {} values of x and {} names; expected as many or none", panel.title, series.label,
+                                              series.x.size(), series.names.size()));
     }
 }
 
+Range value_range(const HeatMap& map) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (Index i = 0; i < map.values.size(); ++i) {
+        const double value = map.values.data()[i];
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    if (least > most) least = 0.0, most = 1.0;
+    if (least == most) most = least + 1.0;
+    Range range{map.values_axis.from.value_or(least), map.values_axis.to.value_or(most)};
+    require_ends(map.values_axis, range);
+    return range;
+}
+
 Range x_range(const Panel& panel) {
+    if (panel.map) return {0.0, panel.map->width};
     Extent extent(panel.x);
     for (const auto& series : panel.series)
         for (const auto* values : {&series.x, &series.left, &series.right}) extent.see(*values);
@@ -95,6 +117,7 @@ Range x_range(const Panel& panel) {
 }
 
 Range y_range(const Panel& panel) {
+    if (panel.map) return {0.0, panel.map->height};
     Extent extent(panel.y);
     for (const auto& series : panel.series)
         for (const auto* values : {&series.y, &series.lower, &series.upper}) extent.see(*values);

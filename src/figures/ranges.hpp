@@ -21,6 +21,9 @@ void require_drawable(const Panel& panel);
 [[nodiscard]] Range x_range(const Panel& panel);
 [[nodiscard]] Range y_range(const Panel& panel);
 
+/// The values at the ends of a map's colours: those it states, else those it holds.
+[[nodiscard]] Range value_range(const HeatMap& map);
+
 /// Where along an axis a value lies: 0 at from, 1 at to.
 [[nodiscard]] double share(const Axis& axis, const Range& range, double value);
 

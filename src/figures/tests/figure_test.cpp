@@ -296,11 +296,12 @@ TEST(FigureData, AreARowAPoint) {
     figure.panels.push_back(figure.panels[0]);
     figure.panels[1].title = "B";
     figure.panels[1].x.unit = "";
+    figure.panels[1].series[0].names = {"first", "second", "third"};
     write_data(figure, folder / "a.csv");
     const auto text = content_of(folder / "a.csv");
-    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right");
-    EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"), std::string::npos) << text;
+    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right");
+    EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",,wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",third,wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"), std::string::npos) << text;
     EXPECT_EQ(count(text, "\n"), 7u);
 }
 

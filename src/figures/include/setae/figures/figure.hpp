@@ -31,6 +31,7 @@ struct Series {
     int dash = -1;              ///< of a line, 0 solid; -1: as symbol
     double line_width = 1.3;    ///< of a line [points], about
     double opacity = 1.0;       ///< of line and symbols, 0 … 1
+    bool in_legend = true;      ///< false: the label stands in the data alone
     bool legend_only = false;   ///< explains what other series share; it has no points of its own
     std::vector<std::string> names;  ///< of the points, where each is a thing of its own; empty: none. Not drawn; in the data
 };
@@ -100,14 +101,25 @@ struct Figure {
 /// Source of the colours: Okabe, Ito, Color Universal Design (2008), https://jfly.uni-koeln.de/color/.
 [[nodiscard]] std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending, const std::string& output_file);
 
+/// Bytes of a file with a figure, drawn by gnuplot. ending: "svg", "pdf" or "png". No date enters it, and nothing outside it is referred to.
+/// @throws as draw.
+[[nodiscard]] std::string drawn(const Figure& figure, const std::string& ending);
+
+/// Which gnuplot draws: its path, size and time of change, without running it. Empty where there is none.
+[[nodiscard]] std::string drawing_program();
+
 /// Draws a figure by gnuplot into a file whose ending is .svg, .pdf or .png, replaced as a whole. No date enters the file.
 /// @throws InvalidArgument as gnuplot_script; FileError where the file cannot be written, where gnuplot fails (with its own
 /// words) or where there is no gnuplot (with what to install).
 void draw(const Figure& figure, const std::string& path);
 
-/// Writes the numbers of a figure as CSV, one row a point: panel, series, quantity, unit and value along x and along y,
-/// lower, upper, left, right; empty where there is none or NaN. Panels without title are numbered from 1.
-/// @throws InvalidArgument for series whose arrays differ in length; FileError.
+/// The numbers of a figure as CSV, one row a point: panel, series, name of the point, quantity, unit and value along x and along y,
+/// lower, upper, left, right; empty where there is none or NaN. Panels without title are numbered from 1. Where a panel holds a map,
+/// the quantity, unit and value of its cells are in three more columns.
+/// @throws InvalidArgument for series whose arrays differ in length.
+[[nodiscard]] std::string data_text(const Figure& figure);
+
+/// Writes them. @throws as data_text; FileError.
 void write_data(const Figure& figure, const std::string& path);
 
 }  // namespace setae::figures

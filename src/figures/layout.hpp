@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "ranges.hpp"
+
+namespace setae::figures {
+
+inline constexpr double letters_mm = 1.45;  ///< mean width of a letter of small text
+inline constexpr double colour_bar_mm = 2.0, colour_bar_gap_mm = 1.5;
+
+/// Edges of something within the figure [mm], from its bottom left corner.
+struct Box {
+    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+};
+
+/// Where a panel's axes and what belongs to them stand.
+struct Layout {
+    Box cell;   ///< with titles and numbers
+    Box axes;
+    double legend_left = 0.0;  ///< of a legend beside the axes
+};
+
+/// @throws InvalidArgument where no room is left for the axes.
+[[nodiscard]] Layout layout_of(const Figure& figure, std::size_t panel);
+
+/// Entries of a panel's legend and the letters of its longest.
+struct LegendSize {
+    std::size_t entries = 0, letters = 0;
+
+    [[nodiscard]] double width_mm() const { return 11.0 + letters_mm * static_cast<double>(letters); }
+    [[nodiscard]] double height_mm() const { return 1.5 + 3.4 * static_cast<double>(entries); }
+};
+[[nodiscard]] LegendSize legend_size(const Panel& panel);
+
+/// Characters of UTF-8 text.
+[[nodiscard]] std::size_t letters_in(const std::string& text);
+
+}  // namespace setae::figures

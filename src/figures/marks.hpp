@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ranges.hpp"
+
+namespace setae::figures {
+
+/// A colour of the palette for gnuplot, in quotes. opacity: 0 … 1.
+[[nodiscard]] std::string colour_name(int index, double opacity = 1.0);
+
+/// The points of a series, one a line: x y lower upper left right. An empty line where the curve is interrupted.
+[[nodiscard]] std::string data_lines(const Panel& panel, const Series& series, const Range& x, const Range& y);
+
+/// What draws a series: elements of a plot command.
+///
+/// place: of the series in its panel.  data: name of its points.  symbol_size: of gnuplot's.
+[[nodiscard]] std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, double symbol_size);
+
+/// The cells of a map, one a line: x y value, those of one x together.
+[[nodiscard]] std::string map_lines(const HeatMap& map);
+
+}  // namespace setae::figures
