@@ -10,6 +10,7 @@ find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)
 
 find_package(Ceres REQUIRED)
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)
+find_package(cereal REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

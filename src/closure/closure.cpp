@@ -34,8 +34,8 @@ Closure run_closure(const std::string& recipe, const ClosureOptions& options) {
         constexpr parallel::Threads one{1};
         const auto planted = planted_in(made);
         const auto study = study_of(folder, options);
-        auto rows = comparisons(run, made, planted, workflow::run_study(study, one));
-        const auto paper = comparisons_by_paper(run, made, planted, workflow::run_study(by_paper(study), one));
+        auto rows = comparisons(run, made, planted, workflow::run_study(study, {one}));
+        const auto paper = comparisons_by_paper(run, made, planted, workflow::run_study(by_paper(study), {one}));
         rows.insert(rows.end(), paper.begin(), paper.end());
         return rows;
     });

@@ -2,24 +2,17 @@
 #include "setae/workflow/provenance.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/io/digest.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/io/source.hpp"
 
 extern const char* const setae_source_digest;  // cmake/source_digest.cmake
 
 namespace setae::workflow {
 namespace {
-
-/// A path as the study's author wrote it, where the file is beside or below the study.
-std::string as_named(const std::string& path, const std::string& study) {
-    const auto relative = std::filesystem::path(path).lexically_proximate(std::filesystem::path(study).parent_path()).generic_string();
-    return relative.starts_with("..") ? path : relative;
-}
 
 std::vector<std::string> named_files(const Study& study) {
     std::vector<std::string> files{study.path};
@@ -46,11 +39,11 @@ std::vector<InputFile> input_files(const Study& study, parallel::Threads threads
     const auto names = named_files(study);
     std::vector<InputFile> inputs(names.size());
     parallel::for_each_index(names.size(), threads, [&](std::size_t i) {
-        inputs[i].path = as_named(names[i], study.path);
+        inputs[i].path = names[i];
         try {
-            const auto content = io::read_file(names[i]);
-            inputs[i].sha256 = io::sha256(content);
-            inputs[i].size = content.size();
+            const auto source = io::file_source(names[i]);
+            inputs[i].sha256 = io::sha256(source);
+            inputs[i].size = source.size;
         } catch (const FileError&) {
             // without digest: whoever reads the file says why
         }

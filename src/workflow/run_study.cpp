@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include "pairs.hpp"
+#include "run.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/experiment/rubber.hpp"
 #include "setae/workflow/loop_file.hpp"
 #include "setae/workflow/study_result.hpp"
 #include "statistics.hpp"
+#include "surface_run.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -32,7 +34,7 @@ double memory_of(const SurfaceInput& surface) {
 }
 
 /// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go into each.
-std::vector<SurfaceResult> analyse_surfaces(const Study& study, parallel::Threads threads) {
+std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
     constexpr double most_memory = 2e9;  // [bytes]
     std::vector<double> memory;
     for (const auto& surface : study.surfaces) memory.push_back(memory_of(surface));
@@ -45,29 +47,52 @@ std::vector<SurfaceResult> analyse_surfaces(const Study& study, parallel::Thread
     std::vector<SurfaceResult> results(study.surfaces.size());
     const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
     parallel::for_each_index(results.size(), {std::max(1, at_once)},
-                             [&](std::size_t i) { results[i] = analyse_surface(study.surfaces[i], study.analysis, inside); });
+                             [&](std::size_t i) {
+                                 run.stop_if_cancelled();
+                                 results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside);
+                             });
     return results;
 }
 
-ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study) {
+/// @throws InvalidArgument where nobody says how large the sphere is.
+experiment::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& study) {
+    const auto& elastomer = *study.elastomer(input.elastomer);
+    const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
+    if (!radius) throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'", input.file, elastomer.name));
+    experiment::LensAndCounterBody bodies;
+    bodies.radius = *radius;
+    bodies.lens_poisson_ratio = elastomer.poisson_ratio;
+    bodies.counter_youngs_modulus = study.counter_youngs_modulus;
+    bodies.counter_poisson_ratio = study.counter_poisson_ratio;
+    bodies.lens_height = elastomer.sphere_height;
+    return bodies;
+}
+
+ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study, Run& run) {
     ExperimentResult result;
     result.input = input;
+    bool cached = false;
     try {
-        const auto& elastomer = *study.elastomer(input.elastomer);
-        const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
-        if (!radius) throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'", input.file, elastomer.name));
-        experiment::LensAndCounterBody bodies;
-        bodies.radius = *radius;
-        bodies.lens_poisson_ratio = elastomer.poisson_ratio;
-        bodies.counter_youngs_modulus = study.counter_youngs_modulus;
-        bodies.counter_poisson_ratio = study.counter_poisson_ratio;
-        bodies.lens_height = elastomer.sphere_height;
-        result.analysis = analyse_loop_file(input.file, input.mapping, bodies);
+        const auto bodies = bodies_of(input, study);
+        const auto key = experiment_key(run, input, bodies);
+        result.analysis = run.find<experiment::LoopAnalysis>(key);
+        cached = result.analysis.has_value();
+        if (!cached) {
+            result.analysis = analyse_loop_file(input.file, input.mapping, bodies);
+            run.keep(key, *result.analysis);
+        }
         result.alerts = result.analysis->alerts;
     } catch (const Error& error) {
         result.error = error.what();
     }
+    run.step_done("experiment", input.file, cached);
     return result;
+}
+
+std::size_t steps_of(const Study& study) {
+    std::size_t steps = study.surfaces.size() + study.experiments.size();
+    for (const auto& surface : study.surfaces) steps += surface.measurements.size();
+    return steps;
 }
 
 void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
@@ -144,14 +169,19 @@ const ElastomerResult& StudyResult::elastomer(const std::string& name) const {
     throw InternalError(fmt::format("elastomer '{}' is not in the study", name));
 }
 
-StudyResult run_study(Study study, parallel::Threads threads) {
+StudyResult run_study(Study study, const RunOptions& options) {
     StudyResult result;
     result.study = std::move(study);
     const auto& inputs = result.study;
-    result.surfaces = analyse_surfaces(inputs, threads);
+    result.inputs = input_files(inputs, options.threads);
+    Run run(options, result.inputs);
+    run.expect(steps_of(inputs));
+    result.surfaces = analyse_surfaces(inputs, run, options.threads);
     result.experiments.resize(inputs.experiments.size());
-    parallel::for_each_index(inputs.experiments.size(), threads,
-                             [&](std::size_t i) { result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs); });
+    parallel::for_each_index(inputs.experiments.size(), options.threads, [&](std::size_t i) {
+        if (!run.cancelled()) result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs, run);
+    });
+    run.stop_if_cancelled();
     for (const auto& input : inputs.elastomers) {
         ElastomerResult elastomer;
         elastomer.input = input;
@@ -162,6 +192,25 @@ StudyResult run_study(Study study, parallel::Threads threads) {
     const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
     if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
     return related(std::move(result));
+}
+
+std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options) {
+    const Run run(options, input_files(study, options.threads));
+    std::vector<PlannedStep> steps;
+    for (const auto& surface : study.surfaces)
+        for (auto& step : planned_steps(surface, study.analysis, run)) steps.push_back(std::move(step));
+    for (const auto& input : study.experiments) {
+        PlannedStep step{"experiment", input.file, {}, false};
+        try {
+            const auto key = experiment_key(run, input, bodies_of(input, study));
+            if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
+            step.cached = options.store && options.store->holds(key);
+        } catch (const Error& error) {
+            step.error = error.what();
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
 }
 
 }  // namespace setae::workflow

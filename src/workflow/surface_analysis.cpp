@@ -7,6 +7,7 @@
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
+#include "surface_run.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::workflow {
@@ -39,16 +40,19 @@ std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Measuremen
 
 struct Task {
     std::string file;
+    std::string key;  ///< of its result; empty: none
     std::function<PreparedMeasurement()> prepare;
 };
 
-std::vector<Task> tasks_of(const SurfaceInput& input) {
+std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
     std::vector<Task> tasks;
     for (const auto& measurement : input.measurements) {
         try {
-            for (auto& prepare : prepared_measurements(measurement)) tasks.push_back({measurement.file, std::move(prepare)});
+            std::size_t ordinal = 0;
+            for (auto& prepare : prepared_measurements(measurement))
+                tasks.push_back({measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(prepare)});
         } catch (const Error& error) {
-            tasks.push_back({measurement.file, [message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }});
+            tasks.push_back({measurement.file, {}, [message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }});
         }
     }
     return tasks;
@@ -61,23 +65,32 @@ bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurement
 
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
 /// order, else nothing: maps need not all fit into memory at once for an average.
-std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
-    const auto tasks = tasks_of(input);
+std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                                                      parallel::Threads threads) {
+    const auto tasks = tasks_of(input, options, run);
+    run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()));
     const bool keep = wants_likelihood(options, std::ssize(tasks));
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
     const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
     parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) {
+        if (run.cancelled()) return;
+        const auto& task = tasks[i];
         auto& result = surface.measurements[i];
+        auto found = run.find<MeasurementResult>(task.key);
         try {
-            auto prepared = tasks[i].prepare();
-            result = analyse_measurement(prepared, options, inside);
+            PreparedMeasurement prepared;
+            if (keep || !found) prepared = task.prepare();
+            result = found ? std::move(*found) : analyse_measurement(prepared, options, inside);
+            if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const Error& error) {
             result.error = error.what();
         }
-        result.file = tasks[i].file;
+        result.file = task.file;
+        run.step_done("measurement", task.file, found.has_value());
     });
+    run.stop_if_cancelled();
     return kept;
 }
 
@@ -121,7 +134,14 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     return result;
 }
 
-SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads) {
+    const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
+    if (auto found = run.find<SurfaceResult>(key)) {
+        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()));
+        for (const auto& measurement : found->measurements) run.step_done("measurement", measurement.file, true);
+        run.step_done("surface", input.name, true);
+        return std::move(*found);
+    }
     SurfaceResult surface;
     surface.name = input.name;
     try {
@@ -130,14 +150,40 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
         } else if (input.power_spectrum) {
             take_power_spectrum(surface, *input.power_spectrum, options);
         } else {
-            auto prepared = analyse_measurements(surface, input, options, threads);
+            auto prepared = analyse_measurements(surface, input, options, run, threads);
             estimate_by_average(surface, options, threads);
             add_likelihood(surface, std::move(prepared), options, threads);
         }
+        // a failure may be gone the next time
+        if (std::none_of(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); })) run.keep(key, surface);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const Error& error) {
         surface.error = error.what();
     }
+    run.step_done("surface", input.name, false);
     return surface;
+}
+
+SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+    Run run;
+    return analyse_surface(input, options, run, threads);
+}
+
+std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
+    const auto held = [&run](const std::string& key) { return !key.empty() && run.store() && run.store()->holds(key); };
+    const bool whole = !input.measurements.empty() && held(surface_key(run, input, options));
+    std::vector<PlannedStep> steps;
+    for (const auto& measurement : input.measurements) {
+        try {
+            for (std::size_t ordinal = 0; ordinal < prepared_measurements(measurement).size(); ++ordinal)
+                steps.push_back({"measurement", measurement.file, {}, whole || held(measurement_key(run, measurement, ordinal, options))});
+        } catch (const Error& error) {
+            steps.push_back({"measurement", measurement.file, error.what(), false});
+        }
+    }
+    steps.push_back({"surface", input.name, {}, whole});
+    return steps;
 }
 
 SpectralParameters parameters_of(const SpectrumCurve& whole, const AnalysisOptions& options) {

@@ -92,7 +92,7 @@ std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::
 ExitCode run(const Arguments& arguments) {
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
-    const auto result = workflow::run_study(study_of(arguments), arguments.common.workers());
+    const auto result = workflow::run_study(study_of(arguments), {arguments.common.workers()});
     const auto code = report_failures(result.surfaces.front());
     if (code == ExitCode::nothing_done) return code;
     const auto& pair = result.pairs.front();

@@ -42,7 +42,7 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
     auto study = workflow::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
-    const auto result = workflow::run_study(std::move(study), arguments.common.workers());
+    const auto result = workflow::run_study(std::move(study), {arguments.common.workers()});
     show_failures(result);
     const auto files = workflow::write_results(result);
     if (arguments.common.json) {

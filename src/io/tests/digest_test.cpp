@@ -15,5 +15,12 @@ TEST(Digest, AgreesWithItsStandards) {
     EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Digest, OfASourceIsThatOfItsContent) {
+    std::string content(10000019, '\0');
+    for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * i % 251);
+    EXPECT_EQ(sha256(memory_source("memory", content)), sha256(content));
+    EXPECT_EQ(sha256(memory_source("memory", "")), sha256(""));
+}
+
 }  // namespace
 }  // namespace setae::io

@@ -45,6 +45,12 @@ public:
     using Error::Error;
 };
 
+/// The caller asked to stop before all was done.
+class Cancelled : public Error {
+public:
+    using Error::Error;
+};
+
 /// A state setae promised could not happen: please report it.
 class InternalError : public Error {
 public:

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "setae/io/source.hpp"
+
 namespace setae::io {
 
 /// MD5 digest as 32 lower-case hexadecimal digits: the checksum X3P files carry, no protection against intent.
@@ -12,5 +14,7 @@ namespace setae::io {
 
 /// SHA-256 digest as 64 lower-case hexadecimal digits. Source: FIPS 180-4.
 [[nodiscard]] std::string sha256(std::string_view bytes);
+/// Of a whole source, read piece by piece. @throws what reading it throws.
+[[nodiscard]] std::string sha256(const Source& source);
 
 }  // namespace setae::io

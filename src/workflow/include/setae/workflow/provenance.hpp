@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "setae/parallel/for_each.hpp"
 #include "setae/workflow/study.hpp"
 
 namespace setae::workflow {
 
 /// A file a study read.
 struct InputFile {
-    std::string path;    ///< as the study names it, relative to the study file where it is beside or below it
+    std::string path;    ///< as results name it
     std::string sha256;  ///< of its content, 64 hexadecimal digits; empty where it could not be read
     std::uintmax_t size = 0;  ///< [bytes]
 };

@@ -12,6 +12,7 @@
 #include "setae/experiment/reference_loop.hpp"
 #include "setae/workflow/pair_fit.hpp"
 #include "setae/workflow/provenance.hpp"
+#include "setae/workflow/run_options.hpp"
 #include "setae/workflow/study.hpp"
 #include "setae/workflow/surface_analysis.hpp"
 
@@ -135,7 +136,18 @@ struct StudyResult {
 };
 
 /// Runs a study. Failures of single items stand in the result and do not stop the rest.
-/// The result does not depend on the number of threads.
-[[nodiscard]] StudyResult run_study(Study study, parallel::Threads threads = {});
+/// The result does not depend on the options: not on threads, and not on what a store already holds.
+/// @throws Cancelled where the options say so; what is done by then is in the store.
+[[nodiscard]] StudyResult run_study(Study study, const RunOptions& options = {});
+
+/// One step of a study and whether its result is already in the store.
+struct PlannedStep {
+    std::string stage, item;  ///< as Progress
+    std::string error;        ///< why it will fail, as far as its files say so
+    bool cached = false;
+};
+
+/// What run_study() would do, without doing it: files are opened, not analysed.
+[[nodiscard]] std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options = {});
 
 }  // namespace setae::workflow

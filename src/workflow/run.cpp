@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run.hpp"
+
+#include "setae/cache/key.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::workflow {
+namespace {
+
+/// Adds the content of files; false where that of one is unknown.
+bool add_content(cache::KeyBuilder& key, const Run& run, const std::vector<std::string>& files) {
+    for (const auto& file : files) {
+        const auto digest = run.digest(file);
+        if (digest.empty()) return false;
+        key.add("content", digest);
+    }
+    return true;
+}
+
+std::vector<std::string> files_of(const MeasurementInput& input) {
+    auto files = input.references;
+    files.push_back(input.file);
+    return files;
+}
+
+}  // namespace
+
+Run::Run(const RunOptions& options, const std::vector<InputFile>& inputs) : options_(options) {
+    for (const auto& input : inputs) digests_[input.path] = input.sha256;
+}
+
+std::string Run::digest(const std::string& file) const {
+    const auto found = digests_.find(file);
+    return found == digests_.end() ? std::string() : found->second;
+}
+
+void Run::expect(std::size_t steps) {
+    const std::lock_guard lock(mutex_);
+    total_ += steps;
+}
+
+void Run::step_done(const std::string& stage, const std::string& item, bool cached) {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (options_.progress) options_.progress({stage, item, done_, total_, cached});
+}
+
+void Run::stop_if_cancelled() const {
+    if (cancelled()) throw Cancelled("stopped before all was done");
+}
+
+std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options) {
+    cache::KeyBuilder key("measurement");
+    // what analyse_measurement() looks at
+    AnalysisOptions relevant;
+    relevant.window = options.window;
+    relevant.contours = options.contours;
+    relevant.tip_percentile = options.tip_percentile;
+    key.add("input", bytes_of(input)).add("ordinal", std::to_string(ordinal)).add("options", bytes_of(relevant));
+    return add_content(key, run, files_of(input)) ? key.key() : std::string();
+}
+
+std::string surface_key(const Run& run, const SurfaceInput& input, const AnalysisOptions& options) {
+    cache::KeyBuilder key("surface");
+    auto relevant = options;
+    relevant.cutoff_scan.clear();
+    key.add("input", bytes_of(input)).add("options", bytes_of(relevant));
+    for (const auto& measurement : input.measurements)
+        if (!add_content(key, run, files_of(measurement))) return {};
+    return key.key();
+}
+
+std::string experiment_key(const Run& run, const ExperimentInput& input, const experiment::LensAndCounterBody& bodies) {
+    cache::KeyBuilder key("experiment");
+    key.add("file", input.file).add("bodies", bytes_of(bodies));
+    std::vector<std::string> files{input.file};
+    if (input.mapping) files.push_back(*input.mapping);
+    return add_content(key, run, files) ? key.key() : std::string();
+}
+
+}  // namespace setae::workflow
