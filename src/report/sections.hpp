@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/report/report.hpp"
+#include "setae/workflow/json.hpp"
+
+namespace setae::report {
+
+/// Per measurement the band that is trusted and what limited it; what failed, with its reason.
+[[nodiscard]] std::string cut_html(const workflow::StudyResult& result, const workflow::Json& study);
+
+/// Every alert, grouped by code.
+[[nodiscard]] std::string alerts_html(const workflow::StudyResult& result);
+
+/// What was done to each measurement, and the methods in words.
+[[nodiscard]] std::string steps_html(const workflow::StudyResult& result);
+[[nodiscard]] std::string methods_html(const workflow::StudyResult& result);
+
+/// Version, command, time, inputs with their digests, options.
+[[nodiscard]] std::string provenance_html(const workflow::StudyResult& result, const RunRecord& run);
+
+/// What to cite.
+[[nodiscard]] std::string references_html();
+
+}  // namespace setae::report
