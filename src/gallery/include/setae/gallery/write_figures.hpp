@@ -32,8 +32,15 @@ struct WrittenFigure {
 /// @throws FileError where the folder cannot be made.
 std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures, const WriteOptions& options);
 
-/// The numbers of a figure as CSV, under lines "# …" that say its title, identifier, the version of setae and the command that makes
-/// it again.
-[[nodiscard]] std::string data_of(const StudyFigure& figure, const WriteOptions& options);
+/// The command that makes a figure again: "setae plot STUDY --figure ID -o NAME.svg".
+[[nodiscard]] std::string command_of(const StudyFigure& figure, const std::string& study, FigureWidth width = FigureWidth::double_column);
+
+/// The numbers of a figure as CSV, under lines "# …" that say its title, identifier, caption, the version of setae and the command
+/// that makes it again.
+[[nodiscard]] std::string data_of(const StudyFigure& figure, const std::string& study, FigureWidth width = FigureWidth::double_column);
+
+/// A drawable figure as bytes of an svg, pdf or png, from the store where it was drawn before by the same gnuplot.
+/// @throws as figures::drawn.
+[[nodiscard]] std::string bytes_of(const StudyFigure& figure, const std::string& ending, const cache::Store* store = nullptr);
 
 }  // namespace setae::gallery

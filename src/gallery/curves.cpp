@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curves.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "drawing.hpp"
+#include "setae/synthesis/abel.hpp"
+
+namespace setae::gallery {
+namespace {
+
+constexpr double normal_95 = 1.959963984540054;
+
+/// Nodes of a curve that lie in its band and show something.
+Curve usable(const roughness::SpectrumCurve& curve) {
+    std::vector<double> q, values;
+    for (Index i = 0; i < curve.wavevector.size(); ++i) {
+        if (!(curve.values[i] > 0.0) || curve.wavevector[i] < curve.band.lower || curve.wavevector[i] > curve.band.upper) continue;
+        q.push_back(curve.wavevector[i]);
+        values.push_back(curve.values[i]);
+    }
+    return {array_of(q), array_of(values)};
+}
+
+/// Standard error of the average at each node of a curve, NaN where the bin has one measurement.
+Array1D standard_errors(const spectra::CombinedSpectrum& combined, const Array1D& wavevector) {
+    Array1D errors = Array1D::Constant(wavevector.size(), undefined);
+    Index k = 0;
+    for (Index i = 0; i < wavevector.size(); ++i) {
+        while (k < combined.wavevector.size() && combined.wavevector[k] < wavevector[i]) ++k;
+        if (k < combined.wavevector.size() && combined.wavevector[k] == wavevector[i]) errors[i] = combined.standard_error[k];
+    }
+    return errors;
+}
+
+SurfaceCurve fitted_curve(const workflow::FittedSpectrum& fitted, const Array1D& values, const Array1D& log_error) {
+    return {fitted.wavevector, values, values * (-normal_95 * log_error).exp(), values * (normal_95 * log_error).exp(), "likelihood"};
+}
+
+}  // namespace
+
+std::optional<SurfaceCurve> C1D_of(const workflow::SurfaceResult& surface) {
+    if (surface.failed()) return std::nullopt;
+    if (surface.method == workflow::SpectrumMethod::likelihood && surface.fitted)
+        return fitted_curve(*surface.fitted, surface.fitted->C1D, surface.fitted->log_C1D_standard_error);
+    const auto& whole = surface.average.curve;
+    const auto nodes = usable(whole);
+    if (nodes.x.size() < 2) return std::nullopt;
+    SurfaceCurve curve{.method = workflow::method_name(surface, workflow::SpectrumMethod::average)};
+    if (whole.density == roughness::Density::C_iso) {
+        // the last node is the end of the spectrum, where the integral is 0
+        curve.wavevector = nodes.x.head(nodes.x.size() - 1);
+        curve.values = synthesis::profile_from_isotropic(nodes.x, nodes.y, curve.wavevector);
+        return curve;
+    }
+    const bool bins = surface.combined && whole.nodes == roughness::Nodes::power_law;
+    if (!bins) {
+        const auto thin = log_means(nodes, 400);
+        curve.wavevector = thin.x;
+        curve.values = thin.y;
+        return curve;
+    }
+    curve.wavevector = nodes.x;
+    curve.values = nodes.y;
+    const Array1D errors = standard_errors(*surface.combined, nodes.x);
+    if (errors.isNaN().all()) return curve;
+    curve.lower = nodes.y - normal_95 * errors;
+    curve.upper = nodes.y + normal_95 * errors;
+    return curve;
+}
+
+std::optional<SurfaceCurve> C_iso_of(const workflow::SurfaceResult& surface, roughness::Conversion conversion) {
+    if (surface.failed()) return std::nullopt;
+    if (surface.method == workflow::SpectrumMethod::likelihood && surface.fitted)
+        return fitted_curve(*surface.fitted, surface.fitted->C_iso, surface.fitted->log_C_iso_standard_error);
+    const auto& whole = surface.average.curve;
+    if (whole.density == roughness::Density::C_iso) {
+        const auto nodes = usable(whole);
+        return SurfaceCurve{.wavevector = nodes.x, .values = nodes.y, .method = workflow::method_name(surface, workflow::SpectrumMethod::average)};
+    }
+    auto curve = C1D_of(surface);
+    if (!curve) return std::nullopt;
+    std::vector<Index> below;
+    for (Index i = 0; i < curve->wavevector.size(); ++i)
+        if (curve->wavevector[i] < whole.band.upper) below.push_back(i);
+    if (below.size() < 2) return std::nullopt;
+    const Array1D q = taken(curve->wavevector, below), C1D = taken(curve->values, below);
+    curve->wavevector = q;
+    curve->values = conversion == roughness::Conversion::exact ? synthesis::isotropic_from_profile(q, C1D, whole.band.upper)
+                                                               : synthesis::isotropic_from_profile_eq11(q, C1D, whole.band.upper);
+    curve->lower = curve->upper = {};
+    return curve;
+}
+
+std::string method_in_words(const std::string& method) {
+    if (method == "likelihood") return "fitted to all measurements at once";
+    if (method == "average") return "averaged over the measurements";
+    return method == "moments" ? "reconstructed from published moments" : "given as a table";
+}
+
+}  // namespace setae::gallery
