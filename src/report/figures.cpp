@@ -95,7 +95,8 @@ std::string figure_html(const gallery::StudyFigure& figure, std::size_t number, 
     if (!figure.drawable()) return html + "<p class=\"reason\">Not drawn: " + escaped(figure.reason) + ".</p></section>\n";
     html += fmt::format("<div class=\"tools\" role=\"group\" aria-label=\"Figure {0}\">"
                         "<button type=\"button\" data-action=\"x\" aria-pressed=\"false\">log x</button><button type=\"button\" data-action=\"y\" aria-pressed=\"false\">log y</button>"
-                        "<button type=\"button\" data-action=\"legend\" aria-pressed=\"true\">legend</button><button type=\"button\" data-action=\"svg\">SVG</button>"
+                        "<button type=\"button\" data-action=\"legend\" aria-pressed=\"true\">legend</button><button type=\"button\" data-action=\"reset\">whole view</button>"
+                        "<button type=\"button\" data-action=\"svg\">SVG</button>"
                         "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
                         escaped(figure.identifier));
     html += fmt::format("<div class=\"plots\" data-label=\"{}\"></div>", escaped(figure.title + ". " + figure.caption));
