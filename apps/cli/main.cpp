@@ -36,7 +36,11 @@ int main(int argc, char** argv) {
     add_jkr(program, action);
     add_synthesize(program, action);
     add_study(program, action);
+    add_plot(program, action);
     add_lab(program, action);
+    add_cache(program, action);
+    add_completion(program, action);
+    add_man(program, action);
     if (const auto message = unknown_verb(program, argc, argv); !message.empty()) {
         complain(message);
         return static_cast<int>(ExitCode::nothing_done);

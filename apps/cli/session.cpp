@@ -12,7 +12,7 @@ namespace setae::cli {
 void add_common(CLI::App& verb, Common& common) {
     verb.add_flag("--json", common.json, "print JSON, SI units");
     verb.add_flag("--explain", common.explain, "print formulas and sources, then stop");
-    verb.add_option("--threads", common.threads, "number of threads; the result is the same for any")->check(CLI::Range(1, 1024));
+    verb.add_option("--threads", common.threads, "number of threads; the result is the same for any")->check(CLI::Range(1, 1024))->option_text("N");
 }
 
 void print(const std::string& text) { std::fputs(text.c_str(), stdout); }

@@ -34,19 +34,37 @@ std::string Run::digest(const std::string& file) const {
     return found == digests_.end() ? std::string() : found->second;
 }
 
-void Run::expect(std::size_t steps) {
+void Run::expect(std::size_t steps, double work) {
     const std::lock_guard lock(mutex_);
     total_ += steps;
+    work_ += static_cast<double>(steps) * work;
 }
 
-void Run::step_done(const std::string& stage, const std::string& item, bool cached) {
+void Run::say(const std::string& stage, const std::string& item, bool begins, bool cached) const {
+    if (options_.progress) options_.progress({stage, item, begins, cached, done_, total_, work_done_ / work_, work_computed_ / work_});
+}
+
+void Run::step_begins(const std::string& stage, const std::string& item) {
+    const std::lock_guard lock(mutex_);
+    say(stage, item, true, false);
+}
+
+void Run::step_done(const std::string& stage, const std::string& item, bool cached, double work) {
     const std::lock_guard lock(mutex_);
     ++done_;
-    if (options_.progress) options_.progress({stage, item, done_, total_, cached});
+    work_done_ += work;
+    if (!cached) work_computed_ += work;
+    say(stage, item, false, cached);
 }
 
 void Run::stop_if_cancelled() const {
     if (cancelled()) throw Cancelled("stopped before all was done");
+}
+
+double surface_work(const AnalysisOptions& options, std::size_t measurements) {
+    constexpr double share_of_a_fit = 8.0;
+    const bool fitted = options.spectrum ? *options.spectrum == SpectrumMethod::likelihood : measurements > 1;
+    return fitted ? share_of_a_fit * static_cast<double>(measurements) : 1.0;
 }
 
 std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options) {

@@ -23,9 +23,10 @@ public:
     /// SHA-256 of an input's content; empty where it is not known.
     [[nodiscard]] std::string digest(const std::string& file) const;
     [[nodiscard]] const cache::Store* store() const { return options_.store; }
-    /// Steps that are still to come beside those known.
-    void expect(std::size_t steps);
-    void step_done(const std::string& stage, const std::string& item, bool cached);
+    /// Steps that are still to come beside those known, each of so much work.
+    void expect(std::size_t steps, double work);
+    void step_begins(const std::string& stage, const std::string& item);
+    void step_done(const std::string& stage, const std::string& item, bool cached, double work);
     [[nodiscard]] bool cancelled() const { return options_.cancelled && *options_.cancelled; }
     /// @throws Cancelled where the caller asked for it.
     void stop_if_cancelled() const;
@@ -43,11 +44,18 @@ public:
     }
 
 private:
+    void say(const std::string& stage, const std::string& item, bool begins, bool cached) const;
+
     RunOptions options_;
     std::map<std::string, std::string> digests_;
     std::mutex mutex_;
     std::size_t done_ = 0, total_ = 0;
+    double work_done_ = 0.0, work_computed_ = 0.0, work_ = 0.0;
 };
+
+/// Expected work of steps, in measurements: what a bar's time left rests on.
+inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
+[[nodiscard]] double surface_work(const AnalysisOptions& options, std::size_t measurements);
 
 /// Keys of results, from the content of their files and all settings they depend on; empty where a file's content is unknown.
 [[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options);

@@ -72,6 +72,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
     ExperimentResult result;
     result.input = input;
     bool cached = false;
+    run.step_begins("experiment", input.file);
     try {
         const auto bodies = bodies_of(input, study);
         const auto key = experiment_key(run, input, bodies);
@@ -85,14 +86,16 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
     } catch (const Error& error) {
         result.error = error.what();
     }
-    run.step_done("experiment", input.file, cached);
+    run.step_done("experiment", input.file, cached, experiment_work);
     return result;
 }
 
-std::size_t steps_of(const Study& study) {
-    std::size_t steps = study.surfaces.size() + study.experiments.size();
-    for (const auto& surface : study.surfaces) steps += surface.measurements.size();
-    return steps;
+void expect_steps(const Study& study, Run& run) {
+    for (const auto& surface : study.surfaces) {
+        run.expect(surface.measurements.size(), measurement_work);
+        run.expect(1, surface_work(study.analysis, surface.measurements.size()));
+    }
+    run.expect(study.experiments.size(), experiment_work);
 }
 
 void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
@@ -175,7 +178,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     const auto& inputs = result.study;
     result.inputs = input_files(inputs, options.threads);
     Run run(options, result.inputs);
-    run.expect(steps_of(inputs));
+    expect_steps(inputs, run);
     result.surfaces = analyse_surfaces(inputs, run, options.threads);
     result.experiments.resize(inputs.experiments.size());
     parallel::for_each_index(inputs.experiments.size(), options.threads, [&](std::size_t i) {

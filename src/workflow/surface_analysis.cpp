@@ -68,7 +68,7 @@ bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurement
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, Run& run,
                                                       parallel::Threads threads) {
     const auto tasks = tasks_of(input, options, run);
-    run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()));
+    run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
     const bool keep = wants_likelihood(options, std::ssize(tasks));
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
@@ -76,6 +76,7 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
     parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) {
         if (run.cancelled()) return;
         const auto& task = tasks[i];
+        run.step_begins("measurement", task.file);
         auto& result = surface.measurements[i];
         auto found = run.find<MeasurementResult>(task.key);
         try {
@@ -88,7 +89,7 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
             result.error = error.what();
         }
         result.file = task.file;
-        run.step_done("measurement", task.file, found.has_value());
+        run.step_done("measurement", task.file, found.has_value(), measurement_work);
     });
     run.stop_if_cancelled();
     return kept;
@@ -135,11 +136,12 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
 }
 
 SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads) {
+    const double work = surface_work(options, input.measurements.size());
     const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
     if (auto found = run.find<SurfaceResult>(key)) {
-        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()));
-        for (const auto& measurement : found->measurements) run.step_done("measurement", measurement.file, true);
-        run.step_done("surface", input.name, true);
+        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()), measurement_work);
+        for (const auto& measurement : found->measurements) run.step_done("measurement", measurement.file, true, measurement_work);
+        run.step_done("surface", input.name, true, work);
         return std::move(*found);
     }
     SurfaceResult surface;
@@ -151,6 +153,7 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
             take_power_spectrum(surface, *input.power_spectrum, options);
         } else {
             auto prepared = analyse_measurements(surface, input, options, run, threads);
+            run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
             add_likelihood(surface, std::move(prepared), options, threads);
         }
@@ -161,7 +164,7 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
     } catch (const Error& error) {
         surface.error = error.what();
     }
-    run.step_done("surface", input.name, false);
+    run.step_done("surface", input.name, false, work);
     return surface;
 }
 

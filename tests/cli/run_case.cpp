@@ -115,6 +115,7 @@ int main(int argc, char** argv) {
     setenv("CASE", folder.c_str(), 1);
     setenv("DATA", data.c_str(), 1);
     setenv("WORK", work.c_str(), 1);
+    setenv("SETAE_CACHE", (work / "cache").c_str(), 1);  // no case sees what another kept
 
     const auto result = run(expected["command"].value<std::string>().value_or("false"), work);
     Verdict verdict;

@@ -12,9 +12,9 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
+#include "setae/gallery/true_area_of_maps.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::cli {
 namespace {
@@ -27,10 +27,6 @@ constexpr const char* explanation =
     "(9)        A_true/A_app - 1 = (sqrt(pi)/2) h' exp(1/h'^2) erfc(1/h'); h'^2/2 for small, sqrt(pi)/2 h' - 1 for large h'\n"
     "deviation  (A_true/A_app - 1) / that of (9) - 1, mean of the maps and its standard error       [D19] Fig. S7\n";
 
-constexpr std::array hurst_exponents{0.3, 0.8};
-constexpr std::array slopes{0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
-constexpr std::uint64_t maps_each = 3;
-
 struct AreaArguments {
     Common common;
     std::string output = "area";
@@ -38,54 +34,16 @@ struct AreaArguments {
     std::uint64_t seed = 1;
 };
 
-/// One map at one slope.
-struct AreaOfMap {
-    double hurst_exponent, rms_slope, area_ratio;
+using gallery::AreaOfMap;
+using gallery::MeanArea;
+using gallery::maps_each;
 
-    [[nodiscard]] double deviation() const { return (area_ratio - 1.0) / (roughness::gaussian_area_ratio(rms_slope) - 1.0) - 1.0; }
-};
-
-/// Mean over the maps of one Hurst exponent at one slope.
-struct MeanArea {
-    double hurst_exponent, rms_slope, excess_area, deviation, standard_error;
-};
-
-std::vector<AreaOfMap> areas_of_maps(const AreaArguments& arguments) {
-    const double extent = static_cast<double>(arguments.points);
-    std::vector<AreaOfMap> areas;
-    std::uint64_t index = 0;
-    for (const double hurst : hurst_exponents)
-        for (std::uint64_t map_index = 0; map_index < maps_each; ++map_index) {
-            // in units of the distance between points
-            const synthesis::SelfAffine model{1.0, 2.0 * pi * 16.0 / extent, hurst, 0.5 * pi};
-            auto map = synthesis::random_surface(synthesis::density(model), {arguments.points, arguments.points, extent, extent},
-                                                 {.key = synthesis::substream({arguments.seed}, index++), .threads = arguments.common.workers()});
-            double slope_now = roughness::triangulated_area(map, arguments.common.workers()).rms_slope;
-            for (const double slope : slopes) {
-                map.heights *= slope / slope_now;
-                slope_now = slope;
-                const auto area = roughness::triangulated_area(map, arguments.common.workers());
-                areas.push_back({hurst, area.rms_slope, area.area_ratio});
-            }
-        }
-    return areas;
-}
-
-std::vector<MeanArea> means(const std::vector<AreaOfMap>& areas) {
-    constexpr auto count = static_cast<double>(maps_each);
-    std::vector<MeanArea> result;
-    for (std::size_t h = 0; h < hurst_exponents.size(); ++h)
-        for (std::size_t s = 0; s < slopes.size(); ++s) {
-            const auto of_map = [&](std::size_t map) -> const AreaOfMap& { return areas[(h * maps_each + map) * slopes.size() + s]; };
-            double excess = 0.0, deviation = 0.0, square = 0.0;
-            for (std::size_t map = 0; map < maps_each; ++map) {
-                excess += (of_map(map).area_ratio - 1.0) / count;
-                deviation += of_map(map).deviation() / count;
-            }
-            for (std::size_t map = 0; map < maps_each; ++map) square += std::pow(of_map(map).deviation() - deviation, 2.0);
-            result.push_back({hurst_exponents[h], slopes[s], excess, deviation, std::sqrt(square / (count - 1.0) / count)});
-        }
-    return result;
+/// Means of one Hurst exponent, in order of slope.
+std::vector<MeanArea> of_exponent(const std::vector<MeanArea>& areas, double hurst_exponent) {
+    std::vector<MeanArea> found;
+    for (const auto& area : areas)
+        if (area.hurst_exponent == hurst_exponent) found.push_back(area);
+    return found;
 }
 
 /// A formula for the excess area at many slopes.
@@ -105,20 +63,22 @@ figures::Figure figure_of(const std::vector<MeanArea>& areas) {
                      curve("(√π/2) h' − 1", 1.25, 12.0, orange, 2, [](double h) { return 0.5 * std::sqrt(pi) * h - 1.0; })};
     figures::Panel deviation{.title = "B", .x = slope, .y = {.quantity = "deviation from (9)", .unit = "%"}, .horizontal_lines = {0.0}};
     // the hollow symbols last, so that they show what they lie on
-    for (std::size_t h = hurst_exponents.size(); h-- > 0;) {
-        const auto n = static_cast<Index>(slopes.size());
+    for (const double hurst : {0.8, 0.3}) {
+        const auto rows = of_exponent(areas, hurst);
+        const auto n = static_cast<Index>(rows.size());
         Array1D x(n), y(n), difference(n), error(n);
         for (Index i = 0; i < n; ++i) {
-            const auto& area = areas[h * slopes.size() + static_cast<std::size_t>(i)];
+            const auto& area = rows[static_cast<std::size_t>(i)];
             x[i] = area.rms_slope;
             y[i] = area.excess_area;
             difference[i] = 100.0 * area.deviation;
             error[i] = 100.0 * area.standard_error;
         }
-        const auto label = fmt::format("H = {}", hurst_exponents[h]);
-        const auto colour = static_cast<int>(h);
-        excess.series.push_back({.label = label, .x = x, .y = y, .mark = figures::Mark::points, .colour = colour, .hollow = h == 0});
-        deviation.series.push_back({.label = label, .x = x, .y = difference, .lower = difference - error, .upper = difference + error, .colour = colour, .hollow = h == 0});
+        const auto label = fmt::format("H = {}", hurst);
+        const bool hollow = hurst == 0.3;
+        const int colour = hollow ? 0 : 1;
+        excess.series.push_back({.label = label, .x = x, .y = y, .mark = figures::Mark::points, .colour = colour, .hollow = hollow});
+        deviation.series.push_back({.label = label, .x = x, .y = difference, .lower = difference - error, .upper = difference + error, .colour = colour, .hollow = hollow});
     }
     return {.panels = {excess, deviation}, .columns = 2, .width_mm = 178.0, .height_mm = 70.0};
 }
@@ -129,7 +89,9 @@ Table table_of(const std::vector<AreaOfMap>& areas) {
                  {"excess_area_by_9", "1", Array1D(n)}, {"deviation", "1", Array1D(n)}}, {}};
     for (Index i = 0; i < n; ++i) {
         const auto& area = areas[static_cast<std::size_t>(i)];
-        const auto map = (static_cast<std::uint64_t>(i) / slopes.size()) % maps_each;
+        // the maps of an exponent follow each other, each with all its slopes
+        const auto slopes_each = areas.size() / (2 * maps_each);
+        const auto map = (static_cast<std::size_t>(i) / slopes_each) % maps_each;
         const std::array cells{area.hurst_exponent, static_cast<double>(map), area.rms_slope, area.area_ratio - 1.0,
                                roughness::gaussian_area_ratio(area.rms_slope) - 1.0, area.deviation()};
         for (std::size_t column = 0; column < cells.size(); ++column) table.columns[column].values[i] = cells[column];
@@ -138,8 +100,8 @@ Table table_of(const std::vector<AreaOfMap>& areas) {
 }
 
 ExitCode run(const AreaArguments& arguments) {
-    const auto areas = areas_of_maps(arguments);
-    const auto rows = means(areas);
+    const auto areas = gallery::true_area_of_maps({.points = arguments.points, .seed = arguments.seed, .threads = arguments.common.workers()});
+    const auto rows = gallery::means(areas);
     std::error_code ignored;
     std::filesystem::create_directories(arguments.output, ignored);
     const auto path = [&](const char* name) { return (std::filesystem::path(arguments.output) / name).string(); };

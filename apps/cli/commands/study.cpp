@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "interruption.hpp"
+#include "run_arguments.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/workflow/study_tables.hpp"
 #include "verbs.hpp"
@@ -24,8 +29,10 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
+    RunArguments run;
     std::string file;
     std::string output;
+    bool dry_run = false;
 };
 
 void show_failures(const workflow::StudyResult& result) {
@@ -38,21 +45,82 @@ void show_failures(const workflow::StudyResult& result) {
         if (e.failed()) complain(e.error);
 }
 
-ExitCode run(const Arguments& arguments) {
+/// One line a kind of alert, with its first; all of them stand in alerts.csv.
+void show_alerts(const workflow::StudyResult& result) {
+    const auto alerts = workflow::alert_table(result);
+    std::vector<std::pair<std::string, std::size_t>> kinds;
+    const auto code_of = [](const auto& row) { return std::get<std::string>(row[0]); };
+    for (const auto& row : alerts.rows) {
+        const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == code_of(row); });
+        if (known == kinds.end()) kinds.emplace_back(code_of(row), 1);
+        else ++known->second;
+    }
+    for (const auto& [code, count] : kinds) {
+        const auto& first = *std::find_if(alerts.rows.begin(), alerts.rows.end(), [&, &name = code](const auto& row) { return code_of(row) == name; });
+        complain(fmt::format("{}: {}: {}{}", code, std::get<std::string>(first[1]), std::get<std::string>(first[2]),
+                             count > 1 ? fmt::format(" (and {} more in alerts.csv)", count - 1) : std::string()));
+    }
+}
+
+workflow::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
     auto study = workflow::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
-    const auto result = workflow::run_study(std::move(study), {arguments.common.workers()});
+    return study;
+}
+
+/// What a run would do, and what it would take from the store.
+ExitCode show_plan(const Arguments& arguments) {
+    const auto study = study_of(arguments);
+    const auto store = arguments.run.store();
+    workflow::RunOptions options;
+    options.threads = arguments.common.workers();
+    options.store = &store;
+    const auto steps = workflow::planned_steps(study, options);
+    const auto state = [](const workflow::PlannedStep& step) { return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do"; };
+    const auto count = [&](const std::string& what) { return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; }); };
+    if (arguments.common.json) {
+        workflow::Json json{{"study", study.path}, {"output", study.output}, {"cache", store.folder()}, {"steps", workflow::Json::array()}};
+        for (const auto& step : steps) {
+            json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
+            if (!step.error.empty()) json["steps"].back()["error"] = step.error;
+        }
+        print_json(json);
+    } else {
+        for (const auto& step : steps) print(fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
+        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n", steps.size(), count("to do"), count("kept"),
+                          count("fails"), study.output));
+    }
+    return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
+}
+
+workflow::StudyResult result_of(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    try {
+        return workflow::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+    } catch (const Cancelled&) {
+        display.finish();
+        complain(fmt::format("stopped after {} of {} steps; {}", display.done(), display.total(),
+                             store.enabled() ? "what is done is kept, the same command goes on from there" : "nothing is kept without a cache"));
+        end_as_interrupted();
+    }
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.dry_run) return show_plan(arguments);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress);
+    const auto result = result_of(arguments, store, display);
+    display.finish();
     show_failures(result);
     const auto files = workflow::write_results(result);
     if (arguments.common.json) {
         print_json(workflow::to_json(result));
     } else {
         print(workflow::summary(result));
-        for (const auto& row : workflow::alert_table(result).rows)
-            complain(fmt::format("{}: {}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1]), std::get<std::string>(row[2])));
+        show_alerts(result);
         print(fmt::format("Results: {} ({} files)\n", result.study.output, files.size()));
     }
+    report_traffic(store);
     if (result.failures() == 0) return ExitCode::done;
     return result.successes() > 0 ? ExitCode::some_failed : ExitCode::nothing_done;
 }
@@ -64,6 +132,8 @@ void add_study(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("study", "run a study: surfaces, elastomers, experiments → tables and fits");
     verb->add_option("file", arguments->file, "TOML file of the study");
     verb->add_option("--output", arguments->output, "folder of the results; default: beside the study");
+    arguments->run.add_to(*verb);
+    verb->add_flag("--dry-run", arguments->dry_run, "list the steps and what of them is kept from earlier runs, then stop");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -16,5 +16,9 @@ void add_jkr(CLI::App& program, Action& action);
 void add_synthesize(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
+void add_plot(CLI::App& program, Action& action);
+void add_cache(CLI::App& program, Action& action);
+void add_completion(CLI::App& program, Action& action);
+void add_man(CLI::App& program, Action& action);
 
 }  // namespace setae::cli

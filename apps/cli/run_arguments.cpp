@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_arguments.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "interruption.hpp"
+#include "session.hpp"
+#include "setae/workflow/provenance.hpp"
+
+namespace setae::cli {
+
+void RunArguments::add_to(CLI::App& verb) {
+    auto* folder = verb.add_option("--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
+    verb.add_flag("--no-cache", no_cache, "compute everything, keep nothing")->excludes(folder);
+    const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic}, {"bar", ProgressMode::bar}, {"json", ProgressMode::json}, {"none", ProgressMode::none}};
+    verb.add_option("--progress", progress, "auto (a bar on a terminal, JSON lines elsewhere), bar, json or none")
+        ->transform(CLI::CheckedTransformer(modes).description(""))
+        ->option_text("auto|bar|json|none");
+}
+
+cache::Store RunArguments::store() const {
+    if (no_cache) return {};
+    return {cache_folder.empty() ? cache::default_folder() : cache_folder, workflow::version()};
+}
+
+void report_traffic(const cache::Store& store) {
+    const auto traffic = store.traffic();
+    const auto results = [](std::uint64_t n) { return fmt::format("{} result{}", n, n == 1 ? "" : "s"); };
+    if (traffic.damaged > 0) complain(fmt::format("cache: {} in {} damaged; computed again", results(traffic.damaged), store.folder()));
+    if (traffic.other_version > 0) complain(fmt::format("cache: {} in {} of another version of setae; computed again", results(traffic.other_version), store.folder()));
+    if (traffic.not_kept > 0)
+        complain(fmt::format("cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE", results(traffic.not_kept), store.folder()));
+}
+
+workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
+    workflow::RunOptions options;
+    options.threads = threads;
+    options.store = &store;
+    options.progress = [&display](const workflow::Progress& progress) { display.show(progress); };
+    options.cancelled = &interruption();
+    return options;
+}
+
+}  // namespace setae::cli
