@@ -45,6 +45,7 @@ Json series_json(const figures::Series& series, std::size_t place) {
     if (series.right.size() > 0) json["right"] = values(series.right);
     if (!series.names.empty()) json["names"] = series.names;
     if (series.hollow) json["hollow"] = true;
+    if (!series.in_legend) json["unlisted"] = true;
     if (series.legend_only) json["legend_only"] = true;
     json["width"] = series.line_width;
     json["opacity"] = series.opacity;
@@ -100,7 +101,7 @@ std::string figure_html(const gallery::StudyFigure& figure, std::size_t number, 
                         "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
                         escaped(figure.identifier));
     html += fmt::format("<div class=\"plots\" data-label=\"{}\"></div>", escaped(figure.title + ". " + figure.caption));
-    html += "<p class=\"caption\">" + escaped(figure.caption) + "</p>";
+    html += "<p class=\"caption\">" + prose(figure.caption) + "</p>";
     html += fmt::format("<p class=\"command\">Made again by <code>{}</code></p>", escaped(fmt::format("setae plot {} --figure {}", shell_word(study), shell_word(figure.identifier))));
     html += fmt::format("<details class=\"data\"><summary>Data of figure {0}</summary><div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Data of figure {0}\"><pre></pre></div></details>",
                         escaped(figure.identifier));

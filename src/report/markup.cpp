@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <regex>
 
 namespace setae::report {
 namespace {
@@ -77,18 +78,6 @@ std::string set(std::string_view text, bool html) {
     return italic && html ? result + "</i>" : result;
 }
 
-/// Digits and minus, raised.
-std::string raised(std::string_view digits) {
-    static constexpr std::array<const char*, 10> letters{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string result;
-    for (const char c : digits) {
-        if (c == '-') result += "⁻";
-        else if (std::isdigit(static_cast<unsigned char>(c))) result += letters[static_cast<std::size_t>(c - '0')];
-        else result += c;
-    }
-    return result;
-}
-
 /// One factor of a unit with its power: "m2" below the stroke is m⁻².
 std::string typeset_factor(std::string_view factor, bool divided) {
     auto split = factor.size();
@@ -107,6 +96,34 @@ std::string typeset_factor(std::string_view factor, bool divided) {
 std::string escaped(std::string_view text) {
     std::string result;
     while (!text.empty()) result += taken_character(text);
+    return result;
+}
+
+std::string prose(std::string_view text) {
+    static const std::regex power("(^|[^A-Za-z0-9_./-])(-?[0-9]+(?:\\.[0-9]+)?)e([+-]?)0*([0-9]+)(?![A-Za-z0-9_./-]*[A-Za-z_/])");
+    static const std::regex symbol("\\b(W|U|A|h|E|C)_(int|app|el|true|rms|loss|iso|1D)\\b");
+    static const std::regex energy("\\bmJ/m2\\b");
+    std::string whole = escaped(text), result;
+    auto from = whole.cbegin();
+    for (std::sregex_iterator found(whole.cbegin(), whole.cend(), power), end; found != end; ++found) {
+        const auto& m = *found;
+        result.append(from, m[0].first);
+        result += m[1].str() + (m[2].str() == "1" ? "" : m[2].str() + "×") + "10" + raised((m[3].str() == "-" ? "-" : "") + m[4].str());
+        from = m[0].second;
+    }
+    result.append(from, whole.cend());
+    result = std::regex_replace(result, symbol, "<i>$1</i><sub>$2</sub>");
+    return std::regex_replace(result, energy, "mJ\u00A0m⁻²");
+}
+
+std::string raised(std::string_view digits) {
+    static constexpr std::array<const char*, 10> letters{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string result;
+    for (const char c : digits) {
+        if (c == '-') result += "⁻";
+        else if (std::isdigit(static_cast<unsigned char>(c))) result += letters[static_cast<std::size_t>(c - '0')];
+        else result += c;
+    }
     return result;
 }
 

@@ -20,13 +20,13 @@ using workflow::Json;
 using workflow::MeasurementResult;
 using workflow::StudyResult;
 
-/// A table of texts.
+/// A table of texts, the last column one of sentences.
 std::string plain_table(const std::string& identifier, const std::string& title, const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
     DataTable table{identifier, title, "", {}, {}};
     for (const auto& column : columns) table.columns.push_back({column, ""});
     for (const auto& row : rows) {
         table.rows.emplace_back();
-        for (const auto& text : row) table.rows.back().push_back(TextCell{text});
+        for (std::size_t i = 0; i < row.size(); ++i) table.rows.back().push_back(i + 1 < row.size() ? Cell(TextCell{row[i]}) : Cell(ProseCell{row[i]}));
     }
     return as_html(table, Json());
 }
@@ -107,9 +107,9 @@ std::string alerts_html(const StudyResult& result) {
             if (text(row[0]) == code) rows.push_back({text(row[1]), text(row[2]), text(row[3])});
         const bool one_action = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[2] == rows.front()[2]; });
         html += fmt::format("<details class=\"alerts\"{}><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary>", rows.size() <= 3 ? " open" : "", escaped(code),
-                            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()), one_action ? "What to do: " + escaped(rows.front()[2]) : "");
+                            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()), one_action ? "What to do: " + prose(rows.front()[2]) : "");
         html += "<ul>";
-        for (const auto& row : rows) html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), escaped(row[1]), one_action ? "" : " — " + escaped(row[2]));
+        for (const auto& row : rows) html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), prose(row[1]), one_action ? "" : " — " + prose(row[2]));
         html += "</ul></details>\n";
     }
     return html;

@@ -84,7 +84,7 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
     std::string text;
     const auto found = tested(result);
     if (result.work_of_adhesion)
-        text += fmt::format("<p>Intrinsic work of adhesion used for predictions: <i>W</i><sub>int</sub> = <strong>{}</strong>, {} by {}.</p>", quantity_html(study, "/work_of_adhesion"),
+        text += fmt::format("<p>Intrinsic work of adhesion used for predictions: <i>W</i><sub>int</sub> = <strong>{}</strong> ({}; ± by {}).</p>", quantity_html(study, "/work_of_adhesion"),
                             escaped(result.work_of_adhesion_source), escaped(result.work_of_adhesion->method.empty() ? "the study" : result.work_of_adhesion->method));
     std::string items;
     const auto item = [&](const std::string& key, const std::string& lead, const std::string& tail) {
@@ -111,7 +111,7 @@ std::string surface_sentences(const StudyResult& result, const Json& study) {
     std::string items;
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
-            items += fmt::format("<li><strong>{}</strong> failed: {}.</li>", escaped(surface.name), escaped(surface.error));
+            items += fmt::format("<li><strong>{}</strong> failed: {}.</li>", escaped(surface.name), prose(surface.error));
             continue;
         }
         const auto base = named("/surfaces", surface.name);
@@ -166,9 +166,9 @@ std::string limits_html(const StudyResult& result, const Json& study) {
         if (result.experiments.size() == 1)
             say("One experiment: there is no scatter between loops to tell how far a repetition would differ.");
     }
-    if (!result.modified && !result.pairs.empty()) say("No fit of approach: " + escaped(result.modified.reason) + ".");
-    if (!result.loop && !result.pairs.empty()) say("No fit of loop energies: " + escaped(result.loop.reason) + ".");
-    if (!result.work_of_adhesion && !result.pairs.empty()) say("No prediction: " + escaped(result.work_of_adhesion.reason) + ".");
+    if (!result.modified && !result.pairs.empty()) say("No fit of approach: " + prose(result.modified.reason) + ".");
+    if (!result.loop && !result.pairs.empty()) say("No fit of loop energies: " + prose(result.loop.reason) + ".");
+    if (!result.work_of_adhesion && !result.pairs.empty()) say("No prediction: " + prose(result.work_of_adhesion.reason) + ".");
 
     std::vector<std::string> reconstructed, disagreeing, one_measurement;
     for (const auto& surface : result.surfaces) {

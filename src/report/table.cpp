@@ -17,13 +17,6 @@ using workflow::Json;
 
 std::string with_minus(std::string text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
 
-std::string raised(int exponent) {
-    static const std::vector<std::string> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
-    return text;
-}
-
 /// The number of a JSON entry; nothing for null and text such as "infinity".
 std::optional<double> number_of(const Json& json) { return json.is_number() ? std::optional(json.get<double>()) : std::nullopt; }
 
@@ -56,6 +49,7 @@ std::vector<Part> parts_of(const Cell& cell, const Json& study) {
 /// Value, standard error and interval by the names of their parts.
 std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& unit) {
     if (const auto* text = std::get_if<TextCell>(&cell)) return "<td>" + escaped(text->text) + "</td>";
+    if (const auto* sentence = std::get_if<ProseCell>(&cell)) return "<td>" + prose(sentence->text) + "</td>";
     const auto parts = parts_of(cell, study);
     if (parts.empty() || entry(study, parts.front().pointer).is_null()) return "<td class=\"number\">–</td>";
     std::map<std::string, std::string> pointers;
@@ -113,7 +107,7 @@ std::string shown(double value, int decimals) {
     if (size < 1e5 && (size >= 1e-3 || (decimals <= 6 && size >= 0.5 * std::pow(10.0, -decimals)))) return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
     auto text = fmt::format("{:.3e}", value);
     const auto split = text.find('e');
-    return with_minus(text.substr(0, split)) + "×10" + raised(std::stoi(text.substr(split + 1)));
+    return with_minus(text.substr(0, split)) + "×10" + raised(std::to_string(std::stoi(text.substr(split + 1))));
 }
 
 int decimals_of(double value, double standard_error) {

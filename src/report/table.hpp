@@ -42,6 +42,10 @@ struct DisplayUnit {
 struct TextCell {
     std::string text;
 };
+/// A sentence, set as prose() does.
+struct ProseCell {
+    std::string text;
+};
 /// An object with "value" and, where they exist, "standard_error" and "interval".
 struct QuantityCell {
     std::string pointer;
@@ -54,7 +58,7 @@ struct NumberCell {
 struct BandCell {
     std::string pointer;
 };
-using Cell = std::variant<TextCell, QuantityCell, NumberCell, BandCell>;
+using Cell = std::variant<TextCell, ProseCell, QuantityCell, NumberCell, BandCell>;
 
 struct Column {
     std::string heading;  ///< markup of figures::Axis::quantity

@@ -144,11 +144,14 @@
     array: middle.map((v, i) => (high[i] === null ? 0 : high[i] - v)), arrayminus: middle.map((v, i) => (low[i] === null ? 0 : v - low[i])),
   });
 
+  /// Symbols tell lines apart that have them.
+  const lineDash = series => (series.mark === "both" && series.dash === series.symbol ? "solid" : chosen(dashes, series.dash));
+
   /// Traces of one series.
   function tracesOf(panel, series, state) {
     const colour = chosen(palette, series.colour);
-    const line = { color: colour, width: 1.25 * series.width, dash: series.mark === "both" && series.dash === series.symbol ? "solid" : chosen(dashes, series.dash) };
-    const common = { type: "scatter", name: escaped(series.label), showlegend: false, hoverinfo: "text", opacity: series.opacity, legendgroup: series.label };
+    const line = { color: colour, width: 1.25 * series.width, dash: lineDash(series) };
+    const common = { type: "scatter", listed: !!series.label && !series.unlisted, name: escaped(series.label), showlegend: false, hoverinfo: "text", opacity: series.opacity, legendgroup: series.label };
     if (series.legend_only) return [];
     const hovertext = series.x.map((_, i) => reading(panel, series, i));
     if (series.mark === "band") {
@@ -181,18 +184,25 @@
     };
   }
 
-  /// Legend entries of a panel: each switches its series; one that stands for others switches those of its colour that have no name.
+  /// Legend entries of a panel with the series each switches. One without points stands for the series that share its colour; among those in
+  /// black, for the series that share what tells it from the others.
   function entriesOf(panel) {
     if (!panel.legend) return [];
-    return panel.series.map((series, index) => ({ series, index })).filter(({ series }) => series.label).map(({ series, index }) => {
-      if (!series.legend_only) return { series, members: [index] };
-      const members = panel.series.map((other, i) => ({ other, i })).filter(({ other }) => !other.label && !other.legend_only && other.colour === series.colour).map(({ i }) => i);
-      return { series, members };
-    });
+    const shared = panel.series.filter(series => series.legend_only);
+    const withMarks = series => series.mark === "points";
+    const membersOf = entry => {
+      const rivals = shared.filter(other => other.colour === entry.colour && withMarks(other) === withMarks(entry));
+      const telling = ["symbol", "hollow", "dash"].filter(key => (key === "dash" && !withMarks(entry)) || rivals.some(other => other[key] !== entry[key]));
+      const fits = entry.colour === 4
+        ? series => withMarks(series) === withMarks(entry) && telling.every(key => series[key] === entry[key])
+        : series => series.colour === entry.colour;
+      return panel.series.map((series, index) => ({ series, index })).filter(({ series }) => series.unlisted && fits(series)).map(({ index }) => index);
+    };
+    return panel.series.map((series, index) => ({ series, members: series.legend_only ? membersOf(series) : [index] })).filter(({ series }) => series.label && !series.unlisted);
   }
 
   /// State of a panel: whether its axes are logarithmic, and which series are hidden.
-  const stateOf = panel => ({ x: !!panel.x.log, y: !!panel.y.log, hidden: new Set() });
+  const stateOf = panel => ({ x: !!panel.x.log, y: !!panel.y.log, off: new Set(), hidden: new Set() });
 
   function traces(panel, state) {
     const list = panel.map ? [mapTrace(panel)] : [];
@@ -272,7 +282,8 @@
       if (panel.title) layout.annotations.push({ text: "<b>" + escaped(panel.title) + "</b>", showarrow: false, xref: "paper", yref: "paper", x: x[0], y: y[1], xanchor: "left", yanchor: "bottom" });
       const named = new Set();
       for (const trace of traces(panel, states[i])) {
-        const first = trace.name && !named.has(trace.name) && trace.hoverinfo !== "skip" && panel.legend;
+        const first = trace.listed && !named.has(trace.name) && trace.hoverinfo !== "skip" && panel.legend;
+        delete trace.listed;
         if (first) named.add(trace.name);
         data.push({ ...trace, xaxis: "x" + end, yaxis: "y" + end, ...(trace.type === "scatter" ? { legend: "legend" + end, legendgroup: "", showlegend: !!first } : { colorbar: { ...trace.colorbar, x: x[1] + 0.005, y: (y[0] + y[1]) / 2, len: y[1] - y[0] } }) });
       }
@@ -312,7 +323,7 @@
   /// What a legend shows of a series.
   function swatch(series) {
     const colour = chosen(palette, series.colour), fill = series.hollow ? "#ffffff" : colour;
-    const dash = series.mark === "both" && series.dash === series.symbol ? "none" : chosen(dashes, series.dash).replace("solid", "none");
+    const dash = lineDash(series).replace("solid", "none").replace(/px/g, ""), line = series.mark !== "points" && series.mark !== "area" && (series.mark !== "band" || series.y);
     const shape = {
       circle: '<circle cx="14" cy="7" r="4"/>', square: '<rect x="10" y="3" width="8" height="8"/>', "triangle-up": '<path d="M14 2l5 9h-10z"/>', diamond: '<path d="M14 1.5l5 5.5-5 5.5-5-5.5z"/>',
       "triangle-down": '<path d="M14 12l5-9h-10z"/>', pentagon: '<path d="M14 2l5 4-2 5.5h-6l-2-5.5z"/>',
@@ -320,7 +331,7 @@
     const filled = series.mark === "band" || series.mark === "area";
     const holder = element("span", { "aria-hidden": "true" });
     holder.innerHTML = '<svg width="28" height="14">' + (filled ? `<rect y="2" width="28" height="10" fill="${colour}" opacity="0.25"/>` : "") +
-      (series.mark !== "points" ? `<path d="M0 7h28" stroke="${colour}" stroke-width="2" stroke-dasharray="${dash}"/>` : "") +
+      (line ? `<path d="M0 7h28" stroke="${colour}" stroke-width="${Math.max(1.5, series.width)}" stroke-dasharray="${dash}"/>` : "") +
       (series.mark === "points" || series.mark === "both" ? `<g fill="${fill}" stroke="${colour}" stroke-width="1.2">${shape}</g>` : "") + "</svg>";
     return holder;
   }
@@ -351,7 +362,8 @@
         button.addEventListener("click", () => {
           const hide = button.getAttribute("aria-pressed") === "true";
           button.setAttribute("aria-pressed", String(!hide));
-          for (const member of members) hide ? drawn.states[i].hidden.add(member) : drawn.states[i].hidden.delete(member);
+          hide ? drawn.states[i].off.add(members) : drawn.states[i].off.delete(members);
+          drawn.states[i].hidden = new Set([...drawn.states[i].off].flat());
           redraw(drawn, i);
         });
         legend.append(element("li", {}, button));
@@ -375,14 +387,19 @@
     Plotly.react(drawn.plots[i], traces(panel, drawn.states[i]), { ...layoutOf(panel, drawn.states[i]), ...sizeOf(drawn, i) }, config);
   }
 
-  const switchable = (panel, name) => !panel[name].ticks && !panel.map;
+  /// Panels whose axis a button switches: those that are logarithmic to begin with, where there are such, else all that can be.
+  function switched(figure, name) {
+    const able = figure.panels.map((panel, i) => i).filter(i => !figure.panels[i][name].ticks && !figure.panels[i].map);
+    const logarithmic = able.filter(i => figure.panels[i][name].log);
+    return logarithmic.length ? logarithmic : able;
+  }
 
   function showButtons(section, drawn) {
     for (const name of ["x", "y"]) {
       const button = section.querySelector(`[data-action="${name}"]`);
-      const panels = drawn.figure.panels.map((panel, i) => ({ panel, i })).filter(({ panel }) => switchable(panel, name));
+      const panels = switched(drawn.figure, name);
       button.disabled = panels.length === 0;
-      button.setAttribute("aria-pressed", String(panels.length > 0 && panels.every(({ i }) => drawn.states[i][name])));
+      button.setAttribute("aria-pressed", String(panels.length > 0 && panels.every(i => drawn.states[i][name])));
     }
     section.querySelector('[data-action="legend"]').setAttribute("aria-pressed", String(drawn.legend));
   }
@@ -398,11 +415,10 @@
       for (const legend of drawn.legends) legend.hidden = !drawn.legend || legend.children.length === 0;
     } else {
       const logarithmic = section.querySelector(`[data-action="${action}"]`).getAttribute("aria-pressed") !== "true";
-      drawn.figure.panels.forEach((panel, i) => {
-        if (!switchable(panel, action)) return;
+      for (const i of switched(drawn.figure, action)) {
         drawn.states[i][action] = logarithmic;
         redraw(drawn, i);
-      });
+      }
     }
     showButtons(section, drawn);
   }

@@ -246,6 +246,13 @@ TEST(Numbers, TakeTheUnitThatPutsTheLargestBelowAThousand) {
     EXPECT_EQ(display_unit("m", 1e-9).name, "nm") << "not 1000 pm";
 }
 
+TEST(Markup, SetsNumbersAndSymbolsOfSentencesAndLeavesNamesAlone) {
+    EXPECT_EQ(prose("the tip of 5e-06 m hides wavelengths below 1.038e-06 m"), "the tip of 5×10⁻⁶ m hides wavelengths below 1.038×10⁻⁶ m");
+    EXPECT_EQ(prose("between 1e8 and 1e+09 1/m"), "between 10⁸ and 10⁹ 1/m");
+    EXPECT_EQ(prose("W_app of A_w_int <37 mJ/m2>"), "<i>W</i><sub>app</sub> of A_w_int &lt;37 mJ\u00A0m⁻²&gt;");
+    EXPECT_EQ(prose("scans/1e5.csv, run_2e3, 3e4_b"), "scans/1e5.csv, run_2e3, 3e4_b");
+}
+
 TEST(Markup, SetsUnitsAndQuantities) {
     EXPECT_EQ(typeset_unit("mJ/m2"), "mJ m⁻²");
     EXPECT_EQ(typeset_unit("1/um"), "µm⁻¹");
