@@ -30,8 +30,7 @@ public:
     void show(const workflow::Progress& progress);
     /// Clears the line, so that messages stand by themselves.
     void finish();
-    [[nodiscard]] std::size_t done() const { return last_.done; }
-    [[nodiscard]] std::size_t total() const { return last_.total; }
+    [[nodiscard]] const workflow::Progress& last() const { return last_; }
 
 private:
     using Clock = std::chrono::steady_clock;

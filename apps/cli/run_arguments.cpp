@@ -7,6 +7,7 @@
 
 #include "interruption.hpp"
 #include "session.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/workflow/provenance.hpp"
 
 namespace setae::cli {
@@ -34,13 +35,20 @@ void report_traffic(const cache::Store& store) {
         complain(fmt::format("cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE", results(traffic.not_kept), store.folder()));
 }
 
-workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
+workflow::StudyResult run_for_user(workflow::Study study, parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
     workflow::RunOptions options;
     options.threads = threads;
     options.store = &store;
     options.progress = [&display](const workflow::Progress& progress) { display.show(progress); };
     options.cancelled = &interruption();
-    return options;
+    try {
+        return workflow::run_study(std::move(study), options);
+    } catch (const Cancelled&) {
+        display.finish();
+        complain(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,
+                             store.enabled() ? "what is done is kept, the same command goes on from there" : "nothing is kept without a cache"));
+        end_as_interrupted();
+    }
 }
 
 }  // namespace setae::cli

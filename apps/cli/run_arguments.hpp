@@ -7,6 +7,7 @@
 
 #include "progress.hpp"
 #include "setae/cache/store.hpp"
+#include "setae/workflow/study_result.hpp"
 
 namespace setae::cli {
 
@@ -24,7 +25,7 @@ struct RunArguments {
 /// Tells on standard error what a store could not give or keep.
 void report_traffic(const cache::Store& store);
 
-/// The study's run as these arguments want it: a line about steps, and an end where the user asks for one.
-[[nodiscard]] workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display);
+/// Runs a study, shows its steps, and ends the program where the user asks for it: what is done by then is kept.
+[[nodiscard]] workflow::StudyResult run_for_user(workflow::Study study, parallel::Threads threads, const cache::Store& store, ProgressDisplay& display);
 
 }  // namespace setae::cli

@@ -12,20 +12,12 @@
 
 #include "setae/cache/key.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/io/whole_file.hpp"
 #include "setae/workflow/provenance.hpp"
 
 namespace setae::gallery {
 namespace {
-
-/// A word as a shell takes it.
-std::string shell_word(const std::string& word) {
-    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::strchr("._-/:+,=@%", c) != nullptr; };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), [&](char c) { return c != '\0' && plain(c); })) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
 
 std::string on_one_line(std::string text) {
     std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

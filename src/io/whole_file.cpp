@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/io/whole_file.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -30,6 +34,14 @@ std::ifstream opened(const std::string& path) {
 std::string temporary_name(const std::string& path) {
     static std::atomic<unsigned> counter{0};
     return fmt::format("{}.{}.{}.part", path, getpid(), counter++);
+}
+
+/// The process a temporary name belongs to; nothing for other names.
+std::optional<pid_t> writer_of(const std::string& name) {
+    static const std::regex pattern(R"(.+\.([0-9]{1,9})\.[0-9]+\.part)");
+    std::smatch match;
+    if (!std::regex_match(name, match, pattern)) return std::nullopt;
+    return static_cast<pid_t>(std::stol(match[1]));
 }
 
 }  // namespace
@@ -85,6 +97,15 @@ void write_whole_file(const std::string& path, std::string_view content) {
     std::error_code error;
     std::filesystem::rename(temporary, path, error);
     if (error) fail("replaced");
+}
+
+void remove_leftovers(const std::string& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const auto writer = writer_of(entry.path().filename().string());
+        const bool gone = writer && *writer != getpid() && kill(*writer, 0) != 0 && errno == ESRCH;
+        if (gone) std::filesystem::remove(entry.path(), ignored);
+    }
 }
 
 }  // namespace setae::io

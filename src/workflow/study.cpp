@@ -271,8 +271,6 @@ Study read_study(const std::string& path) {
         study.reported.insert(study.reported.end(), values.begin(), values.end());
     });
     reader.finish();
-    if (study.surfaces.empty() && study.experiments.empty())
-        throw FormatError(path, {}, "a study needs at least one surface or one experiment");
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");
     require_declared_names(study);

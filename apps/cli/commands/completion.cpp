@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "program_tree.hpp"
+#include "setae/core/text.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -29,17 +30,10 @@ std::vector<std::string> names(const std::vector<ProgramOption>& options) {
     return flags;
 }
 
-/// Text between single quotes of a shell.
-std::string in_quotes(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-    return result + "'";
-}
-
 /// Words a verb may be followed by: its verbs and options; files besides.
 std::string bash(const std::vector<ProgramVerb>& verbs) {
     std::string cases;
-    for (const auto& verb : verbs) cases += fmt::format("    {}) words={} ;;\n", in_quotes(verb.path), in_quotes(joined(verb.verbs) + " " + joined(names(verb.options))));
+    for (const auto& verb : verbs) cases += fmt::format("    {}) words={} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs) + " " + joined(names(verb.options))));
     return fmt::format(R"(# bash completion of setae; written by `setae completion bash`
 _setae() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} path= word words=
@@ -60,7 +54,7 @@ complete -o filenames -F _setae setae
                        cases, [&verbs] {
                            std::string text;
                            for (const auto& verb : verbs)
-                               if (!verb.verbs.empty()) text += fmt::format("    {}) echo {} ;;\n", in_quotes(verb.path), in_quotes(joined(verb.verbs)));
+                               if (!verb.verbs.empty()) text += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs)));
                            return text;
                        }());
 }
@@ -82,12 +76,12 @@ std::string fish(const std::vector<ProgramVerb>& verbs) {
         }
         const auto next = fmt::format("{}not __fish_seen_subcommand_from {}", condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
         for (std::size_t i = 0; i < verb.verbs.size(); ++i)
-            text += fmt::format("complete -c setae -n {} -f -a {} -d {}\n", in_quotes(next), in_quotes(verb.verbs[i]), in_quotes(verb.verb_descriptions[i]));
+            text += fmt::format("complete -c setae -n {} -f -a {} -d {}\n", shell_word(next), shell_word(verb.verbs[i]), shell_word(verb.verb_descriptions[i]));
         for (const auto& option : verb.options) {
             std::string flags;
             for (const auto& flag : option.flags) flags += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
-            text += fmt::format("complete -c setae{}{}{} -d {}\n", condition.empty() ? "" : " -n " + in_quotes(condition), flags, option.takes_value ? " -r" : "",
-                                in_quotes(option.description));
+            text += fmt::format("complete -c setae{}{}{} -d {}\n", condition.empty() ? "" : " -n " + shell_word(condition), flags, option.takes_value ? " -r" : "",
+                                shell_word(option.description));
         }
     }
     return text;

@@ -10,7 +10,6 @@
 #include "setae/core/errors.hpp"
 #include "setae/gallery/write_figures.hpp"
 #include "setae/io/whole_file.hpp"
-#include "setae/workflow/study_result.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -80,7 +79,7 @@ ExitCode run(const PlotArguments& arguments) {
     if (!arguments.output.empty()) (void)ending_of(arguments.output);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress);
-    const auto result = workflow::run_study(workflow::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto result = run_for_user(workflow::read_study(arguments.study), arguments.common.workers(), store, display);
     display.finish();
     const gallery::GalleryOptions options{.width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
     if (arguments.list) return list(arguments, gallery::study_figures(result, options));

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "interruption.hpp"
 #include "run_arguments.hpp"
+#include "run_time.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/gallery/write_figures.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/report/report.hpp"
 #include "setae/workflow/study_tables.hpp"
 #include "verbs.hpp"
 
@@ -33,6 +38,7 @@ struct Arguments {
     std::string file;
     std::string output;
     bool dry_run = false;
+    bool no_figures = false;
 };
 
 void show_failures(const workflow::StudyResult& result) {
@@ -60,6 +66,14 @@ void show_alerts(const workflow::StudyResult& result) {
         complain(fmt::format("{}: {}: {}{}", code, std::get<std::string>(first[1]), std::get<std::string>(first[2]),
                              count > 1 ? fmt::format(" (and {} more in alerts.csv)", count - 1) : std::string()));
     }
+}
+
+/// Removes what says that results are complete, until they are again, and what writers that were killed left.
+void remove_marks(const std::string& folder) {
+    std::error_code ignored;
+    for (const char* name : {"report.html", "study.json"}) std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+    io::remove_leftovers(folder);
+    io::remove_leftovers((std::filesystem::path(folder) / "figures").string());
 }
 
 workflow::Study study_of(const Arguments& arguments) {
@@ -94,35 +108,64 @@ ExitCode show_plan(const Arguments& arguments) {
     return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
-workflow::StudyResult result_of(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    try {
-        return workflow::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
-    } catch (const Cancelled&) {
+/// Draws every figure of a study; returns how many failed.
+int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflow::Study& study, const Arguments& arguments, const cache::Store& store,
+                 ProgressDisplay& display) {
+    auto step = display.last();
+    step.total += static_cast<std::size_t>(std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); }));
+    step.stage = "figure";
+    gallery::WriteOptions options;
+    options.folder = (std::filesystem::path(study.output) / "figures").string();
+    options.study = study.path;
+    options.threads = arguments.common.workers();
+    options.store = &store;
+    options.progress = [&](const std::string& name) {
+        step.item = name;
+        ++step.done;
+        display.show(step);
+    };
+    int failed = 0;
+    for (const auto& figure : gallery::write_figures(figures, options)) {
+        if (figure.error.empty()) continue;
         display.finish();
-        complain(fmt::format("stopped after {} of {} steps; {}", display.done(), display.total(),
-                             store.enabled() ? "what is done is kept, the same command goes on from there" : "nothing is kept without a cache"));
-        end_as_interrupted();
+        // one missing program fails them all alike
+        if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
     }
+    if (failed > 1) complain(fmt::format("{} more figures are missing files likewise; their numbers are in the CSV files and in report.html", failed - 1));
+    return failed;
+}
+
+/// What makes the same results again: nothing in it that changes none of them.
+std::string command_of(const Arguments& arguments) {
+    return "setae study " + shell_word(arguments.file) + (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
 }
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.dry_run) return show_plan(arguments);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress);
-    const auto result = result_of(arguments, store, display);
+    const auto time = time_of_run();
+    const auto result = run_for_user(study_of(arguments), arguments.common.workers(), store, display);
+    const auto figures = gallery::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
+    const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
+    // a folder that holds them holds all the rest, too
+    remove_marks(result.study.output);
+    const int failed_figures = arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
     display.finish();
     show_failures(result);
-    const auto files = workflow::write_results(result);
+    workflow::write_results(result);
+    io::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
     if (arguments.common.json) {
         print_json(workflow::to_json(result));
     } else {
         print(workflow::summary(result));
         show_alerts(result);
-        print(fmt::format("Results: {} ({} files)\n", result.study.output, files.size()));
+        print(fmt::format("Results: {}\nReport:  {}\n", result.study.output, report));
     }
     report_traffic(store);
-    if (result.failures() == 0) return ExitCode::done;
-    return result.successes() > 0 ? ExitCode::some_failed : ExitCode::nothing_done;
+    const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
+    if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
+    return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
 }  // namespace
@@ -132,6 +175,7 @@ void add_study(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("study", "run a study: surfaces, elastomers, experiments → tables and fits");
     verb->add_option("file", arguments->file, "TOML file of the study");
     verb->add_option("--output", arguments->output, "folder of the results; default: beside the study");
+    verb->add_flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
     arguments->run.add_to(*verb);
     verb->add_flag("--dry-run", arguments->dry_run, "list the steps and what of them is kept from earlier runs, then stop");
     on_named(*verb, action, arguments, explanation, run);

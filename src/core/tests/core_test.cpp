@@ -101,5 +101,13 @@ TEST(FormatErrorMessage, BeginsWithWhere) {
     EXPECT_STREQ(FormatError("a.di", {.offset = 4096}, "truncated").what(), "a.di: at byte 4096: truncated");
 }
 
+TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {
+    EXPECT_EQ(shell_word("study.toml"), "study.toml");
+    EXPECT_EQ(shell_word("my study.toml"), "'my study.toml'");
+    EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+    EXPECT_EQ(shell_word("$HOME"), "'$HOME'");
+    EXPECT_EQ(shell_word(""), "''");
+}
+
 }  // namespace
 }  // namespace setae

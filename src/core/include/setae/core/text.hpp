@@ -13,4 +13,7 @@ namespace setae {
 /// The candidate with the smallest edit distance to `word`, for "did you mean"; empty where none is within half its length.
 [[nodiscard]] std::string nearest_match(std::string_view word, std::span<const std::string> candidates);
 
+/// A word as a POSIX shell takes it: in single quotes where it needs them.
+[[nodiscard]] std::string shell_word(std::string_view word);
+
 }  // namespace setae

@@ -15,4 +15,7 @@ namespace setae::io {
 /// @throws FileError where the folder is missing or cannot be written; the old content is then untouched.
 void write_whole_file(const std::string& path, std::string_view content);
 
+/// Removes from a folder the temporary files of writers that are no more: processes of this machine that were killed.
+void remove_leftovers(const std::string& folder);
+
 }  // namespace setae::io
