@@ -102,9 +102,10 @@ DisplayUnit display_unit(const std::string& si_unit, double largest) {
 }
 
 std::string shown(double value, int decimals) {
-    if (value == 0.0) return fmt::format("{:.{}f}", 0.0, std::clamp(decimals, 0, 6));
     const double size = std::abs(value);
-    if (size < 1e5 && (size >= 1e-3 || (decimals <= 6 && size >= 0.5 * std::pow(10.0, -decimals)))) return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
+    // small numbers in fixed point only where that shows what is known of them
+    if (size < 1e5 && (size >= 1e-3 || decimals <= 6)) return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
+    if (size == 0.0) return "0";
     auto text = fmt::format("{:.3e}", value);
     const auto split = text.find('e');
     return with_minus(text.substr(0, split)) + "×10" + raised(std::to_string(std::stoi(text.substr(split + 1))));
@@ -114,7 +115,7 @@ int decimals_of(double value, double standard_error) {
     const double leading = standard_error > 0.0 ? standard_error : std::abs(value);
     if (!(leading > 0.0) || !std::isfinite(leading)) return 1;
     const int digits = standard_error > 0.0 ? 2 : 4;
-    return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(leading))), 0, 6);
+    return std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(leading))));
 }
 
 std::string joined(const std::string& pointer, const std::string& path) { return pointer + "/" + path; }

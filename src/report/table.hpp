@@ -18,7 +18,8 @@ struct DisplayUnit {
 /// The unit with the prefix that puts the largest of the values into [1, 1000), as far as there is one.
 [[nodiscard]] DisplayUnit display_unit(const std::string& si_unit, double largest);
 
-/// A number for readers: fixed point with so many decimals; beyond 10⁵ and below 10⁻³ four digits times a power of ten, "1.234×10⁻⁷".
+/// A number for readers: fixed point with so many decimals; from 10⁵, and below 10⁻³ where more than six decimals were needed, four digits times a
+/// power of ten, "1.234×10⁻⁷".
 [[nodiscard]] std::string shown(double value, int decimals);
 
 /// Decimals that show two digits of a standard error > 0, else four digits of the value.

@@ -234,6 +234,8 @@ TEST(Numbers, ShowTwoDigitsOfTheirErrorOrFourOfTheirOwn) {
     EXPECT_EQ(shown(-12.289, decimals_of(-12.289, 0.0)), "−12.29");
     EXPECT_EQ(shown(1.548e-22, decimals_of(1.548e-22, 2.1e-23)), "1.548×10⁻²²");
     EXPECT_EQ(shown(1.5707963e10, 0), "1.571×10¹⁰");
+    EXPECT_EQ(shown(4e-4, decimals_of(4e-4, 0.0)), "4.000×10⁻⁴");
+    EXPECT_EQ(shown(-1.6e-4, decimals_of(-1.6e-4, 1.8e-4)), "−0.00016");
     EXPECT_EQ(shown(0.0, decimals_of(0.0, 0.0)), "0.0");
 }
 
