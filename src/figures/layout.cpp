@@ -11,22 +11,16 @@
 namespace setae::figures {
 namespace {
 
-/// Letters of the numbers at a linear axis, as its ticks will lie: a step of 1, 2 or 5 times a power of ten.
-int letters_of_ticks(const Range& range) {
-    const double step = std::floor(std::log10((range.to - range.from) / 6.0)), most = std::max(std::abs(range.from), std::abs(range.to));
-    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1, after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
-    return std::min(before + after + (range.from < 0.0 ? 1 : 0), 8);
-}
-
 /// Margins of a panel's axes against its cell [mm].
 struct Margins {
-    double left = 0.0, right = 2.5, top = 2.5, bottom = 9.5;
+    double left = 0.0, right = 3.2, top = 2.5, bottom = 9.5;
 };
 
 Margins margins_of(const Panel& panel) {
     constexpr double title_mm = 6.5;
     Margins margins;
     if (!panel.title.empty()) margins.top += 3.5;
+    if (panel.x.bare) margins.bottom = 1.5;
     std::size_t longest = 0;
     for (const auto& label : panel.y.tick_labels) longest = std::max(longest, letters_in(label));
     if (longest > 0) margins.left = title_mm + letters_mm * static_cast<double>(longest);
@@ -50,6 +44,12 @@ Box cell_of(const Figure& figure, std::size_t panel) {
 }
 
 }  // namespace
+
+int letters_of_ticks(const Range& range) {
+    const double step = std::floor(std::log10((range.to - range.from) / 6.0)), most = std::max(std::abs(range.from), std::abs(range.to));
+    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1, after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
+    return std::min(before + after + (range.from < 0.0 ? 1 : 0), 8);
+}
 
 std::size_t letters_in(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -79,6 +79,15 @@ Layout layout_of(const Figure& figure, std::size_t panel) {
             margins.right = std::max(margins.right, other_margins.right);
     }
     Layout layout{cell, {cell.left + margins.left, cell.right - margins.right, cell.bottom + margins.bottom, cell.top - margins.top}};
+    if (const auto& map = figure.panels[panel].map) {
+        // one scale along both axes
+        auto& axes = layout.axes;
+        const double scale = std::min((axes.right - axes.left) / map->width, (axes.top - axes.bottom) / map->height);
+        axes.right = axes.left + scale * map->width;
+        axes.bottom = axes.top - scale * map->height;
+        layout.cell.right = axes.right + margins.right;
+        layout.cell.bottom = axes.bottom - margins.bottom;
+    }
     layout.legend_left = layout.axes.right + 1.0;
     if (!(layout.axes.left < layout.axes.right && layout.axes.bottom < layout.axes.top))
         throw InvalidArgument(fmt::format("{} panels in {} columns leave no room for axes in {} mm x {} mm; expected a larger figure", figure.panels.size(),

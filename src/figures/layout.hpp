@@ -25,11 +25,14 @@ struct Layout {
 /// @throws InvalidArgument where no room is left for the axes.
 [[nodiscard]] Layout layout_of(const Figure& figure, std::size_t panel);
 
+/// Letters of the numbers at a linear axis, as its ticks will lie: a step of 1, 2 or 5 times a power of ten.
+[[nodiscard]] int letters_of_ticks(const Range& range);
+
 /// Entries of a panel's legend and the letters of its longest.
 struct LegendSize {
     std::size_t entries = 0, letters = 0;
 
-    [[nodiscard]] double width_mm() const { return 11.0 + letters_mm * static_cast<double>(letters); }
+    [[nodiscard]] double width_mm() const { return 9.0 + 1.25 * static_cast<double>(letters); }
     [[nodiscard]] double height_mm() const { return 1.5 + 3.4 * static_cast<double>(entries); }
 };
 [[nodiscard]] LegendSize legend_size(const Panel& panel);

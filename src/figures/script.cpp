@@ -28,12 +28,12 @@ Terminal terminal(const Figure& figure, const std::string& ending) {
     const double width = figure.width_mm / millimetres_an_inch, height = figure.height_mm / millimetres_an_inch;
     const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) { return panel.map.has_value(); });
     if (ending == "svg")  // 96 pixels an inch; pictures within the file, not beside it
-        return {fmt::format("svg size {:.0f},{:.0f} fixed enhanced font '{},{:.2f}' linewidth 1.1 name 'figure'{}", 96.0 * width, 96.0 * height, font,
+        return {fmt::format("svg size {:.0f},{:.0f} fixed enhanced rounded font '{},{:.2f}' linewidth 1.1 name 'figure'{}", 96.0 * width, 96.0 * height, font,
                             text_points * 4.0 / 3.0, pictures ? " standalone" : ""), 4.0 / 3.0, 0.95};
     if (ending == "pdf")  // takes 96 points for an inch
-        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, 0.85};
+        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced rounded font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, 0.85};
     if (ending == "png")
-        return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced font '{},{}' fontscale 3.125 linewidth 3.2", 300.0 * width, 300.0 * height, font, text_points),
+        return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced rounded font '{},{}' fontscale 3.125 linewidth 3.2", 300.0 * width, 300.0 * height, font, text_points),
                 1.0, 3.1};
     throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
 }
@@ -56,14 +56,26 @@ std::string logarithmic_ticks(const Range& range, double length_mm, char name) {
     return fmt::format("set logscale {0} 10\nset format {0} '{1}'\nset {0}tics ({2}) scale 0.6,0.3\n", name, few ? "%g" : "10^{%L}", ticks);
 }
 
+/// Distance between the numbers of a linear axis: 1, 2 or 5 times a power of ten, with room for each.
+double linear_step(const Range& range, double length_mm, char name) {
+    const double room_mm = name == 'x' ? std::max(6.5, letters_mm * letters_of_ticks(range) + 2.5) : 5.0;
+    const double least = (range.to - range.from) * std::min(room_mm / length_mm, 0.5), power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= least * (1.0 - 1e-9)) return digit * power;
+    return 10.0 * power;
+}
+
 std::string axis_lines(const Axis& axis, const Range& range, double length_mm, char name) {
-    const auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to);
-    const bool logarithmic = axis.logarithmic && axis.tick_labels.empty();
-    if (logarithmic) return lines + logarithmic_ticks(range, length_mm, name);
-    if (axis.tick_labels.empty()) return lines + fmt::format("unset logscale {0}\nset {0}tics autofreq scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name);
-    std::string ticks;
-    for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
-    return lines + fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
+    auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to);
+    if (axis.logarithmic && axis.tick_labels.empty()) lines += logarithmic_ticks(range, length_mm, name);
+    else if (axis.tick_labels.empty())
+        lines += fmt::format("unset logscale {0}\nset {0}tics {1:.6g} scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name, linear_step(range, length_mm, name));
+    else {
+        std::string ticks;
+        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
+        lines += fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
+    }
+    return axis.bare ? lines + fmt::format("set format {} ''\n", name) : lines;
 }
 
 std::string key_line(const Panel& panel, const Range& x, const Range& y, const Layout& layout, const Figure& figure, const std::string& font_size) {
@@ -103,11 +115,11 @@ std::string colour_lines(const Figure& figure, const HeatMap& map, const Layout&
     const double left = layout.axes.right + colour_bar_gap_mm;
     // viridis: even steps of lightness, also to the colour-blind
     return fmt::format("set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
-                       "set cbrange [{}:{}]\nset colorbox user origin screen {} size screen {:.5f},{:.5f} border lt -1\n"
+                       "set cbrange [{}:{}]\nset colorbox user origin screen {} size screen {:.5f},{:.5f} noinvert border\n"
                        "set cbtics in font ',{}' scale 0.4,0.2 offset -0.6,0 format '%g'\nset label {} at screen {} center rotate by 90\n",
                        range.from, range.to, on_page(figure, left, layout.axes.bottom), colour_bar_mm / figure.width_mm,
                        (layout.axes.top - layout.axes.bottom) / figure.height_mm, small, quoted_axis_title(map.values_axis.quantity, map.values_axis.unit),
-                       on_page(figure, layout.cell.right - 2.0, 0.5 * (layout.axes.bottom + layout.axes.top)));
+                       on_page(figure, layout.cell.right - 2.5, 0.5 * (layout.axes.bottom + layout.axes.top)));
 }
 
 std::string note_line(const Note& note, const std::string& small) {
@@ -144,8 +156,8 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
     };
-    title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right), layout.cell.bottom + 2.6, "center");
-    title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top), "center rotate by 90");
+    if (!panel.x.bare) title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right), layout.cell.bottom + 2.6, "center");
+    if (!panel.y.bare) title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top), "center rotate by 90");
     if (!panel.title.empty()) title(quoted_bold(panel.title), axes.left, axes.top + 2.6, "left");
     for (const double height : panel.horizontal_lines)
         if (shows(panel.y, height) && height >= y.from && height <= y.to)
@@ -162,7 +174,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
     const auto device = terminal(figure, terminal_ending);
     const auto small = fmt::format("{:.2f}", small_points * device.point);
     std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset clip two\n"
-                                     "set style fill transparent solid 0.25 noborder\n",
+                                     "set style fill solid noborder\n",
                                      device.definition, quoted_name(output_file));
     script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", small);
     for (std::size_t p = 0; p < figure.panels.size(); ++p) script += panel_lines(figure, p, device, small);

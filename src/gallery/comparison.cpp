@@ -55,29 +55,43 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
         const auto& elastomer = result.elastomers[i];
         if (!shown(&Point::elastomer, elastomer.input.name)) continue;
         panel.series.push_back({.label = elastomer.input.name + (elastomer.youngs_modulus.value > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * elastomer.youngs_modulus.value) : ""),
-                                .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .line_width = 5.0, .legend_only = true});
+                                .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .line_width = 4.0, .legend_only = true});
     }
 }
 
-/// A straight line of a panel from its lowest to its highest x, through the origin.
-Series line(const std::string& label, double slope, double to) {
-    return {.label = label, .x = Array1D{{0.0, to}}, .y = Array1D{{0.0, slope * to}}, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.9};
+Series line(const std::string& label, double slope, double from, double to) {
+    return {.label = label, .x = Array1D{{from, to}}, .y = Array1D{{slope * from, slope * to}}, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.9,
+            .in_legend = false};
 }
 
+/// Ends of the axes: those of values and bars with a margin, from 0 where the lowest value is near it.
 void set_ranges(Comparison& drawn, const std::vector<Point>& points, bool square) {
-    double x = 0.0, y = 0.0;
+    const auto ends = [](double& least, double& most, double value, double lower, double upper) {
+        least = std::min({least, value, std::isfinite(lower) ? lower : value});
+        most = std::max({most, value, std::isfinite(upper) ? upper : value});
+    };
+    double x_least = HUGE_VAL, x_most = -HUGE_VAL, y_least = HUGE_VAL, y_most = -HUGE_VAL;
     for (const auto& p : points) {
-        x = std::max({x, p.x, std::isfinite(p.x_upper) ? p.x_upper : 0.0});
-        y = std::max(y, p.y + (std::isfinite(p.y_error) ? p.y_error : 0.0));
+        ends(x_least, x_most, p.x, p.x_lower, p.x_upper);
+        ends(y_least, y_most, p.y, p.y - p.y_error, p.y + p.y_error);
     }
-    if (square) x = y = std::max(x, y);
-    const double least = square ? -0.04 : 0.0;
-    drawn.values.x.from = drawn.residuals.x.from = least * x;
-    drawn.values.x.to = drawn.residuals.x.to = 1.06 * x;
-    double lowest = least * y;
-    for (const auto& p : points) lowest = std::min(lowest, p.y - (std::isfinite(p.y_error) ? p.y_error : 0.0));
-    drawn.values.y.from = lowest < least * y ? 1.05 * lowest : lowest;
-    drawn.values.y.to = 1.06 * y;
+    if (square) {
+        x_least = y_least = std::min(x_least, y_least);
+        x_most = y_most = std::max(x_most, y_most);
+    }
+    const auto set = [&](figures::Axis& axis, double least, double most) {
+        // lines through the origin begin there
+        if (!square && least > 0.0) least = 0.0;
+        if (square && least > 0.0 && least < 0.3 * most) least = 0.0;
+        const double margin = 0.06 * (most > least ? most - least : std::max(std::abs(most), 1.0));
+        axis.from = !square && least == 0.0 ? 0.0 : least - margin;
+        axis.to = most + margin;
+    };
+    set(drawn.values.x, x_least, x_most);
+    set(drawn.values.y, y_least, y_most);
+    drawn.residuals.x.from = drawn.values.x.from;
+    drawn.residuals.x.to = drawn.values.x.to;
+    drawn.values.x.bare = true;
 }
 
 /// Measured against predicted works of adhesion [mJ/m²].
@@ -86,7 +100,9 @@ Comparison against_prediction(const StudyResult& result, const std::vector<Point
     drawn.values = {.x = {.quantity = "predicted *W*_{app}", .unit = "mJ/m2"}, .y = {.quantity = "measured *W*_{app}", .unit = "mJ/m2"}};
     drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "mJ/m2"}, .horizontal_lines = {0.0}, .legend = false};
     set_ranges(drawn, points, true);
-    drawn.values.series.push_back(line("y = x", 1.0, *drawn.values.x.to));
+    const double from = *drawn.values.x.from, to = *drawn.values.x.to;
+    drawn.values.notes.push_back({.text = "y = x", .x = from + 0.02 * (to - from), .y = to - 0.06 * (to - from), .side = figures::Note::Side::right});
+    drawn.values.series.push_back(line("y = x", 1.0, *drawn.values.x.from, *drawn.values.x.to));
     add_points(drawn, result, points);
     return drawn;
 }
@@ -133,7 +149,7 @@ figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& 
         for (const bool values : {true, false}) {
             auto panel = values ? comparisons[i].values : comparisons[i].residuals;
             // the second has the legend of both beside it
-            const double left = beside ? comparisons.size() > 1 && i == 1 ? 0.45 : share : 0.0, width = beside ? comparisons.size() > 1 ? i == 1 ? 0.55 : 0.45 : 1.0 : 1.0;
+            const double left = beside ? comparisons.size() > 1 && i == 1 ? 0.43 : share : 0.0, width = beside ? comparisons.size() > 1 ? i == 1 ? 0.57 : 0.43 : 1.0 : 1.0;
             const double top = beside ? 0.0 : share, height = beside ? 1.0 : 1.0 / n;
             panel.place = values ? figures::Place{left, top, width, upper * height} : figures::Place{left, top + upper * height, width, (1.0 - upper) * height};
             figure.panels.push_back(panel);
@@ -161,7 +177,9 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"}, .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
     drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "nJ"}, .horizontal_lines = {0.0}, .legend = false};
     set_ranges(drawn, points, false);
-    drawn.values.series.push_back(line(fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²")), slope, *drawn.values.x.to));
+    const auto label = fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²"));
+    drawn.values.series.push_back(line(label, slope, 0.0, *drawn.values.x.to));
+    drawn.values.notes.push_back({.text = label, .x = 0.02 * *drawn.values.x.to, .y = 0.94 * *drawn.values.y.to, .side = figures::Note::Side::right});
     add_points(drawn, result, points);
     return drawn;
 }

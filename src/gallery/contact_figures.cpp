@@ -20,7 +20,7 @@ using workflow::ExperimentResult;
 using workflow::StudyResult;
 
 constexpr double mN = 1e3, um = 1e6, nJ = 1e9;  ///< per SI unit
-constexpr Index symbols_a_branch = 40, points_a_loop = 400, points_a_fit = 120;
+constexpr Index symbols_a_branch = 24, points_a_loop = 400, points_a_fit = 120;
 
 using Loops = std::vector<const ExperimentResult*>;
 using Wanted = std::function<bool(const ExperimentResult&)>;
@@ -51,7 +51,12 @@ struct Look {
 /// One branch as symbols: contact radius [µm] against force [mN].
 Series branch(const LoopAnalysis& loop, const experiment::IndexRange& range, const Look& look, bool loading) {
     const auto& record = loop.corrected;
-    const auto samples = thinned(record.force, record.contact_radius, range.first, range.last, symbols_a_branch);
+    // frames are fewer than samples of force
+    std::vector<Index> frames, samples;
+    for (Index i = range.first; i <= range.last; ++i)
+        if (std::isfinite(record.contact_radius[i])) frames.push_back(i);
+    const Array1D force = taken(record.force, frames), radius = taken(record.contact_radius, frames);
+    for (const Index i : thinned(force, radius, 0, force.size() - 1, symbols_a_branch)) samples.push_back(frames[static_cast<std::size_t>(i)]);
     return {.label = look.label + (loading ? ", loading" : ", unloading"), .x = taken(record.force, samples) * mN, .y = taken(record.contact_radius, samples) * um,
             .mark = Mark::points, .colour = look.colour, .hollow = loading, .in_legend = false};
 }

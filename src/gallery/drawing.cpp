@@ -71,10 +71,14 @@ std::size_t place_of_elastomer(const workflow::StudyResult& result, const std::s
 
 std::string label_of(const workflow::SurfaceResult& surface) { return surface.name + (surface.reconstructed ? " (reconstruction)" : ""); }
 
+std::string instrument_in_words(const std::string& type) {
+    if (type == "afm" || type == "tem") return type == "afm" ? "AFM" : "TEM";
+    return type.empty() || type == "unknown" ? "unknown instrument" : type;
+}
+
 std::string instrument_of(const workflow::MeasurementResult& measurement) {
     const auto& instrument = measurement.spectrum.metadata.instrument;
-    if (instrument.type == "afm" || instrument.type == "tem") return instrument.type == "afm" ? "AFM" : "TEM";
-    return !instrument.type.empty() ? instrument.type : !instrument.name.empty() ? instrument.name : "unknown instrument";
+    return instrument_in_words(!instrument.type.empty() ? instrument.type : instrument.name);
 }
 
 std::vector<InstrumentBand> instrument_bands(const std::vector<const workflow::SurfaceResult*>& surfaces) {
@@ -95,7 +99,9 @@ std::string with_error(const Estimate& estimate, double factor, const std::strin
     const auto value = estimate.value * factor;
     if (!estimate.uncertain()) return fmt::format("{:.4g} {}", value, unit);
     const double error = estimate.standard_error * factor;
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6);
+    // two digits of an error that begins with 1 or 2, else one
+    const double power = std::floor(std::log10(error));
+    const int digits = std::clamp((error < 2.95 * std::pow(10.0, power) ? 1 : 0) - static_cast<int>(power), 0, 6);
     return fmt::format("{:.{}f} ± {:.{}f} {}", value, digits, error, digits, unit);
 }
 

@@ -38,7 +38,9 @@ struct Curve {
 /// A surface's name as a legend has it, with "(reconstruction)" where its spectrum stands for published moments.
 [[nodiscard]] std::string label_of(const workflow::SurfaceResult& surface);
 
-/// An instrument's type as a reader knows it, "AFM", else its name.
+/// A type of instruments as a reader knows it: "AFM" of "afm".
+[[nodiscard]] std::string instrument_in_words(const std::string& type);
+/// The same of a measurement's instrument; its name where the type is unknown.
 [[nodiscard]] std::string instrument_of(const workflow::MeasurementResult& measurement);
 /// Instruments of all measurements that were analysed, coarsest first.
 struct InstrumentBand {

@@ -12,7 +12,7 @@ namespace {
 
 using figures::Mark;
 
-constexpr Index points_a_curve = 150;
+constexpr Index points_a_curve = 120;
 
 /// The part of a curve with from <= x <= to.
 Curve part(const Curve& curve, double from, double to) {

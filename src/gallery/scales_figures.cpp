@@ -44,7 +44,7 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
     Panel energy{.title = "A", .x = q, .y = share_axis}, area{.title = "B", .x = q, .y = share_axis, .legend = false}, work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
     energy.y.quantity = "share of *U*_{el} below *q*";
     area.y.quantity = "share of the excess area below *q*";
-    work.y.quantity = "share of the change of *W*_{app} below *q*";
+    work.y.quantity = "share of Δ*W*_{app} below *q*";
     work.horizontal_lines = {0.0, 100.0};
     std::size_t n = 0;
     double lowest = HUGE_VAL, highest = 0.0;
@@ -69,11 +69,10 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
             panel->x.from = lowest;
             panel->x.to = 1.3 * highest;
         }
-    energy.legend_corner = figures::Corner::top_left;
     drawn.figure = {.panels = {energy, area, work}, .columns = wide(sitting) ? 3 : 1, .width_mm = wide(sitting) ? page_mm : column_mm, .height_mm = wide(sitting) ? 66.0 : 165.0};
     drawn.caption = fmt::format(
         "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
-        "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
+        "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
         "different scales have different signs it leaves 0 … 100 %.{}",
         counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), reconstruction_note(result));
 }
@@ -108,11 +107,13 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
         Panel panel{.title = surface->name, .x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true, .from = std::pow(10.0, lowest), .to = std::pow(10.0, highest)},
                     .y = {.quantity = "measured/expected *P*/*E*", .logarithmic = true, .from = least, .to = most}, .horizontal_lines = {1.0}, .legend = figure.panels.empty()};
         std::map<std::string, std::vector<const inference::Agreement*>> by_instrument;
-        for (const auto& a : surface->fitted->agreement) by_instrument[a.instrument].push_back(&a);
-        for (const auto& [instrument, decades] : by_instrument) {
-            const auto name = instrument == "afm" || instrument == "tem" ? instrument == "afm" ? std::string("AFM") : std::string("TEM") : instrument;
-            auto place = std::find(order.begin(), order.end(), name);
-            if (place == order.end()) place = order.insert(order.end(), name);
+        for (const auto& a : surface->fitted->agreement) {
+            by_instrument[instrument_in_words(a.instrument)].push_back(&a);
+            if (std::find(order.begin(), order.end(), instrument_in_words(a.instrument)) == order.end()) order.push_back(instrument_in_words(a.instrument));
+        }
+        for (std::size_t place = 0; place < order.size(); ++place) {
+            if (!by_instrument.contains(order[place])) continue;
+            const auto& decades = by_instrument.at(order[place]);
             std::vector<double> x, y, lower, upper;
             std::vector<std::string> names;
             for (const auto* a : decades) {
@@ -120,8 +121,8 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
                 y.push_back(a->ratio);
                 names.push_back(fmt::format("chi2 {:.3g} of {} groups, p = {:.2g}", a->chi_squared, a->groups, a->probability));
             }
-            panel.series.push_back({.label = name, .x = array_of(x), .y = array_of(y), .mark = Mark::both, .colour = colour_of_place(static_cast<std::size_t>(place - order.begin())),
-                                    .symbol = static_cast<int>(place - order.begin()), .names = names});
+            panel.series.push_back({.label = order[place], .x = array_of(x), .y = array_of(y), .mark = Mark::both, .colour = colour_of_place(place),
+                                    .symbol = static_cast<int>(place), .names = names});
         }
         figure.panels.push_back(panel);
     }

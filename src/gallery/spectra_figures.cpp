@@ -70,13 +70,17 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
                 least = std::min(least, y);
                 most = std::max(most, y);
             }
+    double highest = 0.0;
+    for (const auto& bar : bands) highest = std::max(highest, bar.band.upper);
     const double decades = std::log10(most / least), step = 0.065 * decades;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto& [name, band] = bands[i];
         const double height = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size() - 1 - i) + 0.6));
         panel.series.push_back({.label = "reliable band of " + name, .x = Array1D{{band.lower, band.upper}}, .y = Array1D{{height, height}}, .mark = Mark::line,
                                 .colour = colour::black, .dash = 0, .line_width = 3.5, .in_legend = false});
-        panel.notes.push_back({.text = name, .x = band.upper, .y = height, .side = figures::Note::Side::right});
+        // to the left of a bar that leaves no room to its right
+        const bool right = std::log(band.upper / bands.front().band.lower) < 0.8 * std::log(highest / bands.front().band.lower);
+        panel.notes.push_back({.text = name, .x = right ? band.upper : band.lower, .y = height, .side = right ? figures::Note::Side::right : figures::Note::Side::left});
     }
     panel.y.from = least * std::pow(10.0, -0.04 * decades);
     panel.y.to = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size()) + 0.3));
@@ -128,7 +132,7 @@ Panel contour_panel(const std::string& title, const MeasurementResult& m) {
     const Array1D x = (preview.positions - preview.positions[0]) * across.per_metre;
     panel.x.from = 0.0;
     panel.x.to = x[x.size() - 1];
-    panel.series.push_back({.label = m.name, .x = x, .y = preview.heights * heights.per_metre, .mark = Mark::line, .colour = colour::black, .line_width = 1.0});
+    panel.series.push_back({.label = m.name, .x = x, .y = preview.heights * heights.per_metre, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 1.0});
     return panel;
 }
 

@@ -44,6 +44,7 @@ struct Axis {
     std::string unit;                      ///< as setae spells units, "mJ/m2"; set upright, mJ m⁻²; empty or "1": none
     bool logarithmic = false;              ///< values that are not positive are gaps
     std::optional<double> from, to;        ///< ends; without, those of the data and a margin
+    bool bare = false;                     ///< ticks alone: numbers and title stand at the axis of a panel beside it
     std::vector<std::string> tick_labels;  ///< categories at 0, 1, 2 …, letter by letter; empty: numbers
 };
 
