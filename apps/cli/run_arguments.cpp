@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "interruption.hpp"
-#include "session.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/workflow/provenance.hpp"
 
@@ -35,14 +34,18 @@ void report_traffic(const cache::Store& store) {
         complain(fmt::format("cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE", results(traffic.not_kept), store.folder()));
 }
 
-workflow::StudyResult run_for_user(workflow::Study study, parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
+workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
     workflow::RunOptions options;
     options.threads = threads;
     options.store = &store;
     options.progress = [&display](const workflow::Progress& progress) { display.show(progress); };
     options.cancelled = &interruption();
+    return options;
+}
+
+ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, const std::function<ExitCode()>& body) {
     try {
-        return workflow::run_study(std::move(study), options);
+        return body();
     } catch (const Cancelled&) {
         display.finish();
         complain(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,

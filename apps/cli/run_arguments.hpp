@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "progress.hpp"
+#include "session.hpp"
 #include "setae/cache/store.hpp"
-#include "setae/workflow/study_result.hpp"
 
 namespace setae::cli {
 
@@ -25,7 +26,10 @@ struct RunArguments {
 /// Tells on standard error what a store could not give or keep.
 void report_traffic(const cache::Store& store);
 
-/// Runs a study, shows its steps, and ends the program where the user asks for it: what is done by then is kept.
-[[nodiscard]] workflow::StudyResult run_for_user(workflow::Study study, parallel::Threads threads, const cache::Store& store, ProgressDisplay& display);
+/// How a study is run for a user: its steps are shown, and it can be interrupted.
+[[nodiscard]] workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display);
+
+/// Does what a verb does. Where the user interrupts it, says what is kept and ends the program by the signal.
+ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, const std::function<ExitCode()>& body);
 
 }  // namespace setae::cli

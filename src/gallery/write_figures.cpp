@@ -58,7 +58,9 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
     std::vector<std::string> errors(drawable.size() * endings);
     std::vector<std::size_t> left(drawable.size(), endings);
     std::mutex telling;
+    const auto cancelled = [&options] { return options.cancelled && *options.cancelled; };
     parallel::for_each_index(errors.size(), options.threads, [&](std::size_t job) {
+        if (cancelled()) return;
         const auto& figure = *drawable[job / endings];
         const auto& ending = options.endings[job % endings];
         try {
@@ -70,6 +72,7 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
         const std::scoped_lock lock(telling);
         if (--left[job / endings] == 0 && options.progress) options.progress(figure.name);
     });
+    if (cancelled()) throw Cancelled("stopped before all figures were drawn");
     std::vector<WrittenFigure> written;
     for (std::size_t i = 0; i < drawable.size(); ++i) {
         WrittenFigure result{.name = drawable[i]->name};

@@ -10,6 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/gallery/write_figures.hpp"
 #include "setae/io/whole_file.hpp"
+#include "setae/workflow/study_result.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -73,13 +74,8 @@ ExitCode list(const PlotArguments& arguments, const std::vector<gallery::StudyFi
     return ExitCode::done;
 }
 
-ExitCode run(const PlotArguments& arguments) {
-    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
-    if (!arguments.list && arguments.figure.empty()) throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
-    if (!arguments.output.empty()) (void)ending_of(arguments.output);
-    const auto store = arguments.run.store();
-    ProgressDisplay display(arguments.run.progress);
-    const auto result = run_for_user(workflow::read_study(arguments.study), arguments.common.workers(), store, display);
+ExitCode plot(const PlotArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    const auto result = workflow::run_study(workflow::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
     display.finish();
     const gallery::GalleryOptions options{.width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
     if (arguments.list) return list(arguments, gallery::study_figures(result, options));
@@ -96,6 +92,15 @@ ExitCode run(const PlotArguments& arguments) {
         print(fmt::format("{}: {}\n{}\n", output, figure.title, figure.caption));
     }
     return ExitCode::done;
+}
+
+ExitCode run(const PlotArguments& arguments) {
+    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
+    if (!arguments.list && arguments.figure.empty()) throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
+    if (!arguments.output.empty()) (void)ending_of(arguments.output);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress);
+    return until_interrupted(store, display, [&] { return plot(arguments, store, display); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interruption.hpp"
 #include "run_arguments.hpp"
 #include "run_time.hpp"
 #include "setae/core/errors.hpp"
@@ -119,6 +120,7 @@ int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflo
     options.study = study.path;
     options.threads = arguments.common.workers();
     options.store = &store;
+    options.cancelled = &interruption();
     options.progress = [&](const std::string& name) {
         step.item = name;
         ++step.done;
@@ -140,12 +142,9 @@ std::string command_of(const Arguments& arguments) {
     return "setae study " + shell_word(arguments.file) + (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
 }
 
-ExitCode run(const Arguments& arguments) {
-    if (arguments.dry_run) return show_plan(arguments);
-    const auto store = arguments.run.store();
-    ProgressDisplay display(arguments.run.progress);
+ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
     const auto time = time_of_run();
-    const auto result = run_for_user(study_of(arguments), arguments.common.workers(), store, display);
+    const auto result = workflow::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
     const auto figures = gallery::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
     const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
     // a folder that holds them holds all the rest, too
@@ -166,6 +165,13 @@ ExitCode run(const Arguments& arguments) {
     const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
     if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.dry_run) return show_plan(arguments);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress);
+    return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
 }
 
 }  // namespace

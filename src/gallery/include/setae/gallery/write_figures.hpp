@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct WriteOptions {
     parallel::Threads threads;
     const cache::Store* store = nullptr;                             ///< figures drawn before are taken from it
     std::function<void(const std::string& name)> progress;           ///< after each figure, one call at a time
+    const std::atomic<bool>* cancelled = nullptr;                    ///< once true, nothing new is begun
 };
 
 /// What became of a figure.
@@ -29,7 +31,7 @@ struct WrittenFigure {
 /// Writes every drawable figure as NAME.ending, each file as a whole. One that fails never loses the others.
 ///
 /// Files are drawn on many threads; the same figures give the same bytes for any number, and from the store.
-/// @throws FileError where the folder cannot be made.
+/// @throws FileError where the folder cannot be made; Cancelled where the options say so.
 std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures, const WriteOptions& options);
 
 /// The command that makes a figure again: "setae plot STUDY --figure ID -o NAME.svg".
