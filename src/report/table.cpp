@@ -46,6 +46,21 @@ std::vector<Part> parts_of(const Cell& cell, const Json& study) {
     return parts;
 }
 
+/// An end of a band of wavevectors, which span many decades: "10⁵", "1.257×10⁴".
+std::string as_power(double value) {
+    auto text = fmt::format("{:.3e}", value);
+    const auto split = text.find('e');
+    auto digits = text.substr(0, split);
+    digits.erase(digits.find_last_not_of("0.") + 1);
+    return (digits == "1" ? "" : digits + "×") + "10" + raised(std::to_string(std::stoi(text.substr(split + 1))));
+}
+
+std::string span(const Json& study, const std::string& pointer, const std::string& part, const std::string& text) {
+    const auto& json = entry(study, pointer);
+    const std::string full = json.is_string() ? json.get<std::string>() : json.is_null() ? "" : json.dump();
+    return fmt::format("<span data-pointer=\"{}\" data-part=\"{}\" data-value=\"{}\">{}</span>", escaped(pointer), part, escaped(full), text);
+}
+
 /// Value, standard error and interval by the names of their parts.
 std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& unit) {
     if (const auto* text = std::get_if<TextCell>(&cell)) return "<td>" + escaped(text->text) + "</td>";
@@ -57,8 +72,8 @@ std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& un
     const auto html = [&](const std::string& part, int decimals) { return number_html(study, pointers.at(part), unit, decimals, part); };
     std::string inner;
     if (std::holds_alternative<BandCell>(cell)) {
-        const auto decimals = [&](const std::string& part) { return decimals_of(value_or_zero(entry(study, pointers.at(part))) / unit.factor, 0.0); };
-        inner = html("lower", decimals("lower")) + " … " + html("upper", decimals("upper"));
+        const auto end = [&](const std::string& part) { return span(study, pointers.at(part), part, as_power(value_or_zero(entry(study, pointers.at(part))))); };
+        inner = end("lower") + " … " + end("upper");
     } else if (std::holds_alternative<NumberCell>(cell)) {
         const auto& json = entry(study, pointers.at("value"));
         inner = html("value", json.is_number_integer() ? 0 : decimals_of(value_or_zero(json) / unit.factor, 0.0));
@@ -75,9 +90,10 @@ std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& un
 
 DisplayUnit unit_of_column(const DataTable& table, std::size_t column, const Json& study) {
     double largest = 0.0;
+    if (!table.rows.empty() && std::holds_alternative<BandCell>(table.rows.front()[column])) return {table.columns[column].unit, 1.0};
     for (const auto& row : table.rows)
         for (const auto& part : parts_of(row[column], study))
-            if (part.name == "value" || part.name == "upper") largest = std::max(largest, std::abs(value_or_zero(entry(study, part.pointer))));
+            if (part.name == "value") largest = std::max(largest, std::abs(value_or_zero(entry(study, part.pointer))));
     return display_unit(table.columns[column].unit, largest);
 }
 
@@ -136,8 +152,7 @@ std::string number_html(const Json& study, const std::string& pointer, const Dis
     const auto& json = entry(study, pointer);
     const auto value = number_of(json);
     const std::string text = value ? shown(*value / unit.factor, decimals) : json.is_string() ? escaped(json.get<std::string>()) : "–";
-    const std::string full = json.is_string() ? json.get<std::string>() : json.is_null() ? "" : json.dump();
-    return fmt::format("<span data-pointer=\"{}\" data-part=\"{}\" data-value=\"{}\">{}</span>", escaped(pointer), part, escaped(full), text);
+    return span(study, pointer, part, text);
 }
 
 std::string quantity_html(const Json& study, const std::string& pointer, bool with_interval) {
@@ -164,7 +179,7 @@ std::string as_html(const DataTable& table, const Json& study) {
     if (!table.note.empty()) html += "<p class=\"note\">" + table.note + "</p>";
     html += fmt::format("<div class=\"tools\"><button type=\"button\" class=\"copy\" data-table=\"{0}\" aria-label=\"Copy table: {1}\">Copy</button>"
                         "<span class=\"told\" role=\"status\"></span></div>"
-                        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"{0}-title\"><table id=\"{0}\"><thead><tr>",
+                        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {1}\"><table id=\"{0}\"><thead><tr>",
                         table.identifier, escaped(table.title));
     std::vector<DisplayUnit> units;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {

@@ -117,7 +117,7 @@ DataTable pairs_predicted(const StudyResult& result) {
     DataTable table{"pairs-predicted", "Pairs: predicted from roughness",
                     "<i>W</i><sub>app</sub> by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
                     {{"surface", ""}, {"elastomer", ""}, {"*W*_app (7)", "J/m2"}, {"*W*_app (S13)", "J/m2"}, {"*W*_app (2)", "J/m2"}, {"measured − max(0, (7))", "J/m2"},
-                     {"*U*_el/*A*_app", "J/m2"}, {"*A*_true/*A*_app", "1"}, {"*λ*_{1/2}", "m"}, {"*E*_loss (10)", "J"}, {"", ""}},
+                     {"*U*_el/*A*_app", "J/m2"}, {"*A*_true/*A*_app", "1"}, {"*λ*_{1/2}", "m"}, {"*E*_loss (10)", "J"}, {"note", ""}},
                     {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         const auto& pair = result.pairs[i];
@@ -181,11 +181,15 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
 
 DataTable fits(const StudyResult& result, const Json& study) {
     DataTable table{"fits", "Intrinsic work of adhesion from all pairs",
-                    "(7) with and (S13) without the soft side's change of area, (2) without any, energy lost against true area (10). Reported values are those the study names.",
+                    "(7) with and (S13) without the soft side's change of area, (2) without any, energy lost against true area (10). Reported values are what others found.",
                     {{"fit", ""}, {"variant", ""}, {"spectra", ""}, {"*W*_int", "J/m2"}, {"*R*²", "1"}, {"*χ*²", "1"}, {"*n*", "1"}, {"reported *W*_int", "J/m2"}, {"reported *R*²", "1"}},
                     {}};
     add_fits(table, study, "/fits", result.by_average ? "likelihood" : "as given", true);
     if (result.by_average) add_fits(table, study, "/by_average/fits", "average", false);
+    if (result.study.reported.empty()) {
+        table.columns.resize(table.columns.size() - 2);
+        for (auto& row : table.rows) row.resize(table.columns.size());
+    }
     return table;
 }
 
@@ -243,7 +247,7 @@ DataTable measurement_table(const StudyResult& result) {
                     "Heights as measured, unfiltered: root mean square and mean height (<i>Sq</i>, <i>Sa</i> of maps, <i>Rq</i>, <i>Ra</i> of lines), slope and curvature by differences at the "
                     "resolution of the data. The band is what the spectrum is trusted in; <i>n</i> counts points.",
                     {{"surface", ""}, {"file", ""}, {"measurement", ""}, {"instrument", ""}, {"Rq or Sq", "m"}, {"Ra or Sa", "m"}, {"Rdq or Sdq", "1"}, {"curvature", "1/m"},
-                     {"band *q*", "1/m"}, {"*n*", "1"}, {"", ""}},
+                     {"band *q*", "1/m"}, {"*n*", "1"}, {"status", ""}},
                     {}};
     for (const auto& surface : result.surfaces)
         for (std::size_t i = 0; i < surface.measurements.size(); ++i) {
@@ -261,7 +265,7 @@ DataTable loop_table(const StudyResult& result) {
     DataTable table{"loops", "Loops",
                     "Contact modulus and work of adhesion by the JKR fit of loading, work of adhesion of pull-off (S1) and retraction (S2), energy lost; <i>n</i> counts the samples of the loading fit.",
                     {{"file", ""}, {"surface", ""}, {"elastomer", ""}, {"*E*\\*", "Pa"}, {"*W* approach", "J/m2"}, {"*W* pull-off", "J/m2"}, {"*W* retraction", "J/m2"},
-                     {"*E*_loss", "J"}, {"*a*_max", "m"}, {"*n*", "1"}, {"", ""}},
+                     {"*E*_loss", "J"}, {"*a*_max", "m"}, {"*n*", "1"}, {"status", ""}},
                     {}};
     for (std::size_t i = 0; i < result.experiments.size(); ++i) {
         const auto& e = result.experiments[i];
