@@ -50,7 +50,7 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
     };
     for (std::size_t i = 0; i < result.surfaces.size(); ++i)
         if (shown(&Point::surface, result.surfaces[i].name))
-            panel.series.push_back({.label = label_of(result.surfaces[i]), .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i), .legend_only = true});
+            panel.series.push_back({.label = result.surfaces[i].name, .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i), .legend_only = true});
     for (std::size_t i = 0; i < result.elastomers.size(); ++i) {
         const auto& elastomer = result.elastomers[i];
         if (!shown(&Point::elastomer, elastomer.input.name)) continue;
@@ -224,7 +224,7 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
     drawn.figure = arranged(sitting, comparisons, 120.0);
     drawn.caption = text + fmt::format("Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
                                        "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
-                                       points.empty() ? "" : " (spectrum, modulus, surface energy and W_int)", reconstruction_note(result));
+                                       points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0", reconstruction_note(result) + floored_note(result));
 }
 
 void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
@@ -255,7 +255,7 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
     drawn.figure = arranged(sitting, {comparison}, 120.0);
     drawn.caption = fmt::format("Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
                                 "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
-                                "error.{} Compare Fig. S8 of Dalvi et al. 2019.",
+                                "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",
                                 counted(points.size(), "pair"), source, reconstruction_note(result));
 }
 

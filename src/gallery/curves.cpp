@@ -89,7 +89,8 @@ std::optional<SurfaceCurve> C_iso_of(const workflow::SurfaceResult& surface, rou
     curve->wavevector = q;
     curve->values = conversion == roughness::Conversion::exact ? synthesis::isotropic_from_profile(q, C1D, whole.band.upper)
                                                                : synthesis::isotropic_from_profile_eq11(q, C1D, whole.band.upper);
-    curve->lower = curve->upper = {};
+    curve->lower.resize(0);
+    curve->upper.resize(0);
     return curve;
 }
 

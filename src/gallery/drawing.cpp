@@ -99,9 +99,7 @@ std::string with_error(const Estimate& estimate, double factor, const std::strin
     const auto value = estimate.value * factor;
     if (!estimate.uncertain()) return fmt::format("{:.4g} {}", value, unit);
     const double error = estimate.standard_error * factor;
-    // two digits of an error that begins with 1 or 2, else one
-    const double power = std::floor(std::log10(error));
-    const int digits = std::clamp((error < 2.95 * std::pow(10.0, power) ? 1 : 0) - static_cast<int>(power), 0, 6);
+    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6);
     return fmt::format("{:.{}f} ± {:.{}f} {}", value, digits, error, digits, unit);
 }
 
@@ -110,21 +108,26 @@ std::string reconstruction_note(const workflow::StudyResult& result) {
     for (const auto& surface : result.surfaces)
         if (surface.reconstructed) names += (names.empty() ? "" : ", ") + surface.name;
     if (names.empty()) return {};
-    std::string note = " Reconstruction: the spectrum of " + names + " is self-affine with the three published moments (rms height, slope and curvature); "
-                       "between them it is the model's, and so is the stored energy.";
-    if (!result.work_of_adhesion) return note;
+    return " Reconstruction: the spectrum of " + names + " is self-affine with the three published moments (rms height, slope and curvature); what lies between them is "
+           "the model's, the stored energy too.";
+}
+
+std::string floored_note(const workflow::StudyResult& result) {
+    std::string pairs;
     for (const auto& pair : result.pairs) {
         if (!pair.modified || !pair.approach || !result.surface(pair.surface).reconstructed) continue;
-        // floored although adhesion was measured beyond two standard errors
+        // adhesion was measured beyond two standard errors
         if (pair.modified->work.conforms || !(pair.approach->value > 2.0 * std::sqrt(pair.approach->variance()))) continue;
         const auto& elastomer = result.elastomer(pair.elastomer);
-        const double work = result.work_of_adhesion->value, r = pair.area_ratio;
-        const double most = (work * r - elastomer.input.surface_energy.value * (r - 1.0)) / elastomer.contact_modulus.value;
-        note += fmt::format(" It floors {} on {} at 0, where {} were measured: the surface's own U_el/(A_app E*) must be below {:.2f} nm (here {:.2f} nm; W_int = {:.1f} mJ/m2).",
-                            pair.surface, pair.elastomer, with_error(*pair.approach, 1e3, "mJ/m2"), 1e9 * most,
-                            1e9 * pair.stored_energy.value / elastomer.contact_modulus.value, 1e3 * work);
+        const double r = pair.area_ratio;
+        const double most = (result.work_of_adhesion->value * r - elastomer.input.surface_energy.value * (r - 1.0)) / elastomer.contact_modulus.value;
+        pairs += fmt::format("{}{} on {} (measured {}; {:.2f} nm, not {:.2f} nm)", pairs.empty() ? "" : ", ", pair.surface, pair.elastomer,
+                             with_error(*pair.approach, 1e3, "mJ/m2"), 1e9 * most, 1e9 * pair.stored_energy.value / elastomer.contact_modulus.value);
     }
-    return note;
+    if (pairs.empty()) return {};
+    return fmt::format(" With it (7) is floored at 0 where adhesion was measured: for (7) to give any at W_int = {:.1f} mJ/m2, the surface's own U_el/(A_app E*) must be "
+                       "below the first length: {}.",
+                       1e3 * result.work_of_adhesion->value, pairs);
 }
 
 std::string counted(std::size_t n, const std::string& thing) { return n == 1 ? "one " + thing : fmt::format("{} {}s", n, thing); }

@@ -54,6 +54,9 @@ struct InstrumentBand {
 
 /// What must be said where a spectrum reconstructed from published moments is shown; empty where none is.
 [[nodiscard]] std::string reconstruction_note(const workflow::StudyResult& result);
+/// Pairs of such spectra for which (7) is floored although adhesion was measured, and how large the stored energy may be for it not to
+/// be; empty where there is none.
+[[nodiscard]] std::string floored_note(const workflow::StudyResult& result);
 
 /// "one pair", "3 pairs".
 [[nodiscard]] std::string counted(std::size_t n, const std::string& thing);

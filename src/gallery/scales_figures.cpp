@@ -41,9 +41,9 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
     }
     const figures::Axis q{.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true};
     const figures::Axis share_axis{.unit = "%", .from = 0.0, .to = 103.0};
-    Panel energy{.title = "A", .x = q, .y = share_axis}, area{.title = "B", .x = q, .y = share_axis, .legend = false}, work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
+    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false}, area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left}, work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
     energy.y.quantity = "share of *U*_{el} below *q*";
-    area.y.quantity = "share of the excess area below *q*";
+    area.y.quantity = "share of excess area below *q*";
     work.y.quantity = "share of Δ*W*_{app} below *q*";
     work.horizontal_lines = {0.0, 100.0};
     std::size_t n = 0;
@@ -54,7 +54,7 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
         const auto& scales = *pair.scales;
         const auto place = place_of_surface(result, pair.surface);
         const auto add = [&](Panel& panel, const Array1D& share) {
-            panel.series.push_back({.label = label_of(result.surface(pair.surface)), .x = scales.wavevector, .y = 100.0 * share, .mark = Mark::line, .colour = colour_of_place(place),
+            panel.series.push_back({.label = pair.surface, .x = scales.wavevector, .y = 100.0 * share, .mark = Mark::line, .colour = colour_of_place(place),
                                     .symbol = static_cast<int>(place)});
         };
         add(energy, scales.stored_share);
@@ -74,7 +74,7 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
         "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
         "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
         "different scales have different signs it leaves 0 … 100 %.{}",
-        counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), reconstruction_note(result));
+        counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), reconstruction_note(result) + floored_note(result));
 }
 
 void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {

@@ -209,12 +209,12 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     panel.legend_corner = figures::Corner::bottom_left;
     add_bars(panel, instruments);
     const bool pictures = wide(sitting) && pictured_surface(result) != nullptr;
-    drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? page_mm : column_mm, .height_mm = wide(sitting) ? 95.0 : 75.0};
+    drawn.figure = {.panels = {panel}, .width_mm = !wide(sitting) ? column_mm : pictures ? page_mm : 120.0, .height_mm = !wide(sitting) ? 75.0 : pictures ? 95.0 : 85.0};
     drawn.caption = fmt::format("{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
                                 pictures ? "A: " : "", counted(panel.series.size() - instruments.size() - (bands ? static_cast<std::size_t>(std::count_if(panel.series.begin(), panel.series.end(), [](const Series& s) { return s.mark == Mark::band; })) : 0), "surface"),
                                 methods.text(), bands ? " Shaded: 95 % (1.96 standard errors)." : "",
                                 instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.",
-                                pictures ? add_pictures(drawn.figure, result) : "", failed_surfaces(result), reconstruction_note(result));
+                                pictures ? add_pictures(drawn.figure, result) : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
@@ -242,7 +242,7 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
     drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 85.0 : 70.0};
     drawn.caption = fmt::format("C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"), methods.text(),
                                 converted ? conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral." : " Averages become C_iso by (11)." : "",
-                                bands ? " Shaded: 95 % (1.96 standard errors)." : "", failed_surfaces(result), reconstruction_note(result));
+                                bands ? " Shaded: 95 % (1.96 standard errors)." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {

@@ -17,7 +17,6 @@ using figures::Mark;
 using figures::Panel;
 using figures::Series;
 
-constexpr Index map_points = 1024;
 constexpr std::uint64_t map_seed = 1;
 
 template <class Formula>
@@ -40,6 +39,7 @@ std::vector<MeanArea> from_text(const std::string& text) {
 }
 
 std::vector<MeanArea> areas_of_maps(const Sitting& sitting) {
+    const Index map_points = sitting.options.area_map_points;
     const auto compute = [&] { return means(true_area_of_maps({.points = map_points, .seed = map_seed, .threads = sitting.options.threads})); };
     const auto* store = sitting.options.store;
     if (!store) return compute();
@@ -79,7 +79,7 @@ void true_area(const Sitting& sitting, StudyFigure& drawn) {
                                 "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
                                 "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {:.2g} % of (9). This figure does not depend on "
                                 "the study. Compare Fig. S7 of Dalvi et al. 2019.",
-                                map_points, map_points, 100.0 * largest);
+                                sitting.options.area_map_points, sitting.options.area_map_points, 100.0 * largest);
 }
 
 }  // namespace setae::gallery

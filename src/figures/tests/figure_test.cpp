@@ -287,6 +287,116 @@ TEST(Draw, RefusesFoldersAndEndingsThereAreNot) {
     EXPECT_THROW(draw(everything(), folder / "a.jpg"), InvalidArgument);
 }
 
+TEST(GnuplotScript, DrawsWhatStandsInTheLegendAlone) {
+    auto figure = figure_of(rising("data"));
+    figure.panels[0].series[0].in_legend = false;
+    figure.panels[0].series.push_back({.label = "meaning", .mark = Mark::points, .colour = 4, .legend_only = true});
+    const auto script = script_of(figure);
+    EXPECT_NE(script.find("keyentry with points pt 11"), std::string::npos) << script;
+    EXPECT_NE(script.find("title 'meaning'"), std::string::npos);
+    EXPECT_EQ(script.find("title 'data'"), std::string::npos);
+    figure.panels[0].series.erase(figure.panels[0].series.begin());
+    EXPECT_NE(script_of(figure).find("plot NaN notitle, \\\n     keyentry"), std::string::npos) << script_of(figure);
+}
+
+TEST(GnuplotScript, TellsDashesFromSymbolsAndPalesWhatIsPale) {
+    auto series = rising("a");
+    series.mark = Mark::line;
+    series.colour = 1;
+    series.dash = 2;
+    series.opacity = 0.5;
+    series.line_width = 0.7;
+    EXPECT_NE(script_of(figure_of(series)).find("with lines lc rgb '#80D55E00' lw 0.7 dt (2,4) title 'a'"), std::string::npos) << script_of(figure_of(series));
+}
+
+TEST(GnuplotScript, FillsTheAreaWithinALoop) {
+    auto series = rising("loop");
+    series.mark = Mark::area;
+    EXPECT_NE(script_of(figure_of(series)).find("using 1:2 with filledcurves closed fs transparent solid 0.25 noborder lc rgb '#0072B2' title 'loop'"), std::string::npos)
+        << script_of(figure_of(series));
+}
+
+TEST(GnuplotScript, PutsNotesBesideTheirPlaces) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].notes = {{.text = "it's 5 %", .x = 10.0, .y = 3.0, .side = Note::Side::right}};
+    EXPECT_NE(script_of(figure).find("set label 'it''s 5 %' at first 10,3 left offset 0.6,0"), std::string::npos) << script_of(figure);
+}
+
+TEST(GnuplotScript, LeavesOutNumbersOfBareAxes) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].x.bare = true;
+    EXPECT_NE(script_of(figure).find("set format x ''\n"), std::string::npos);
+    EXPECT_EQ(script_of(figure).find("wavevector"), std::string::npos);
+}
+
+TEST(GnuplotScript, GivesNumbersAtLinearAxesRoom) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].x = {.quantity = "x", .from = 0.0, .to = 0.08};
+    // a number such as 0.02 wants 8.3 mm: eight of them do not fit along 66 mm
+    EXPECT_NE(script_of(figure).find("set xtics 0.02 "), std::string::npos) << script_of(figure);
+    figure.width_mm = 50.0;
+    EXPECT_NE(script_of(figure).find("set xtics 0.05 "), std::string::npos) << script_of(figure);
+}
+
+/// A map with one undefined cell.
+Figure map_figure() {
+    Figure figure{.panels = {{.x = {"*x*", "um"}, .y = {"*y*", "um"}}}};
+    Array2D values = Array2D::Zero(4, 2);
+    values(3, 1) = 5.0;
+    values(0, 0) = undefined;
+    figure.panels[0].map = HeatMap{values, 2.0, 1.0, {"height *h*", "nm"}};
+    return figure;
+}
+
+TEST(GnuplotScript, DrawsMapsInOneScaleAlongBothAxes) {
+    const auto script = script_of(map_figure());
+    EXPECT_NE(script.find("set xrange [0:2]"), std::string::npos);
+    EXPECT_NE(script.find("set cbrange [0:5]"), std::string::npos);
+    EXPECT_NE(script.find("\n1.75 0.75 5\n"), std::string::npos) << script;
+    const auto margin = [&](const char* name) { return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21)); };
+    EXPECT_NEAR((margin("r") - margin("l")) * 85.0, 2.0 * (margin("t") - margin("b")) * 65.0, 1e-2);
+    auto figure = map_figure();
+    figure.panels[0].map->width = 0.0;
+    EXPECT_THROW((void)script_of(figure), InvalidArgument);
+}
+
+TEST(GnuplotScript, PutsPanelsWhereTheyAreTold) {
+    auto figure = figure_of(rising("a"));
+    figure.panels[0].place = Place{0.5, 0.25, 0.5, 0.75};
+    const auto script = script_of(figure);
+    const auto margin = [&](const char* name) { return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21)); };
+    EXPECT_GT(margin("l"), 0.5);
+    EXPECT_LT(margin("t"), 0.75);
+    EXPECT_GT(margin("t"), 0.68);
+}
+
+TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
+    auto figure = figure_of(rising("a label of some length"));
+    const auto right = [&] { return std::stod(script_of(figure).substr(script_of(figure).find("set rmargin at screen ") + 22)); };
+    const double before = right();
+    figure.panels[0].legend_beside = true;
+    EXPECT_LT(right() * 85.0, before * 85.0 - 30.0);
+    EXPECT_NE(script_of(figure).find("set key at screen "), std::string::npos);
+}
+
+TEST(Draw, HoldsMapsWithinTheFile) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    const auto content = drawn(map_figure(), "svg");
+    EXPECT_NE(content.find("xlink:href='data:image/png;base64,"), std::string::npos);
+    // nothing else is referred to
+    for (auto at = content.find("href="); at != std::string::npos; at = content.find("href=", at + 1))
+        EXPECT_TRUE(content[at + 6] == '#' || content.compare(at + 6, 5, "data:") == 0) << content.substr(at, 60);
+    EXPECT_EQ(drawn(map_figure(), "svg"), content);
+}
+
+TEST(Draw, IsByTheGnuplotOnThePath) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    EXPECT_NE(drawing_program().find("gnuplot"), std::string::npos);
+    const Folder folder;
+    const SearchPath nowhere(folder.path.string());
+    EXPECT_EQ(drawing_program(), "");
+}
+
 TEST(FigureData, AreARowAPoint) {
     const Folder folder;
     auto series = rising("say \"a, b\"");
@@ -303,6 +413,20 @@ TEST(FigureData, AreARowAPoint) {
     EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",,wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos) << text;
     EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",third,wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"), std::string::npos) << text;
     EXPECT_EQ(count(text, "\n"), 7u);
+}
+
+TEST(FigureData, HoldTheCellsOfMaps) {
+    const auto text = data_text(map_figure());
+    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right,value quantity,value unit,value");
+    EXPECT_NE(text.find("\n1,map,,*x*,um,1.75,*y*,um,0.75,,,,,height *h*,nm,5\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n1,map,,*x*,um,0.25,*y*,um,0.25,,,,,height *h*,nm,\n"), std::string::npos) << text;
+    EXPECT_EQ(count(text, "\n"), 9u);
+}
+
+TEST(FigureData, NeedANameForEachPointOrNone) {
+    auto series = rising("a");
+    series.names = {"one"};
+    EXPECT_THROW((void)data_text(figure_of(series)), InvalidArgument);
 }
 
 }  // namespace

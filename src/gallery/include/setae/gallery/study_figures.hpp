@@ -31,6 +31,7 @@ enum class FigureWidth {
 struct GalleryOptions {
     FigureWidth width = FigureWidth::double_column;
     parallel::Threads threads;
+    Index area_map_points = 1024;         ///< along a side of the maps of S7, >= 128
     const cache::Store* store = nullptr;  ///< keeps what takes long: the true area of the maps of S7
 };
 
