@@ -162,9 +162,9 @@ Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
 void require_points(const topography::Profile& contour) {
     topography::validate(contour);
     if (contour.positions.size() < 8)
-        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8", contour.metadata.name, contour.positions.size()));
+        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8", topography::label(contour.metadata), contour.positions.size()));
     if (!std::isfinite(contour.heights.sum()))
-        throw UndefinedDataError(fmt::format("contour '{}' has undefined heights; clean it first", contour.metadata.name));
+        throw UndefinedDataError(fmt::format("contour '{}' has undefined heights; clean it first", topography::label(contour.metadata)));
 }
 
 Array1D periodogram_by(const Operator& transform, const Array1D& heights) {

@@ -13,15 +13,10 @@ namespace {
 void require_extent(Index points, double size, const char* direction, const topography::Metadata& metadata) {
     if (points >= 2 && size > 0.0 && std::isfinite(size)) return;
     throw InvalidArgument(fmt::format("{}: {} points over {} m along {}; a spectrum needs at least 2 points and a positive size",
-                                      label(metadata), points, size, direction));
+                                      topography::label(metadata), points, size, direction));
 }
 
 }  // namespace
-
-std::string label(const topography::Metadata& metadata) {
-    if (!metadata.name.empty()) return metadata.name;
-    return metadata.file.empty() ? "measurement" : metadata.file;
-}
 
 void require_shape(const topography::LineScan& scan) { require_extent(scan.heights.size(), scan.size, "x", scan.metadata); }
 
@@ -37,7 +32,7 @@ void require_defined(const ArrayView1D& heights, const topography::Metadata& met
 
 void throw_undefined(const topography::Metadata& metadata, const std::string& where) {
     throw UndefinedDataError(fmt::format("{}: undefined or infinite height at {}; a spectrum needs every height: fill the holes or "
-                                         "analyse a part without them", label(metadata), where));
+                                         "analyse a part without them", topography::label(metadata), where));
 }
 
 }  // namespace setae::spectra

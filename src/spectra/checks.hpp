@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "setae/topography/measurement.hpp"
 
 namespace setae::spectra {
-
-/// How messages name a measurement.
-[[nodiscard]] std::string label(const topography::Metadata& metadata);
 
 /// @throws InvalidArgument for fewer than two points a direction or a size that is not positive; looks at no height.
 void require_shape(const topography::LineScan& scan);

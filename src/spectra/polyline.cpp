@@ -42,7 +42,7 @@ WindowedPolyline prepare(const topography::Profile& profile, Window window) {
     topography::validate(profile);
     if (profile.heights.isNaN().any())
         throw UndefinedDataError(fmt::format("{}: a profile's spectrum needs every height defined; drop the undefined points",
-                                             profile.metadata.name));
+                                             topography::label(profile.metadata)));
     const auto n = profile.positions.size();
     WindowedPolyline line{profile.positions - profile.positions[0], profile.heights, {}, profile.size(), 0.0,
                           cosine_coefficients(window)};

@@ -109,7 +109,7 @@ Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response) {
         return 100.0 * (std::sqrt((weight * corrected.C1D).sum() / (weight * corrected.C1D * response).sum()) - 1.0);
     };
     const auto last = response.size() - 1;
-    return {"CONTOUR_STEPS", corrected.metadata.name,
+    return {"CONTOUR_STEPS", topography::label(corrected.metadata),
             fmt::format("straight segments between points keep {:.0f} % of C1D at {:.3g} 1/m; undoing this raises this profile's "
                         "rms slope by {:.1f} % and rms curvature by {:.1f} %",
                         100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),

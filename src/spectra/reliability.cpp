@@ -102,9 +102,9 @@ Sampling sampling(const Profile& profile) {
 Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const TipCutoff& tip, const Band& band, double nyquist) {
     const std::string action = "use a sharper tip, or a finer instrument for these wavelengths";
     if (tip.status == CutoffStatus::nothing_reliable)
-        return {"TIP_CUTOFF", label(metadata),
+        return {"TIP_CUTOFF", topography::label(metadata),
                 fmt::format("the tip of {:.3g} m radius is blunter than the surface at every scale: nothing is reliable", tip_radius), action};
-    return {"TIP_CUTOFF", label(metadata),
+    return {"TIP_CUTOFF", topography::label(metadata),
             fmt::format("the tip of {:.3g} m radius hides wavelengths below {:.4g} m: the band ends at {:.3g} instead of {:.3g} 1/m, "
                         "{:.2g} decades less", tip_radius, tip.value, band.upper, nyquist, std::log10(nyquist / band.upper)), action};
 }

@@ -27,7 +27,7 @@ void require(const HeightMap& image, const BlindTipOptions& options) {
         throw InvalidArgument(fmt::format("tip estimate of {} by {} points; expected odd positive numbers", px, py));
     if (!image.periodic && (nx < 2 * px - 1 || ny < 2 * py - 1))
         throw InvalidArgument(fmt::format("{}: tip estimate of {} by {} points on a map of {} by {}; expected a map of at least {} by {}, or "
-                                          "fewer points", image.metadata.name, px, py, nx, ny, 2 * px - 1, 2 * py - 1));
+                                          "fewer points", label(image.metadata), px, py, nx, ny, 2 * px - 1, 2 * py - 1));
     if (!(options.noise_threshold >= 0.0) || !std::isfinite(options.noise_threshold))
         throw InvalidArgument(fmt::format("noise threshold {} m; expected a finite one >= 0", options.noise_threshold));
     if (options.rounds < 1) throw InvalidArgument(fmt::format("{} rounds; expected at least one", options.rounds));
@@ -127,7 +127,7 @@ BlindTip blind_tip(const HeightMap& image, const BlindTipOptions& options) {
     const auto points = usable_points(whole.heights, 2 * reach_x, 2 * reach_y);
     if (points.empty())
         throw UndefinedDataError(fmt::format("{}: undefined heights within {} by {} points of every point; expected larger defined parts, or "
-                                             "a tip estimate of fewer points", image.metadata.name, 2 * reach_x, 2 * reach_y));
+                                             "a tip estimate of fewer points", label(image.metadata), 2 * reach_x, 2 * reach_y));
     const double threshold = options.noise_threshold + 1e-12 * height_range(whole, {.threads = options.threads});
     Estimate estimate(whole.heights, threshold, options);
     BlindTip result;

@@ -28,7 +28,7 @@ HeightMap as_map(const LineScan& line, const Tip& tip, const DilationOptions& op
     if (!line.periodic && reach > line.size)
         throw InvalidArgument(fmt::format("{}: the tip reaches {:.4g} m from its axis, the line measures {:.4g} m; expected a tip smaller "
                                           "than the line, a periodic line or a lower height_range",
-                                          line.metadata.name, reach, line.size));
+                                          label(line.metadata), reach, line.size));
     map.size[0] = 2.0 * reach + line.size;
     return map;
 }

@@ -34,12 +34,12 @@ Measurement scaled(Measurement measurement, double factor) {
     return measurement;
 }
 
-namespace {
-
 std::string label(const Metadata& metadata) {
     if (metadata.file.empty()) return metadata.name.empty() ? "measurement" : metadata.name;
     return metadata.name.empty() ? metadata.file : fmt::format("{} ({})", metadata.file, metadata.name);
 }
+
+namespace {
 
 void require_extent(double size, Index points, const char* direction, const Metadata& metadata) {
     if (points < 2)

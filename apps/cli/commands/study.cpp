@@ -112,8 +112,11 @@ ExitCode show_plan(const Arguments& arguments) {
 /// Draws every figure of a study; returns how many failed.
 int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflow::Study& study, const Arguments& arguments, const cache::Store& store,
                  ProgressDisplay& display) {
-    auto step = display.last();
-    step.total += static_cast<std::size_t>(std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); }));
+    constexpr double share_of_figures = 0.2;
+    const auto before = display.last();
+    const auto drawable = std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); });
+    auto step = before;
+    step.total += static_cast<std::size_t>(drawable);
     step.stage = "figure";
     gallery::WriteOptions options;
     options.folder = (std::filesystem::path(study.output) / "figures").string();
@@ -124,6 +127,9 @@ int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflo
     options.progress = [&](const std::string& name) {
         step.item = name;
         ++step.done;
+        const double drawn = static_cast<double>(step.done - before.done) / static_cast<double>(drawable);
+        step.share = 1.0 - share_of_figures * (1.0 - drawn);
+        step.computed_share = (1.0 - share_of_figures) * before.computed_share + share_of_figures * drawn;
         display.show(step);
     };
     int failed = 0;

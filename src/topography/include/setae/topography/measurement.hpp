@@ -66,6 +66,9 @@ struct Profile {
 
 using Measurement = std::variant<HeightMap, LineScan, Profile>;
 
+/// What messages call a measurement: its file, and in parentheses its name; whichever it has, else "measurement".
+[[nodiscard]] std::string label(const Metadata& metadata);
+
 [[nodiscard]] const Metadata& metadata(const Measurement& measurement);
 [[nodiscard]] Metadata& metadata(Measurement& measurement);
 
