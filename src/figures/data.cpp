@@ -19,7 +19,8 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string cell(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
+/// Twelve digits: what was scaled to the unit of an axis ends as it began.
+std::string cell(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }
 
 std::string cell(const Array1D& values, Index i) { return values.size() == 0 ? std::string() : cell(values[i]); }
 
