@@ -8,6 +8,7 @@
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
 
+#include <exception>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -168,7 +169,7 @@ template <class T>
     try {
         cereal::BinaryInputArchive archive(stream);
         archive(value);
-    } catch (const cereal::Exception&) {
+    } catch (const std::exception&) {  // cereal's own, or a length that no memory holds
         return std::nullopt;
     }
     return value;
