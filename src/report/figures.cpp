@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "markup.hpp"
@@ -65,6 +67,11 @@ Json panel_json(const figures::Panel& panel) {
     Json json{{"title", panel.title}, {"x", axis_json(panel.x)}, {"y", axis_json(panel.y)}, {"legend", panel.legend}, {"series", Json::array()}};
     for (std::size_t i = 0; i < panel.series.size(); ++i) json["series"].push_back(series_json(panel.series[i], i));
     if (!panel.horizontal_lines.empty()) json["lines"] = panel.horizontal_lines;
+    if (panel.legend_corner) {
+        static constexpr std::array<const char*, 4> corners{"top right", "top left", "bottom right", "bottom left"};
+        json["corner"] = corners[static_cast<std::size_t>(*panel.legend_corner)];
+    }
+    if (panel.legend_beside) json["beside"] = true;
     if (panel.place) json["place"] = {panel.place->left, panel.place->top, panel.place->width, panel.place->height};
     if (panel.map) json["map"] = map_json(*panel.map);
     for (const auto& note : panel.notes) {

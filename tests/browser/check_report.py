@@ -160,6 +160,16 @@ def check_figures(page):
     check(len(names()) < len(before) and "band" not in names(), f"a legend entry does not switch its series: {names()}")
     page.enter()
     check(names() == before, "a legend entry does not switch its series back")
+    lines = lambda: page.run(f"[2, 3].map(p => {plots(2)}[p].data.map(t => t.name))")  # noqa: E731
+    both = [["measurement 0", "measurement 1"]] * 2
+    check(lines() == both, f"measurements are {lines()}")
+    page.run("[...document.querySelectorAll('#figure-2 .legend button')].find(b => b.textContent === 'stylus').focus()")
+    page.enter()
+    check(lines() == [["measurement 1"]] * 2, f"an entry that stands for others does not switch them in both panels: {lines()}")
+    page.enter()
+    check(lines() == both, "an entry that stands for others does not switch them back")
+    ticks = page.run(f"[...{plots(2)}[2].querySelectorAll('.ytick text')].map(t => t.textContent)")
+    check(set(ticks) == {"0.2", "0.3", "0.5", "0.7"}, f"a logarithmic axis within a decade says {ticks}")
     page.run(f"Plotly.relayout({plots(1)}[1], {{'yaxis.range': [10, 11]}}).then(() => 0)")
     press(page, 1, "reset")
     check(page.run(f"{plots(1)}[1].layout.yaxis.range") == [0, 60], "the whole view does not come back")

@@ -184,25 +184,32 @@
     };
   }
 
-  /// Legend entries of a panel with the series each switches. One without points stands for the series that share its colour; among those in
-  /// black, for the series that share what tells it from the others.
-  function entriesOf(panel) {
+  /// Legend entries of a panel with the series each switches, [panel, series]: those of its label here and in panels without
+  /// a legend of their own. One without points stands for the series that share its colour; among those in black, for the series
+  /// that share what tells it from the others.
+  function entriesOf(figure, panel) {
     if (!panel.legend) return [];
     const shared = panel.series.filter(series => series.legend_only);
     const withMarks = series => series.mark === "points";
-    const membersOf = entry => {
+    const fitting = entry => {
+      if (!entry.legend_only) return series => series.label === entry.label && !series.legend_only;
       const rivals = shared.filter(other => other.colour === entry.colour && withMarks(other) === withMarks(entry));
       const telling = ["symbol", "hollow", "dash"].filter(key => (key === "dash" && !withMarks(entry)) || rivals.some(other => other[key] !== entry[key]));
-      const fits = entry.colour === 4
+      const alike = entry.colour === 4
         ? series => withMarks(series) === withMarks(entry) && telling.every(key => series[key] === entry[key])
         : series => series.colour === entry.colour;
-      return panel.series.map((series, index) => ({ series, index })).filter(({ series }) => series.unlisted && fits(series)).map(({ index }) => index);
+      return series => series.unlisted && alike(series);
     };
-    return panel.series.map((series, index) => ({ series, members: series.legend_only ? membersOf(series) : [index] })).filter(({ series }) => series.label && !series.unlisted);
+    const listed = series => series.label && !series.unlisted;
+    const spokenFor = other => other === panel || !other.legend || !other.series.some(listed);
+    return panel.series.filter(listed).map(series => {
+      const fits = fitting(series);
+      return { series, members: figure.panels.flatMap((other, p) => (spokenFor(other) ? other.series : []).flatMap((candidate, s) => (fits(candidate) ? [[p, s]] : []))) };
+    });
   }
 
   /// State of a panel: whether its axes are logarithmic, and which series are hidden.
-  const stateOf = panel => ({ x: !!panel.x.log, y: !!panel.y.log, off: new Set(), hidden: new Set() });
+  const stateOf = panel => ({ x: !!panel.x.log, y: !!panel.y.log, hidden: new Set() });
 
   function traces(panel, state) {
     const list = panel.map ? [mapTrace(panel)] : [];
@@ -228,19 +235,22 @@
     if (usable(axis.from) && usable(axis.to)) layout.range = [end(axis.from), end(axis.to)];
     else if (usable(axis.from)) Object.assign(layout, { autorange: "max", range: [end(axis.from), null] });
     else if (usable(axis.to)) Object.assign(layout, { autorange: "min", range: [null, end(axis.to)] });
-    if (logarithmic) Object.assign(layout, { dtick: decades(panel, name, layout.range) > 8 ? 2 : decades(panel, name, layout.range) < 1.5 ? "D2" : 1 });
+    if (logarithmic) Object.assign(layout, logarithmicTicks(panel, name, layout.range));
     if (panel.map) Object.assign(layout, { showgrid: false, constrain: "domain" }, name === "y" ? { scaleanchor: "x" } : {});
     return layout;
   }
 
-  /// How many powers of ten an axis spans.
-  function decades(panel, name, range) {
-    if (range && range[0] !== null && range[1] !== null) return range[1] - range[0];
-    let low = Infinity, high = 0;
-    for (const series of panel.series)
+  /// Powers of ten where an axis spans several, every second where it spans many; numbers between them where it spans few.
+  function logarithmicTicks(panel, name, range) {
+    let [low, high] = range && range[0] !== null && range[1] !== null ? range : [Infinity, -Infinity];
+    for (const series of low < high ? [] : panel.series)
       for (const value of series[name] || [])
-        if (value > 0) { low = Math.min(low, value); high = Math.max(high, value); }
-    return high > 0 ? Math.log10(high / low) : 1;
+        if (value > 0) [low, high] = [Math.min(low, Math.log10(value)), Math.max(high, Math.log10(value))];
+    if (!(high - low < 2)) return { dtick: high - low > 8 ? 2 : 1 };
+    const tickvals = [];
+    for (let power = Math.floor(low) - 1; power <= Math.ceil(high) + 1; ++power)
+      for (const digit of high - low < 1 ? [1, 2, 3, 5, 7] : [1, 2, 5]) tickvals.push(Number(digit + "e" + power));
+    return { tickvals, ticktext: tickvals.map(shown) };
   }
 
   function layoutOf(panel, state) {
@@ -264,6 +274,27 @@
     return figure.panels.map((panel, i) => panel.place || [(i % columns) / columns, Math.floor(i / columns) / rows, 1 / columns, 1 / rows]);
   }
 
+  /// The corner of a panel that holds the least of its points, unless it names one.
+  function legendCorner(panel, state) {
+    if (panel.corner) return panel.corner;
+    const place = name => {
+      const scale = state[name] ? v => (v > 0 ? Math.log10(v) : NaN) : v => v;
+      const shown = panel.series.filter((_, i) => !state.hidden.has(i)).map(series => (series[name] || (name === "y" ? series.upper : null) || []).map(scale));
+      const known = shown.flat().filter(Number.isFinite);
+      const range = axisLayout(panel, name, state[name]).range || [null, null];
+      const low = range[0] ?? known.reduce((a, b) => Math.min(a, b), Infinity), high = range[1] ?? known.reduce((a, b) => Math.max(a, b), -Infinity);
+      return shown.map(values => values.map(v => (v - low) / (high - low)));
+    };
+    const x = place("x"), y = place("y"), counts = { "top right": 0, "top left": 0, "bottom right": 0, "bottom left": 0 };
+    x.forEach((values, s) => values.forEach((across, i) => {
+      const up = y[s][i];
+      if ((across > 0.35 && across < 0.65) || (up > 0.45 && up < 0.55)) return;
+      const corner = (up >= 0.5 ? "top" : "bottom") + (across >= 0.5 ? " right" : " left");
+      if (Number.isFinite(across + up)) counts[corner] += 1 / values.length;
+    }));
+    return Object.keys(counts).reduce((best, corner) => (counts[corner] < counts[best] ? corner : best));
+  }
+
   /// All panels in one picture, with their legends, as SVG.
   async function asSvg(drawn) {
     const { figure, states, legend } = drawn;
@@ -273,10 +304,11 @@
     delete layout.yaxis;
     places(figure).forEach(([left, top, w, h], i) => {
       const panel = figure.panels[i], end = i === 0 ? "" : String(i + 1), own = layoutOf(panel, states[i]);
-      const x = [left + Math.min(70 / width, 0.3 * w), left + w - (panel.map ? 90 : 12) / width], y = [1 - top - h + Math.min(50 / height, 0.3 * h), 1 - top - 24 / height];
+      const x = [left + Math.min(70 / width, 0.3 * w), left + w - (panel.map ? 90 : panel.beside ? 150 : 12) / width], y = [1 - top - h + Math.min(50 / height, 0.3 * h), 1 - top - 24 / height];
       layout["xaxis" + end] = { ...own.xaxis, domain: x, anchor: "y" + end, automargin: false };
       layout["yaxis" + end] = { ...own.yaxis, domain: y, anchor: "x" + end, automargin: false, ...(panel.map ? { scaleanchor: "x" + end } : {}) };
-      layout["legend" + end] = { x: x[1], xanchor: "right", y: y[1], yanchor: "top", bgcolor: "rgba(255,255,255,0.75)", font: { size: 11 }, tracegroupgap: 0 };
+      const [vertical, horizontal] = legendCorner(panel, states[i]).split(" ");
+      layout["legend" + end] = { x: panel.beside ? x[1] + 8 / width : horizontal === "left" ? x[0] : x[1], xanchor: panel.beside ? "left" : horizontal, y: panel.beside || vertical === "top" ? y[1] : y[0], yanchor: panel.beside ? "top" : vertical, bgcolor: "rgba(255,255,255,0.75)", font: { size: 11 }, tracegroupgap: 0 };
       layout.shapes.push(...own.shapes.map(s => ({ ...s, xref: "x" + end + " domain", yref: "y" + end })));
       layout.annotations.push(...own.annotations.map(a => ({ ...a, xref: "x" + end, yref: "y" + end })));
       if (panel.title) layout.annotations.push({ text: "<b>" + escaped(panel.title) + "</b>", showarrow: false, xref: "paper", yref: "paper", x: x[0], y: y[1], xanchor: "left", yanchor: "bottom" });
@@ -287,9 +319,9 @@
         if (first) named.add(trace.name);
         data.push({ ...trace, xaxis: "x" + end, yaxis: "y" + end, ...(trace.type === "scatter" ? { legend: "legend" + end, legendgroup: "", showlegend: !!first } : { colorbar: { ...trace.colorbar, x: x[1] + 0.005, y: (y[0] + y[1]) / 2, len: y[1] - y[0] } }) });
       }
-      for (const { series, members } of entriesOf(panel)) {
+      for (const { series, members } of entriesOf(figure, panel)) {
         if (!series.legend_only && series.mark !== "band") continue;
-        if (named.has(escaped(series.label)) || members.every(m => states[i].hidden.has(m)) && members.length) continue;
+        if (named.has(escaped(series.label)) || (members.length && members.every(([p, s]) => states[p].hidden.has(s)))) continue;
         const colour = chosen(palette, series.colour);
         data.push({ type: "scatter", x: [null], y: [null], name: escaped(series.label), showlegend: true, legend: "legend" + end, xaxis: "x" + end, yaxis: "y" + end,
           mode: { points: "markers", line: "lines", both: "lines+markers" }[series.mark] || "lines", line: { color: series.mark === "band" ? transparent(colour, 0.4) : colour, width: series.mark === "band" ? 8 : 1.6, dash: series.mark === "band" ? "solid" : chosen(dashes, series.dash) },
@@ -350,21 +382,22 @@
     if (drawnFigures.has(section)) return;
     const figure = JSON.parse(section.querySelector("script.figure-data").textContent);
     const holder = section.querySelector(".plots");
-    const drawn = { figure, plots: [], legends: [], states: figure.panels.map(stateOf), legend: true };
+    const drawn = { figure, plots: [], legends: [], states: figure.panels.map(stateOf), off: new Set(), legend: true };
     drawnFigures.set(section, drawn);
-    const shares = places(figure);
+    const shares = places(figure), boxes = [];
     figure.panels.forEach((panel, i) => {
       const plot = element("div", { class: "plot", role: "img", "aria-label": [holder.dataset.label, panel.title && "Panel " + panel.title].filter(Boolean).join(" ") });
       const legend = element("ul", { class: "legend", "aria-label": "Legend" + (panel.title ? " of " + panel.title : "") });
-      for (const { series, members } of entriesOf(panel)) {
+      for (const { series, members } of entriesOf(figure, panel)) {
         const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(series), series.label);
         button.disabled = members.length === 0;
         button.addEventListener("click", () => {
           const hide = button.getAttribute("aria-pressed") === "true";
           button.setAttribute("aria-pressed", String(!hide));
-          hide ? drawn.states[i].off.add(members) : drawn.states[i].off.delete(members);
-          drawn.states[i].hidden = new Set([...drawn.states[i].off].flat());
-          redraw(drawn, i);
+          hide ? drawn.off.add(members) : drawn.off.delete(members);
+          const off = [...drawn.off].flat();
+          drawn.states.forEach((state, p) => { state.hidden = new Set(off.filter(([panel]) => panel === p).map(([, s]) => s)); });
+          for (const p of new Set(members.map(([panel]) => panel))) redraw(drawn, p);
         });
         legend.append(element("li", {}, button));
       }
@@ -374,8 +407,10 @@
       box.append(plot, legend);
       drawn.plots.push(plot);
       drawn.legends.push(legend);
-      holder.append(box);
+      boxes.push({ box, top: shares[i][1], left: shares[i][0] });
     });
+    boxes.sort((a, b) => a.top - b.top || a.left - b.left);
+    holder.append(...boxes.map(({ box }) => box));
     figure.panels.forEach((panel, i) => {
       Plotly.newPlot(drawn.plots[i], traces(panel, drawn.states[i]), { ...layoutOf(panel, drawn.states[i]), ...sizeOf(drawn, i) }, config);
     });

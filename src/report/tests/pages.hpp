@@ -68,8 +68,16 @@ inline std::vector<gallery::StudyFigure> sample_figures() {
     figures::Panel map{.x = {.quantity = "*x*", .unit = "um"}, .y = {.quantity = "*y*", .unit = "um"}};
     map.map = figures::HeatMap{.values = Array2D::NullaryExpr(6, 4, [](Index i, Index j) { return static_cast<double>(10 * i + j); }), .width = 3.0, .height = 2.0,
                                .values_axis = {.quantity = "*h*", .unit = "nm"}};
+    // one legend for two panels, an entry for the series of a colour
+    figures::Panel left{.x = {.quantity = "*q*", .unit = "1/m", .logarithmic = true}, .y = {.quantity = "*P*/*E*", .logarithmic = true}}, right = left;
+    right.legend = false;
+    for (auto* panel : {&left, &right})
+        for (int colour : {0, 1})
+            panel->series.push_back({.label = "measurement " + std::to_string(colour), .x = few, .y = 0.02 * few, .mark = Mark::line, .colour = colour, .in_legend = false});
+    left.series.push_back({.label = "stylus", .mark = Mark::line, .colour = 0, .legend_only = true});
+    left.series.push_back({.label = "AFM", .mark = Mark::line, .colour = 1, .legend_only = true});
     return {{.identifier = "1", .name = "figure_1", .title = "Spectra and work", .caption = "What <is> drawn.", .figure = {.panels = {spectra, work}, .columns = 2, .width_mm = 178.0, .height_mm = 70.0}},
-            {.identifier = "spectra:it's", .name = "figure_2", .title = "Kinds of panel", .caption = "Categories and a map.", .figure = {.panels = {categories, map}, .columns = 2, .width_mm = 178.0, .height_mm = 70.0}},
+            {.identifier = "spectra:it's", .name = "figure_2", .title = "Kinds of panel", .caption = "Categories and a map.", .figure = {.panels = {categories, map, left, right}, .columns = 2, .width_mm = 178.0, .height_mm = 140.0}},
             {.identifier = "S5", .name = "figure_S5", .title = "Contact radius", .caption = "", .figure = {}, .reason = "no experiment has a contact radius"}};
 }
 
