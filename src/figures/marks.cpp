@@ -77,14 +77,15 @@ std::string data_lines(const Panel& panel, const Series& series, const Range& x,
     return lines;
 }
 
-std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, double symbol_size) {
+std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, const SymbolSize& symbol_size) {
     const auto style = style_of(series, place);
     std::vector<std::string> result;
     const bool named = series.in_legend && !series.label.empty();
     const auto title = named ? "title " + quoted_verbatim(series.label) : std::string("notitle");
     const auto line = fmt::format("{} lw {} dt {}", style.colour, series.line_width, style.dash);
     const auto& symbol = style.symbol;
-    const double size = symbol_size * symbol.size;
+    constexpr int diamond = 13;
+    const double size = symbol_size.symbols * symbol.size * (symbol.filled == diamond ? symbol_size.diamonds : 1.0);
     const auto hollow = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, size, style.colour);
     const auto filled = fmt::format("pt {} ps {:.2f} {}", symbol.filled, size, line);
     const auto filling = fmt::format("fs transparent solid {} noborder {}", 0.25 * series.opacity, "lc rgb " + colour_name(series.colour >= 0 ? series.colour : static_cast<int>(place)));

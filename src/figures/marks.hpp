@@ -14,10 +14,16 @@ namespace setae::figures {
 /// The points of a series, one a line: x y lower upper left right. An empty line where the curve is interrupted.
 [[nodiscard]] std::string data_lines(const Panel& panel, const Series& series, const Range& x, const Range& y);
 
+/// Sizes of symbols that look alike in a terminal.
+struct SymbolSize {
+    double symbols = 1.0;
+    double diamonds = 1.0;  ///< times that of the others
+};
+
 /// What draws a series: elements of a plot command.
 ///
-/// place: of the series in its panel.  data: name of its points.  symbol_size: of gnuplot's.
-[[nodiscard]] std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, double symbol_size);
+/// place: of the series in its panel.  data: name of its points.
+[[nodiscard]] std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, const SymbolSize& symbol_size);
 
 /// The cells of a map, one a line: x y value, those of one x together.
 [[nodiscard]] std::string map_lines(const HeatMap& map);

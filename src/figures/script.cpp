@@ -20,7 +20,9 @@ constexpr double text_points = 8.0, small_points = 7.0;
 struct Terminal {
     std::string definition;
     double point = 1.0;   ///< a point (1/72 inch) in its unit of text
-    double symbol = 1.0;  ///< factor on the size of symbols
+    SymbolSize symbol;
+    double raised_numbers = 0.0;   ///< of numbers below axes, in heights of text
+    double legend_spacing = 1.05;  ///< of lines
 };
 
 Terminal terminal(const Figure& figure, const std::string& ending) {
@@ -29,12 +31,12 @@ Terminal terminal(const Figure& figure, const std::string& ending) {
     const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) { return panel.map.has_value(); });
     if (ending == "svg")  // 96 pixels an inch; pictures within the file, not beside it
         return {fmt::format("svg size {:.0f},{:.0f} fixed enhanced rounded font '{},{:.2f}' linewidth 1.1 name 'figure'{}", 96.0 * width, 96.0 * height, font,
-                            text_points * 4.0 / 3.0, pictures ? " standalone" : ""), 4.0 / 3.0, 0.95};
+                            text_points * 4.0 / 3.0, pictures ? " standalone" : ""), 4.0 / 3.0, {0.95, 0.72}, 0.35, 0.85};
     if (ending == "pdf")  // takes 96 points for an inch
-        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced rounded font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, 0.85};
+        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced rounded font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, {0.85}};
     if (ending == "png")
         return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced rounded font '{},{}' fontscale 3.125 linewidth 3.2", 300.0 * width, 300.0 * height, font, text_points),
-                1.0, 3.1};
+                1.0, {3.1}};
     throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
 }
 
@@ -78,10 +80,10 @@ std::string axis_lines(const Axis& axis, const Range& range, double length_mm, c
     return axis.bare ? lines + fmt::format("set format {} ''\n", name) : lines;
 }
 
-std::string key_line(const Panel& panel, const Range& x, const Range& y, const Layout& layout, const Figure& figure, const std::string& font_size) {
+std::string key_line(const Panel& panel, const Range& x, const Range& y, const Layout& layout, const Figure& figure, const std::string& font_size, double spacing) {
     const auto legend = legend_size(panel);
     if (legend.entries == 0) return "unset key\n";
-    const auto look = fmt::format("vertical Left reverse noopaque nobox samplen 2.2 spacing 1.05 font ',{}' maxrows {}\n", font_size, legend.entries);
+    const auto look = fmt::format("vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n", spacing, font_size, legend.entries);
     if (panel.legend_beside)
         return fmt::format("set key at screen {:.5f},{:.5f} left top {}", layout.legend_left / figure.width_mm, layout.axes.top / figure.height_mm, look);
     const double width = legend.width_mm() / (layout.axes.right - layout.axes.left), height = legend.height_mm() / (layout.axes.top - layout.axes.bottom);
@@ -144,14 +146,14 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
         if (lines.empty() && !series.legend_only) continue;
         const auto name = fmt::format("$panel_{}_series_{}", p + 1, s + 1);
         if (!series.legend_only) script += fmt::format("{} << END_OF_DATA\n{}END_OF_DATA\n", name, lines);
-        for (const auto& element : elements(series, s, name, 0.6 * device.symbol)) plot(element);
+        for (const auto& element : elements(series, s, name, {0.6 * device.symbol.symbols, device.symbol.diamonds})) plot(element);
     }
     // a legend alone is no plot
     if (plots.starts_with("keyentry")) plots = "NaN notitle, \\\n     " + plots;
     script += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
                           axes.left / figure.width_mm, axes.right / figure.width_mm, axes.top / figure.height_mm, axes.bottom / figure.height_mm);
     script += axis_lines(panel.x, x, axes.right - axes.left, 'x') + axis_lines(panel.y, y, axes.top - axes.bottom, 'y');
-    script += key_line(panel, x, y, layout, figure, small) + "unset label\nunset arrow\n";
+    script += key_line(panel, x, y, layout, figure, small, device.legend_spacing) + "unset label\nunset arrow\n";
     // gnuplot's own axis titles stand elsewhere in each terminal
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
@@ -176,7 +178,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
     std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset clip two\n"
                                      "set style fill solid noborder\n",
                                      device.definition, quoted_name(output_file));
-    script += fmt::format("set xtics in mirror font ',{0}'\nset ytics in mirror font ',{0}'\nset multiplot\n", small);
+    script += fmt::format("set xtics in mirror font ',{0}' offset 0,{1}\nset ytics in mirror font ',{0}'\nset multiplot\n", small, device.raised_numbers);
     for (std::size_t p = 0; p < figure.panels.size(); ++p) script += panel_lines(figure, p, device, small);
     return script + "unset multiplot\nunset output\n";
 }
