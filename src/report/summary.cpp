@@ -107,6 +107,13 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
     return text;
 }
 
+/// "24 measurements", "1 of 3 measurements".
+std::string counted_measurements(const workflow::SurfaceResult& surface) {
+    const auto all = surface.measurements.size();
+    const auto failed = static_cast<std::size_t>(std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); }));
+    return (failed > 0 ? fmt::format("{} of ", all - failed) : "") + counted(all, "measurement", "measurements");
+}
+
 std::string surface_sentences(const StudyResult& result, const Json& study) {
     std::string items;
     for (const auto& surface : result.surfaces) {
@@ -121,8 +128,7 @@ std::string surface_sentences(const StudyResult& result, const Json& study) {
                              "for wavelengths from {} to {}; {}.</li>",
                              escaped(surface.name), said("rms_height"), said("rms_slope"), said("true_area_ratio"), format_value(2.0 * pi / band.upper, "m", 3),
                              format_value(2.0 * pi / band.lower, "m", 3),
-                             surface.measurements.empty() ? surface.reconstructed ? "reconstructed from published moments" : "from a given power spectrum"
-                                                          : counted(surface.measurements.size(), "measurement", "measurements"));
+                             surface.measurements.empty() ? surface.reconstructed ? "reconstructed from published moments" : "from a given power spectrum" : counted_measurements(surface));
     }
     return items.empty() ? "" : "<p>Roughness (± is one standard error):</p><ul>" + items + "</ul>";
 }
@@ -166,7 +172,8 @@ std::string limits_html(const StudyResult& result, const Json& study) {
         if (result.experiments.size() == 1)
             say("One experiment: there is no scatter between loops to tell how far a repetition would differ.");
     }
-    if (!result.modified && !result.pairs.empty()) say("No fit of approach: " + prose(result.modified.reason) + ".");
+    if (result.failures() > 0) say(fmt::format("{} of the study failed and {} in no number here.", counted(static_cast<std::size_t>(result.failures()), "part", "parts"), result.failures() == 1 ? "is" : "are"));
+    if (!result.modified && result.work_of_adhesion && !result.pairs.empty()) say("No fit of approach: " + prose(result.modified.reason) + ".");
     if (!result.loop && !result.pairs.empty()) say("No fit of loop energies: " + prose(result.loop.reason) + ".");
     if (!result.work_of_adhesion && !result.pairs.empty()) say("No prediction: " + prose(result.work_of_adhesion.reason) + ".");
 

@@ -104,9 +104,11 @@ DataTable pairs_measured(const StudyResult& result) {
                      {"*E*_loss of a smooth sphere", "J"}, {"π*a*_max^2", "m2"}},
                     {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+        const auto& pair = result.pairs[i];
+        if (!pair.approach && !pair.pull_off && !pair.retraction && !pair.loss && !pair.contact_area) continue;
         const auto base = fmt::format("/pairs/{}", i);
         const auto measured = [&](const char* name) { return QuantityCell{joined(base + "/measured", name)}; };
-        table.rows.push_back({TextCell{result.pairs[i].surface}, TextCell{result.pairs[i].elastomer}, NumberCell{joined(base, "experiments")},
+        table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, NumberCell{joined(base, "experiments")},
                               measured("work_of_adhesion_approach"), measured("work_of_adhesion_pull_off"), measured("work_of_adhesion_retraction"),
                               measured("energy_loss"), measured("ideal_smooth_sphere_loss"), measured("contact_area")});
     }

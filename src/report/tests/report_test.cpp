@@ -124,6 +124,8 @@ TEST(Report, SaysWhatFailedAndWhy) {
     ASSERT_EQ(result.failures(), 1);
     const auto page = visible(as_html(result, {}, run));
     EXPECT_NE(words(page).find("1 failed: measurement "), std::string::npos);
+    EXPECT_NE(words(page).find("; 1 of 2 measurements."), std::string::npos);
+    EXPECT_NE(words(page).find("1 part of the study failed and is in no number here."), std::string::npos);
     const auto failed = page.substr(page.find("id=\"failed\""), 2000);
     EXPECT_NE(failed.find("lost.csv"), std::string::npos);
     EXPECT_NE(words(failed).find(result.surfaces[0].measurements[1].error), std::string::npos);
@@ -179,7 +181,7 @@ TEST(Report, OfOneElastomerSaysThatModulusIsNotTested) {
 TEST(Report, OfOnePairSaysThatItTestsNothing) {
     const auto limits = limits_of(Folder("one_pair").run(published({"A"}, {"soft"})));
     EXPECT_NE(limits.find("One pair: a single measured work of adhesion can always be matched by some Wint"), std::string::npos) << limits;
-    EXPECT_NE(limits.find("No fit of approach: "), std::string::npos) << limits;
+    EXPECT_NE(limits.find("No prediction: "), std::string::npos) << limits;
 }
 
 TEST(Report, OfOneExperimentSaysThatScatterIsUnknown) {
