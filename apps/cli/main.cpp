@@ -5,6 +5,7 @@
 #include "commands/verbs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/workflow/provenance.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace setae::cli;
     CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
-    program.set_version_flag("--version", "setae " SETAE_VERSION);
+    program.set_version_flag("--version", "setae " + setae::workflow::version());
     program.require_subcommand(1);
     program.footer("Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
     Action action;

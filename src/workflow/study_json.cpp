@@ -305,6 +305,14 @@ const WorkFit* fit_of(const StudyResult& result, const std::string& fit) {
     return nullptr;
 }
 
+/// What the numbers were made by and from.
+Json provenance_json(const StudyResult& result) {
+    Json inputs = Json::array();
+    for (const auto& input : result.inputs)
+        inputs.push_back({{"file", input.path}, {"size", {{"value", input.size}, {"unit", "byte"}}}, {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}});
+    return {{"program", "setae"}, {"version", version()}, {"inputs", inputs}};
+}
+
 Json reported_json(const ReportedValue& reported, const StudyResult& result) {
     const auto* fit = fit_of(result, reported.fit);
     const bool work = reported.quantity == "work_of_adhesion";
@@ -389,6 +397,7 @@ Json to_json(const StudyResult& result) {
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
     json["alerts"] = to_json(result.alerts);
+    json["provenance"] = provenance_json(result);
     return json;
 }
 

@@ -34,7 +34,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json to_json(const experiment::LoopAnalysis& analysis);
 
 /// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
-/// "alerts"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
+/// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
 [[nodiscard]] Json to_json(const StudyResult& result);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
