@@ -88,7 +88,8 @@ std::vector<std::string> elements(const Series& series, std::size_t place, const
     const double size = symbol_size.symbols * symbol.size * (symbol.filled == diamond ? symbol_size.diamonds : 1.0);
     const auto hollow = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, size, style.colour);
     const auto filled = fmt::format("pt {} ps {:.2f} {}", symbol.filled, size, line);
-    const auto filling = fmt::format("fs transparent solid {} noborder {}", 0.25 * series.opacity, "lc rgb " + colour_name(series.colour >= 0 ? series.colour : static_cast<int>(place)));
+    const int own_colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
+    const auto filling = fmt::format("fs transparent solid {} noborder lc rgb {}", 0.25 * series.opacity, colour_name(own_colour));
     if (series.legend_only) {
         const auto symbols_with = [&](const char* how) { return fmt::format("keyentry with {} {} {}", how, series.hollow ? hollow : filled, title); };
         if (series.mark == Mark::points) return {symbols_with("points")};

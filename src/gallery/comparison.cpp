@@ -50,11 +50,13 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
     };
     for (std::size_t i = 0; i < result.surfaces.size(); ++i)
         if (shown(&Point::surface, result.surfaces[i].name))
-            panel.series.push_back({.label = result.surfaces[i].name, .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i), .legend_only = true});
+            panel.series.push_back({.label = result.surfaces[i].name, .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i),
+                                    .legend_only = true});
     for (std::size_t i = 0; i < result.elastomers.size(); ++i) {
         const auto& elastomer = result.elastomers[i];
         if (!shown(&Point::elastomer, elastomer.input.name)) continue;
-        panel.series.push_back({.label = elastomer.input.name + (elastomer.youngs_modulus.value > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * elastomer.youngs_modulus.value) : ""),
+        const double modulus = elastomer.youngs_modulus.value;
+        panel.series.push_back({.label = elastomer.input.name + (modulus > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * modulus) : ""),
                                 .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .line_width = 4.0, .legend_only = true});
     }
 }
@@ -137,23 +139,27 @@ std::string fit_in_words(const workflow::WorkFit& fit) {
     return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.clustered, 1e3, "mJ/m2"), fit.r_squared, fit.n);
 }
 
-/// Panels of comparisons, each above its residuals.
-figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& comparisons, double width_of_one) {
+/// Panels of one or two comparisons, each above its residuals.
+figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& comparisons) {
+    constexpr double upper = 0.68, first = 0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
+    const bool two = comparisons.size() > 1;
     figures::Figure figure;
-    const double n = static_cast<double>(comparisons.size()), upper = 0.68;
-    const bool beside = wide(sitting);
-    figure.width_mm = beside ? comparisons.size() > 1 ? page_mm : width_of_one : column_mm;
-    figure.height_mm = (beside ? 1.0 : n) * (beside ? 100.0 : 92.0);
-    for (std::size_t i = 0; i < comparisons.size(); ++i) {
-        const double share = static_cast<double>(i) / n;
-        for (const bool values : {true, false}) {
-            auto panel = values ? comparisons[i].values : comparisons[i].residuals;
-            // the second has the legend of both beside it
-            const double left = beside ? comparisons.size() > 1 && i == 1 ? 0.43 : share : 0.0, width = beside ? comparisons.size() > 1 ? i == 1 ? 0.57 : 0.43 : 1.0 : 1.0;
-            const double top = beside ? 0.0 : share, height = beside ? 1.0 : 1.0 / n;
-            panel.place = values ? figures::Place{left, top, width, upper * height} : figures::Place{left, top + upper * height, width, (1.0 - upper) * height};
-            figure.panels.push_back(panel);
-        }
+    const auto add = [&](const Comparison& comparison, const figures::Place& place) {
+        figure.panels.push_back(comparison.values);
+        figure.panels.back().place = figures::Place{place.left, place.top, place.width, upper * place.height};
+        figure.panels.push_back(comparison.residuals);
+        figure.panels.back().place = figures::Place{place.left, place.top + upper * place.height, place.width, (1.0 - upper) * place.height};
+    };
+    if (wide(sitting)) {
+        figure.width_mm = two ? page_mm : 120.0;
+        figure.height_mm = 100.0;
+        add(comparisons[0], {.width = two ? first : 1.0});
+        if (two) add(comparisons[1], {.left = first, .width = 1.0 - first});
+    } else {
+        figure.width_mm = column_mm;
+        figure.height_mm = two ? 184.0 : 92.0;
+        add(comparisons[0], {.height = two ? 0.5 : 1.0});
+        if (two) add(comparisons[1], {.top = 0.5, .height = 0.5});
     }
     return figure;
 }
@@ -165,7 +171,8 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     const double slope = 1e3 * fit.work_of_adhesion.value;
     for (const auto& pair : fit.pairs) {
         const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(pair.slope_variance);
-        Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = area, .x_lower = undefined, .x_upper = undefined, .y = 1e9 * pair.measured.value, .expected = slope * area};
+        Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = area, .x_lower = undefined, .x_upper = undefined, .y = 1e9 * pair.measured.value,
+                .expected = slope * area};
         if (error > 0.0) {
             p.x_lower = area - error;
             p.x_upper = area + error;
@@ -221,7 +228,7 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
         explain(comparisons.front().values, result, points);
         comparisons.front().values.legend_beside = true;
     }
-    drawn.figure = arranged(sitting, comparisons, 120.0);
+    drawn.figure = arranged(sitting, comparisons);
     drawn.caption = text + fmt::format("Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
                                        "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
                                        points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0", reconstruction_note(result) + floored_note(result));
@@ -252,7 +259,7 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
     auto comparison = against_prediction(result, points);
     explain(comparison.values, result, points);
     comparison.values.legend_beside = true;
-    drawn.figure = arranged(sitting, {comparison}, 120.0);
+    drawn.figure = arranged(sitting, {comparison});
     drawn.caption = fmt::format("Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
                                 "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
                                 "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",

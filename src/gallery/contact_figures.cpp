@@ -89,7 +89,8 @@ void add_retraction(Panel& panel, const StudyResult& result, const ExperimentRes
     const double beyond = std::max(first + 0.5 * std::abs(first - least), 0.5 * least);
     const auto curve = jkr_curve(sphere_radius(result, e), loop.retraction->contact_modulus.value, loop.retraction->work_of_adhesion.value, beyond);
     if (curve.x.size() == 0) return;
-    panel.series.push_back({.label = look.label + ", (S2)", .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.6, .in_legend = false});
+    panel.series.push_back({.label = look.label + ", (S2)", .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.6,
+                            .in_legend = false});
 }
 
 void add_branches(Panel& panel, const ExperimentResult& e, const Look& look) {
@@ -218,9 +219,11 @@ void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
         const auto curve = closed_loop(*e->analysis);
         const auto look = look_of(result, *e);
         if (e == shaded)
-            force.series.push_back({.label = look.label + ", lost energy", .x = curve.x, .y = curve.y, .mark = Mark::area, .colour = look.colour, .in_legend = false});
+            force.series.push_back({.label = look.label + ", lost energy", .x = curve.x, .y = curve.y, .mark = Mark::area, .colour = look.colour,
+                                    .in_legend = false});
         const bool first = named.insert(look.label).second;
-        force.series.push_back({.label = look.label, .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.0, .in_legend = first});
+        force.series.push_back({.label = look.label, .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.0,
+                                .in_legend = first});
         depth = std::max(depth, curve.x.maxCoeff());
         // free flight is of no interest beyond the jumps
         for (Index i = 0; i < curve.x.size(); ++i)

@@ -34,14 +34,14 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
     const auto& result = sitting.result;
     const auto* elastomer = elastomer_with_scales(result);
     if (!elastomer) {
-        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer"
-                       : !result.work_of_adhesion && !result.work_of_adhesion.reason.empty() ? result.work_of_adhesion.reason
-                                                                                             : "no pair has a balance scale by scale";
+        const auto& why = result.work_of_adhesion.reason;
+        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer" : !why.empty() ? why : "no pair has a balance scale by scale";
         return;
     }
     const figures::Axis q{.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true};
     const figures::Axis share_axis{.unit = "%", .from = 0.0, .to = 103.0};
-    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false}, area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left}, work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
+    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false}, area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left};
+    Panel work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
     energy.y.quantity = "share of *U*_{el} below *q*";
     area.y.quantity = "share of excess area below *q*";
     work.y.quantity = "share of Δ*W*_{app} below *q*";

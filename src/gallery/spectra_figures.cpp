@@ -193,15 +193,17 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     Panel panel{.x = wavevector_axis, .y = C1D_axis};
     Methods methods;
     bool bands = false;
+    std::size_t n = 0;
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         const auto& surface = result.surfaces[i];
         const auto curve = C1D_of(surface);
         if (!curve) continue;
+        ++n;
         add_curve(panel, *curve, label_of(surface), static_cast<int>(i));
         methods.add(surface, *curve);
         bands = bands || curve->lower.size() > 0;
     }
-    if (panel.series.empty()) {
+    if (n == 0) {
         drawn.reason = "no spectrum has two points";
         return;
     }
@@ -210,11 +212,11 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     add_bars(panel, instruments);
     const bool pictures = wide(sitting) && pictured_surface(result) != nullptr;
     drawn.figure = {.panels = {panel}, .width_mm = !wide(sitting) ? column_mm : pictures ? page_mm : 120.0, .height_mm = !wide(sitting) ? 75.0 : pictures ? 95.0 : 85.0};
+    const auto pictured = pictures ? add_pictures(drawn.figure, result) : std::string();
     drawn.caption = fmt::format("{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
-                                pictures ? "A: " : "", counted(panel.series.size() - instruments.size() - (bands ? static_cast<std::size_t>(std::count_if(panel.series.begin(), panel.series.end(), [](const Series& s) { return s.mark == Mark::band; })) : 0), "surface"),
-                                methods.text(), bands ? " Shaded: 95 % (1.96 standard errors)." : "",
-                                instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.",
-                                pictures ? add_pictures(drawn.figure, result) : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+                                pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 % (1.96 standard errors)." : "",
+                                instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.", pictured,
+                                failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
@@ -241,7 +243,9 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
     panel.legend_corner = figures::Corner::bottom_left;
     drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 85.0 : 70.0};
     drawn.caption = fmt::format("C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"), methods.text(),
-                                converted ? conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral." : " Averages become C_iso by (11)." : "",
+                                !converted                                      ? ""
+                                : conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral."
+                                                                             : " Averages become C_iso by (11).",
                                 bands ? " Shaded: 95 % (1.96 standard errors)." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
