@@ -52,7 +52,7 @@ std::string as_html(const workflow::StudyResult& result, const std::vector<galle
         {"limits", "What can and cannot be concluded", limits_html(result, study)},
         {"parameters", "Parameters", tables_html(result, study)},
         {"figures", "Figures", figure_part.empty() ? "<p>No figure was asked for.</p>" : figure_part},
-        {"cut", "What was cut and why", cut_html(result, study)},
+        {"cut", "What was cut and why", cut_html(result)},
         {"alerts", "Alerts", alerts_html(result)},
         {"steps", "Steps and methods", steps_html(result) + "<h3>Methods</h3>" + methods_html(result)},
         {"provenance", "Provenance", provenance_html(result, run)},

@@ -16,7 +16,6 @@
 namespace setae::report {
 namespace {
 
-using workflow::Json;
 using workflow::MeasurementResult;
 using workflow::StudyResult;
 
@@ -28,7 +27,7 @@ std::string plain_table(const std::string& identifier, const std::string& title,
         table.rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) table.rows.back().push_back(i + 1 < row.size() ? Cell(TextCell{row[i]}) : Cell(ProseCell{row[i]}));
     }
-    return as_html(table, Json());
+    return as_html(table, workflow::Json());
 }
 
 std::string name_of(const MeasurementResult& m) { return m.file.empty() ? m.name : m.file; }
@@ -69,11 +68,9 @@ std::string steps_of(const MeasurementResult& m, const workflow::MeasurementInpu
     return text + "; trusted for wavelengths " + wavelengths(m);
 }
 
-std::string yes(bool value) { return value ? "yes" : "no"; }
-
 }  // namespace
 
-std::string cut_html(const StudyResult& result, const Json&) {
+std::string cut_html(const StudyResult& result) {
     std::vector<std::vector<std::string>> failed, rows;
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) failed.push_back({"surface", surface.name, surface.name, surface.error});
@@ -160,7 +157,7 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     line("Seed", std::to_string(options.seed));
     if (options.tip_percentile > 0.0) line("Tip percentile", fmt::format("{}", options.tip_percentile));
     line("Rough solid", format_value(result.study.counter_youngs_modulus, "Pa", 4) + fmt::format(", Poisson ratio {}", result.study.counter_poisson_ratio));
-    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2")) : yes(false));
+    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2")) : std::string("no"));
     html += "</dl>";
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)

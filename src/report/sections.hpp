@@ -4,12 +4,11 @@
 #include <string>
 
 #include "setae/report/report.hpp"
-#include "setae/workflow/json.hpp"
 
 namespace setae::report {
 
 /// Per measurement the band that is trusted and what limited it; what failed, with its reason.
-[[nodiscard]] std::string cut_html(const workflow::StudyResult& result, const workflow::Json& study);
+[[nodiscard]] std::string cut_html(const workflow::StudyResult& result);
 
 /// Every alert, grouped by code.
 [[nodiscard]] std::string alerts_html(const workflow::StudyResult& result);

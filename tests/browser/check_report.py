@@ -230,6 +230,7 @@ def main():
             check_layout(page, path(name), name)
             page.open(path(name))
             draw_all(page)
+            page.picture(os.path.join(options.output, name + ".png"))
             if axe:
                 check_axe(page, axe, name)
         page.open(path("published"))

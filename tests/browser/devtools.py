@@ -146,12 +146,14 @@ class Browser:
             time.sleep(0.02)
         raise RuntimeError(f"{name} was not saved; there is {os.listdir(self.downloads)}")
 
-    def picture(self, path, whole=False):
-        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
+    def picture(self, path):
+        """What the window shows, as PNG."""
+        data = self.call("Page.captureScreenshot", format="png")["data"]
         with open(path, "wb") as file:
             file.write(base64.b64decode(data))
 
     def paper(self, path):
+        """What a printer would get, as PDF."""
         data = self.call("Page.printToPDF", preferCSSPageSize=True, printBackground=False)["data"]
         with open(path, "wb") as file:
             file.write(base64.b64decode(data))
