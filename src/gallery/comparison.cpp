@@ -61,6 +61,7 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
     }
 }
 
+/// A straight line through the origin, between two x.
 Series line(const std::string& label, double slope, double from, double to) {
     return {.label = label, .x = Array1D{{from, to}}, .y = Array1D{{slope * from, slope * to}}, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.9,
             .in_legend = false};

@@ -132,7 +132,7 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     figure.height_mm = 55.0 * static_cast<double>(rows);
     drawn.figure = figure;
     drawn.caption = "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "
-                    "of one surface. χ² and its probability stand with the data.";
+                    "of one surface. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its probability stand with the data.";
 }
 
 }  // namespace setae::gallery
