@@ -3,29 +3,17 @@
 
 #include <array>
 #include <cctype>
-#include <cstddef>
 #include <regex>
+
+#include "setae/core/text.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::report {
 namespace {
 
-/// Bytes of the UTF-8 character text begins with; 0 where it begins with none.
-std::size_t character_length(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return 0;
-    const auto second = static_cast<unsigned char>(text[1]);
-    const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-    const bool no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
-    return overlong || no_character ? 0 : length;
-}
-
 /// Takes the first character off text, escaped.
 std::string taken_character(std::string_view& text) {
-    const auto length = character_length(text);
+    const auto length = utf8_length(text);
     std::string character(text.substr(0, length == 0 ? 1 : length));
     text.remove_prefix(character.size());
     if (length == 0) return "\uFFFD";
@@ -39,56 +27,6 @@ std::string taken_character(std::string_view& text) {
         case '\'': return "&#39;";
         default: return character;
     }
-}
-
-/// What _ and ^ apply to: {group}, or letters and digits.
-std::string_view taken_operand(std::string_view& text) {
-    if (text.starts_with('{')) {
-        const auto close = text.find('}');
-        const auto group = text.substr(1, close == std::string_view::npos ? close : close - 1);
-        text.remove_prefix(close == std::string_view::npos ? text.size() : close + 1);
-        return group;
-    }
-    std::size_t end = 0;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || static_cast<unsigned char>(text[end]) >= 0x80)) ++end;
-    const auto word = text.substr(0, end);
-    text.remove_prefix(end);
-    return word;
-}
-
-std::string set(std::string_view text, bool html) {
-    std::string result;
-    bool italic = false;
-    while (!text.empty()) {
-        const char first = text.front();
-        if (first == '*') {
-            text.remove_prefix(1);
-            if (html) result += italic ? "</i>" : "<i>";
-            italic = !italic;
-        } else if (first == '_' || first == '^') {
-            text.remove_prefix(1);
-            const auto operand = escaped(taken_operand(text));
-            const std::string tag = first == '_' ? "sub" : "sup";
-            result += html ? "<" + tag + ">" + operand + "</" + tag + ">" : std::string(1, first) + operand;
-        } else {
-            if (first == '\\' && text.size() > 1) text.remove_prefix(1);
-            result += taken_character(text);
-        }
-    }
-    return italic && html ? result + "</i>" : result;
-}
-
-/// One factor of a unit with its power: "m2" below the stroke is m⁻².
-std::string typeset_factor(std::string_view factor, bool divided) {
-    auto split = factor.size();
-    while (split > 0 && (std::isdigit(static_cast<unsigned char>(factor[split - 1])) || factor[split - 1] == '.')) --split;
-    const bool negative = split > 0 && split < factor.size() && factor[split - 1] == '-';
-    auto base = factor.substr(0, negative ? split - 1 : split);
-    std::string exponent(factor.substr(split));
-    if (base.ends_with('^')) base.remove_suffix(1);
-    if (divided && exponent.empty()) exponent = "1";
-    if (divided != negative) exponent = "-" + exponent;
-    return (base.size() > 1 && base.starts_with('u') ? "µ" + escaped(base.substr(1)) : escaped(base)) + raised(exponent);
 }
 
 }  // namespace
@@ -136,21 +74,31 @@ std::string script_json(const workflow::Json& json) {
     return result;
 }
 
-std::string typeset(std::string_view quantity) { return set(quantity, true); }
+std::string typeset(std::string_view quantity) {
+    std::string result;
+    for (const auto& span : figures::spans_of(quantity)) {
+        auto text = escaped(span.text);
+        if (span.place != figures::Span::Place::line) {
+            const std::string tag = span.place == figures::Span::Place::lowered ? "sub" : "sup";
+            text = "<" + tag + ">" + text + "</" + tag + ">";
+        }
+        result += span.italic ? "<i>" + text + "</i>" : text;
+    }
+    return result;
+}
 
-std::string plain(std::string_view quantity) { return set(quantity, false); }
+std::string plain(std::string_view quantity) {
+    std::string result;
+    for (const auto& span : figures::spans_of(quantity)) {
+        if (span.place != figures::Span::Place::line) result += span.place == figures::Span::Place::lowered ? "_" : "^";
+        result += escaped(span.text);
+    }
+    return result;
+}
 
 std::string typeset_unit(std::string_view unit) {
     std::string result;
-    bool divided = false;
-    while (!unit.empty()) {
-        const auto end = unit.find_first_of("/* ");
-        const auto factor = unit.substr(0, end);
-        if (!factor.empty() && factor != "1") result += (result.empty() ? "" : " ") + typeset_factor(factor, divided);
-        if (end == std::string_view::npos) break;
-        divided = divided || unit[end] == '/';
-        unit.remove_prefix(end + 1);
-    }
+    for (const auto& factor : figures::factors_of(unit)) result += (result.empty() ? "" : " ") + escaped(factor.symbol) + raised(factor.exponent);
     return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace setae {
 
 /// The candidate with the smallest edit distance to `word`, for "did you mean"; empty where none is within half its length.
 [[nodiscard]] std::string nearest_match(std::string_view word, std::span<const std::string> candidates);
+
+/// Bytes of the UTF-8 character that text, not empty, begins with; 0 where it begins with none. Source: RFC 3629.
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
 
 /// A word as a POSIX shell takes it: in single quotes where it needs them.
 [[nodiscard]] std::string shell_word(std::string_view word);

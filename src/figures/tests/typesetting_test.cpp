@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/figures/typesetting.hpp"
+
+#include <gtest/gtest.h>
+
+namespace setae::figures {
+namespace {
+
+/// Spans in brackets: italic ones with a slash, lowered with _, raised with ^.
+std::string shown(std::string_view quantity) {
+    std::string text;
+    for (const auto& span : spans_of(quantity))
+        text += std::string("[") + (span.italic ? "/" : "") + (span.place == Span::Place::lowered ? "_" : span.place == Span::Place::raised ? "^" : "") + span.text + "]";
+    return text;
+}
+
+std::string shown_unit(std::string_view unit) {
+    std::string text;
+    for (const auto& factor : factors_of(unit)) text += "[" + factor.symbol + "|" + factor.exponent + "]";
+    return text;
+}
+
+TEST(SpansOf, ItalicLoweredAndRaisedTextStandApart) {
+    EXPECT_EQ(shown("rms slope *h*'_{rms}"), "[rms slope ][/h]['][_rms]");
+    EXPECT_EQ(shown("*C*_1D"), "[/C][_1D]");
+    EXPECT_EQ(shown("*q^2*"), "[/q][/^2]");
+    EXPECT_EQ(shown("plain"), "[plain]");
+    EXPECT_EQ(shown(""), "");
+}
+
+TEST(SpansOf, BackslashTakesTheNextLetterAsItIs) {
+    EXPECT_EQ(shown("a\\_b"), "[a_b]");
+    EXPECT_EQ(shown("a\\"), "[a\\]");
+}
+
+TEST(SpansOf, AnOpenGroupEndsWithTheText) { EXPECT_EQ(shown("W_{app"), "[W][_app]"); }
+
+TEST(FactorsOf, WhatStandsBelowTheStrokeHasNegativePowers) {
+    EXPECT_EQ(shown_unit("mJ/m2"), "[mJ|][m|-2]");
+    EXPECT_EQ(shown_unit("1/m"), "[m|-1]");
+    EXPECT_EQ(shown_unit("N/m^1.5"), "[N|][m|-1.5]");
+    EXPECT_EQ(shown_unit("m-1"), "[m|-1]");
+    EXPECT_EQ(shown_unit("um"), "[µm|]");
+    EXPECT_EQ(shown_unit("1"), "");
+}
+
+}  // namespace
+}  // namespace setae::figures
