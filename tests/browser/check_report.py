@@ -130,6 +130,36 @@ def check_tables(page, study):
     page.run("getSelection().removeAllRanges()")
 
 
+PREFIX = {"f": 1e-15, "p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
+
+
+def factor(unit):
+    """SI value of a unit as a header shows it: 1e-3 of "mJ m⁻²", 1e9 of "nm⁻¹"."""
+    product = 1.0
+    for part in unit.split():
+        name, power = re.fullmatch(r"([^⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*)", part).groups()
+        prefix = PREFIX[name[0]] if len(name) > 1 and name != "Pa" else 1.0
+        product *= prefix ** int(power.translate(RAISED) or "1")
+    return product
+
+
+def check_shown_numbers(page, name):
+    """Each number as shown, times the unit of its column, is its full value to half its last digit."""
+    cells = page.run("""[...document.querySelectorAll('main table')].flatMap(table => { const units = [...table.tHead.rows[0].cells].map(head => /\\[(.*)\\]$/.exec(head.textContent)?.[1] ?? '');
+        return [...table.tBodies[0].rows].flatMap(row => [...row.cells].flatMap((cell, i) => [...cell.querySelectorAll('[data-value]')].map(span => [span.textContent, span.dataset.value, units[i], span.dataset.pointer]))); })""")
+    for text, value, unit, pointer in cells:
+        if text == "–" or not re.match(r"-?[0-9]", value):
+            continue
+        digits, _, power = text.replace("−", "-").partition("10") if text.startswith("10") and re.fullmatch("10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", text) else text.replace("−", "-").partition("×10")
+        size = 10.0 ** int(power.translate(RAISED) or "0")
+        number = float(digits or "1") * size
+        last = size * 10.0 ** -len(digits.partition(".")[2]) if "×" not in text and digits else abs(number) * 1e-3
+        check(abs(number - float(value) / factor(unit)) <= 0.5001 * last + 1e-12 * abs(number), f"{name}: {pointer} is {value}, shown as {text} {unit}")
+    print(f"{name}: {len(cells)} numbers in tables are their full values, rounded")
+    check(cells, f"{name}: no numbers")
+
+
 def plots(number):
     return f"document.querySelectorAll('#figure-{number} .plot')"
 
@@ -235,6 +265,7 @@ def main():
                 check_axe(page, axe, name)
         page.open(path("published"))
         study = json.loads(page.run("document.getElementById('study').textContent"))
+        check_shown_numbers(page, "published")
         check_tables(page, study)
         draw_all(page)
         check_keyboard(page, "published")
