@@ -2,6 +2,7 @@
 #include "setae/workflow/surface_analysis.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "average_spectrum.hpp"
@@ -95,6 +96,12 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
     return kept;
 }
 
+/// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than its channel's.
+std::string name_of(const topography::Metadata& metadata) {
+    const bool member = metadata.attributes.contains("member");
+    return member || metadata.file.empty() ? metadata.name : std::filesystem::path(metadata.file).stem().string();
+}
+
 /// The likelihood's spectrum beside the average, where it is wanted and can be had.
 void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options, parallel::Threads threads) {
     const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); });
@@ -112,7 +119,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
     result.file = topography::metadata(measurement).file;
-    result.name = topography::metadata(measurement).name;
+    result.name = name_of(topography::metadata(measurement));
     result.trend = prepared.trend;
     result.alerts = prepared.alerts;
     result.preview = height_preview(measurement);
