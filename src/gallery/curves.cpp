@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drawing.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/synthesis/abel.hpp"
 
 namespace setae::gallery {
@@ -23,15 +24,16 @@ Curve usable(const roughness::SpectrumCurve& curve) {
     return {array_of(q), array_of(values)};
 }
 
-/// Standard error of the average at each node of a curve, NaN where the bin has one measurement.
-Array1D standard_errors(const spectra::CombinedSpectrum& combined, const Array1D& wavevector) {
-    Array1D errors = Array1D::Constant(wavevector.size(), undefined);
+/// Half the 95 % interval of the average at each node of a curve, t of as many measurements as the bin has; NaN where it has one.
+Array1D half_widths(const spectra::CombinedSpectrum& combined, const Array1D& wavevector) {
+    Array1D widths = Array1D::Constant(wavevector.size(), undefined);
     Index k = 0;
     for (Index i = 0; i < wavevector.size(); ++i) {
         while (k < combined.wavevector.size() && combined.wavevector[k] < wavevector[i]) ++k;
-        if (k < combined.wavevector.size() && combined.wavevector[k] == wavevector[i]) errors[i] = combined.standard_error[k];
+        if (k < combined.wavevector.size() && combined.wavevector[k] == wavevector[i] && combined.count[k] > 1.0)
+            widths[i] = student_t_quantile(0.975, combined.count[k] - 1.0) * combined.standard_error[k];
     }
-    return errors;
+    return widths;
 }
 
 SurfaceCurve fitted_curve(const workflow::FittedSpectrum& fitted, const Array1D& values, const Array1D& log_error) {
@@ -63,10 +65,10 @@ std::optional<SurfaceCurve> C1D_of(const workflow::SurfaceResult& surface) {
     }
     curve.wavevector = nodes.x;
     curve.values = nodes.y;
-    const Array1D errors = standard_errors(*surface.combined, nodes.x);
-    if (errors.isNaN().all()) return curve;
-    curve.lower = nodes.y - normal_95 * errors;
-    curve.upper = nodes.y + normal_95 * errors;
+    const Array1D widths = half_widths(*surface.combined, nodes.x);
+    if (widths.isNaN().all()) return curve;
+    curve.lower = nodes.y - widths;
+    curve.upper = nodes.y + widths;
     return curve;
 }
 

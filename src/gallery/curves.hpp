@@ -18,7 +18,8 @@ struct SurfaceCurve {
 
 /// C1D of the spectrum everything else rests on, within the limits of the study; nothing for a surface that failed.
 ///
-/// Fitted spectra: C1D exp(± 1.96 SE of ln C1D).  Averages: C1D ± 1.96 SE between measurements, where there are two or more.
+/// Fitted spectra: C1D exp(± 1.96 SE of ln C1D).  Averages: C1D ± t SE between measurements, t Student's of one
+/// less than their number in the bin, where there are two or more.
 [[nodiscard]] std::optional<SurfaceCurve> C1D_of(const workflow::SurfaceResult& surface);
 
 /// C_iso of the same spectrum. C1D is converted as the study says: by the inverse Abel integral, or by (11).

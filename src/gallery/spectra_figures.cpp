@@ -214,7 +214,7 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     drawn.figure = {.panels = {panel}, .width_mm = !wide(sitting) ? column_mm : pictures ? page_mm : 120.0, .height_mm = !wide(sitting) ? 75.0 : pictures ? 95.0 : 85.0};
     const auto pictured = pictures ? add_pictures(drawn.figure, result) : std::string();
     drawn.caption = fmt::format("{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
-                                pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 % (1.96 standard errors)." : "",
+                                pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
                                 instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.", pictured,
                                 failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
@@ -246,7 +246,7 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
                                 !converted                                      ? ""
                                 : conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral."
                                                                              : " Averages become C_iso by (11).",
-                                bands ? " Shaded: 95 % (1.96 standard errors)." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+                                bands ? " Shaded: 95 %." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {

@@ -33,8 +33,8 @@ TEST(Figure1, ShowsTheAverageWithItsUncertaintyWhereItHasOne) {
     const auto& curve = series_of(panel, "rough");
     EXPECT_DOUBLE_EQ(curve.y[0], 1e-20);
     const auto& band = series_of(panel, "rough, 95 %");
-    EXPECT_NEAR(band.upper[0], 1e-20 + 1.959964e-21, 1e-26);
-    EXPECT_NEAR(band.lower[0], 1e-20 - 1.959964e-21, 1e-26);
+    EXPECT_NEAR(band.upper[0], 1e-20 + 4.302653e-21, 1e-26);
+    EXPECT_NEAR(band.lower[0], 1e-20 - 4.302653e-21, 1e-26);  // t of two degrees of freedom
     EXPECT_TRUE(std::isnan(band.upper[1]));
     const auto& bar = series_of(panel, "reliable band of AFM");
     EXPECT_DOUBLE_EQ(bar.x[0], 2e6);
