@@ -41,7 +41,7 @@ std::vector<Entry> entries_of(const workflow::StudyResult& result) {
         {"S5", "figure_S5", "Contact radius against force on every elastomer", contact_radius_of_all},
         {"S6", "figure_S6", "Contact radius against force on the smooth reference", contact_radius_of_references},
         {"S7", "figure_S7", "True area against slope", true_area},
-        {"S8", "figure_S8", "Work of adhesion measured and predicted without the soft side's area", persson_tosatti_prediction},
+        {"S8", "figure_S8", "Work of adhesion measured and predicted by Persson and Tosatti's balance", persson_tosatti_prediction},
     };
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         if (result.surfaces[i].measurements.empty()) continue;

@@ -138,7 +138,7 @@ std::string methods_html(const StudyResult& result) {
     say("True area: <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> of a surface with Gaussian slopes, (9) of [D19].");
     say("Work of adhesion of loops by JKR [JKR]; energy lost is ∮ <i>F</i> d<i>δ</i>.");
     say("Balance (7) of [D19]: <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
-        "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (S13), after [PT01], leaves the soft side's term out; (2) leaves both changes of area out. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
+        "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (2) leaves the soft side's term, <i>γ</i><sub>1</sub>, out; (S13), after [PT01], does so with the area of small slopes, 1 + <i>h</i>′²/2. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
         "<i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");
     return html + "</ul>";
 }

@@ -94,8 +94,8 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
                              number_html(study, joined(place, "n"), {}, 0), tail);
     };
     item("modified", "By approach, balance (7)", fmt::format(" of {} and {}", counted(found.surfaces.size(), "surface", "surfaces"), counted(found.elastomers.size(), "elastomer", "elastomers")));
-    item("persson_tosatti", "By approach, balance (S13), without the soft side's change of area", "");
-    item("without_area_change", "By approach, balance (2), without any change of area", "");
+    item("persson_tosatti", "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface", "");
+    item("without_area_change", "By approach, balance (2), nothing for stretching the soft surface", "");
     item("loop", "By the energy lost in loops, (10)", "");
     for (std::size_t i = 0; i < result.study.reported.size(); ++i) {
         const auto& reported = result.study.reported[i];

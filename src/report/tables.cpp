@@ -183,7 +183,7 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
 
 DataTable fits(const StudyResult& result, const Json& study) {
     DataTable table{"fits", "Intrinsic work of adhesion from all pairs",
-                    "(7) with and (S13) without the soft side's change of area, (2) without any, energy lost against true area (10). Reported values are what others found.",
+                    "(7) with, (2) without the energy of stretching the soft surface, (S13) without it and with the area of small slopes, energy lost against true area (10). Reported values are what others found.",
                     {{"fit", ""}, {"variant", ""}, {"spectra", ""}, {"*W*_int", "J/m2"}, {"*R*²", "1"}, {"*χ*²", "1"}, {"*n*", "1"}, {"reported *W*_int", "J/m2"}, {"reported *R*²", "1"}},
                     {}};
     add_fits(table, study, "/fits", result.by_average ? "likelihood" : "as given", true);
