@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "markup.hpp"
+#include "setae/core/text.hpp"
 
 namespace setae::report {
 namespace {
@@ -86,14 +87,6 @@ Json figure_json(const gallery::StudyFigure& figure) {
               {"panels", Json::array()}};
     for (const auto& panel : figure.figure.panels) json["panels"].push_back(panel_json(panel));
     return json;
-}
-
-/// An argument as a shell takes it, letter by letter.
-std::string shell_word(const std::string& text) {
-    if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:") == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
 }
 
 std::string figure_html(const gallery::StudyFigure& figure, std::size_t number, const std::string& study) {
