@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_arguments.hpp"
 
-#include <map>
-
 #include <fmt/format.h>
 
 #include "interruption.hpp"
@@ -14,10 +12,15 @@ namespace setae::cli {
 void RunArguments::add_to(CLI::App& verb) {
     auto* folder = verb.add_option("--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
     verb.add_flag("--no-cache", no_cache, "compute everything, keep nothing")->excludes(folder);
-    const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic}, {"bar", ProgressMode::bar}, {"json", ProgressMode::json}, {"none", ProgressMode::none}};
     verb.add_option("--progress", progress, "auto (a bar on a terminal, JSON lines elsewhere), bar, json or none")
-        ->transform(CLI::CheckedTransformer(modes).description(""))
+        ->check(CLI::IsMember({"auto", "bar", "json", "none"}).description(""))
         ->option_text("auto|bar|json|none");
+}
+
+ProgressMode RunArguments::progress_mode() const {
+    if (progress == "bar") return ProgressMode::bar;
+    if (progress == "json") return ProgressMode::json;
+    return progress == "none" ? ProgressMode::none : ProgressMode::automatic;
 }
 
 cache::Store RunArguments::store() const {

@@ -16,9 +16,10 @@ namespace setae::cli {
 struct RunArguments {
     std::string cache_folder;
     bool no_cache = false;
-    ProgressMode progress = ProgressMode::automatic;
+    std::string progress = "auto";
 
     void add_to(CLI::App& verb);
+    [[nodiscard]] ProgressMode progress_mode() const;
     /// Where results are kept; a store that keeps nothing where that is not wanted.
     [[nodiscard]] cache::Store store() const;
 };

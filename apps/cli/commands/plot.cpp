@@ -99,7 +99,7 @@ ExitCode run(const PlotArguments& arguments) {
     if (!arguments.list && arguments.figure.empty()) throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
     if (!arguments.output.empty()) (void)ending_of(arguments.output);
     const auto store = arguments.run.store();
-    ProgressDisplay display(arguments.run.progress);
+    ProgressDisplay display(arguments.run.progress_mode());
     return until_interrupted(store, display, [&] { return plot(arguments, store, display); });
 }
 

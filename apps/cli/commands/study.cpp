@@ -176,7 +176,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
 ExitCode run(const Arguments& arguments) {
     if (arguments.dry_run) return show_plan(arguments);
     const auto store = arguments.run.store();
-    ProgressDisplay display(arguments.run.progress);
+    ProgressDisplay display(arguments.run.progress_mode());
     return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
 }
 
