@@ -8,7 +8,6 @@
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
 
-#include <exception>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -161,7 +160,7 @@ template <class T>
     return std::move(stream).str();
 }
 
-/// The value of some bytes; nothing where they are no such value.
+/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where they are cut short.
 template <class T>
 [[nodiscard]] std::optional<T> value_of(std::string bytes) {
     std::istringstream stream(std::move(bytes), std::ios::binary);
@@ -169,7 +168,7 @@ template <class T>
     try {
         cereal::BinaryInputArchive archive(stream);
         archive(value);
-    } catch (const std::exception&) {  // cereal's own, or a length that no memory holds
+    } catch (const cereal::Exception&) {
         return std::nullopt;
     }
     return value;

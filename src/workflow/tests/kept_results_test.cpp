@@ -167,9 +167,10 @@ TEST_F(KeptResults, AreWhatACancelledRunLeaves) {
     EXPECT_EQ(text_of(rest.result), text_of(run_study(study())));
 }
 
-TEST_F(KeptResults, OfAnotherKindAreNoResult) {
-    EXPECT_FALSE(value_of<SurfaceResult>("no surface"));
-    EXPECT_FALSE(value_of<MeasurementResult>(""));
+TEST_F(KeptResults, CutShortAreNoResult) {
+    const auto bytes = bytes_of(run_study(study()).surfaces[0]);
+    ASSERT_TRUE(value_of<SurfaceResult>(bytes));
+    for (const std::size_t length : {std::size_t{0}, std::size_t{7}, bytes.size() / 3, bytes.size() - 1}) EXPECT_FALSE(value_of<SurfaceResult>(bytes.substr(0, length)));
 }
 
 TEST_F(KeptResults, NameEveryInputWithItsDigest) {
