@@ -47,29 +47,29 @@ double contact_radius_at_displacement(double displacement, const jkr::Contact& c
 }
 
 double force_at_displacement(double displacement, const jkr::Contact& contact) {
-    const double a = contact_radius_at_displacement(displacement, contact);
-    return std::isnan(a) ? undefined : force(a, contact);
+    const double a = dmt::contact_radius_at_displacement(displacement, contact);
+    return std::isnan(a) ? undefined : dmt::force(a, contact);
 }
 
 double displacement_at_force(double force, const jkr::Contact& contact) {
-    const double a = contact_radius_at_force(force, contact);
-    return std::isnan(a) ? undefined : displacement(a, contact);
+    const double a = dmt::contact_radius_at_force(force, contact);
+    return std::isnan(a) ? undefined : dmt::displacement(a, contact);
 }
 
 Array1D contact_radius_at_force(const ArrayView1D& force, const jkr::Contact& contact) {
-    return mapped(force, [&](double f) { return contact_radius_at_force(f, contact); });
+    return mapped(force, [&](double f) { return dmt::contact_radius_at_force(f, contact); });
 }
 
 Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const jkr::Contact& contact) {
-    return mapped(displacement, [&](double d) { return contact_radius_at_displacement(d, contact); });
+    return mapped(displacement, [&](double d) { return dmt::contact_radius_at_displacement(d, contact); });
 }
 
 Array1D force_at_displacement(const ArrayView1D& displacement, const jkr::Contact& contact) {
-    return mapped(displacement, [&](double d) { return force_at_displacement(d, contact); });
+    return mapped(displacement, [&](double d) { return dmt::force_at_displacement(d, contact); });
 }
 
 Array1D displacement_at_force(const ArrayView1D& force, const jkr::Contact& contact) {
-    return mapped(force, [&](double f) { return displacement_at_force(f, contact); });
+    return mapped(force, [&](double f) { return dmt::displacement_at_force(f, contact); });
 }
 
 jkr::State pull_off(const jkr::Contact& contact) {
