@@ -92,7 +92,7 @@ State state_at(double x, double w, const Contact& contact) {
 }
 
 double force_of(double contact_radius, const Contact& contact) {
-    return std::isnan(contact_radius) ? undefined : large_strain::force(contact_radius, contact);
+    return std::isnan(contact_radius) ? undefined : force(contact_radius, contact);
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ double contact_radius_at_displacement(double displacement, const Contact& contac
 }
 
 double force_at_displacement(double displacement, const Contact& contact, Branch branch) {
-    return force_of(large_strain::contact_radius_at_displacement(displacement, contact, branch), contact);
+    return force_of(contact_radius_at_displacement(displacement, contact, branch), contact);
 }
 
 Array1D contact_radius_at_force(const ArrayView1D& force, const Contact& contact, Branch branch) {
@@ -142,7 +142,7 @@ Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const Co
 }
 
 Array1D force_at_displacement(const ArrayView1D& displacement, const Contact& contact, Branch branch) {
-    return mapped(large_strain::contact_radius_at_displacement(displacement, contact, branch),
+    return mapped(contact_radius_at_displacement(displacement, contact, branch),
                   [&](double a) { return force_of(a, contact); });
 }
 

@@ -9,13 +9,14 @@
 #include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::contact::layer {
 namespace {
 
-void require(const jkr::Contact& contact) {
+void require(const AdhesiveContact& contact) {
     require_sphere(contact.radius, contact.contact_modulus);
     require_not_negative(contact.work_of_adhesion, "work of adhesion");
 }
@@ -26,7 +27,7 @@ struct Point {
     double force_slope, displacement_slope;
 };
 
-Point point_at(double a, const jkr::Contact& contact, const Layer& layer) {
+Point point_at(double a, const AdhesiveContact& contact, const Layer& layer) {
     const Factors factors = layer.factors(a), slopes = layer.factor_slopes(a);
     const double modulus = contact.contact_modulus, curvature = 1.0 / contact.radius;
     const double stretch = std::sqrt(2.0 * pi * a * contact.work_of_adhesion / modulus) / factors.edge;
@@ -42,7 +43,7 @@ Point point_at(double a, const jkr::Contact& contact, const Layer& layer) {
 }
 
 /// Where force or displacement is least.
-double fold(double Point::*slope, double half_space_fold, const jkr::Contact& contact, const Layer& layer) {
+double fold(double Point::*slope, double half_space_fold, const AdhesiveContact& contact, const Layer& layer) {
     if (half_space_fold == 0.0) return 0.0;
     const auto slope_at = [&](double a) { return point_at(a, contact, layer).*slope; };
     const double upper = layer.largest_contact_radius();
@@ -53,15 +54,15 @@ double fold(double Point::*slope, double half_space_fold, const jkr::Contact& co
     return bracketed_root(slope_at, 1e-3 * std::min(half_space_fold, upper), upper);
 }
 
-double fold_of_force(const jkr::Contact& contact, const Layer& layer) {
+double fold_of_force(const AdhesiveContact& contact, const Layer& layer) {
     return fold(&Point::force_slope, jkr::pull_off_at_fixed_load(contact).contact_radius, contact, layer);
 }
 
-double fold_of_displacement(const jkr::Contact& contact, const Layer& layer) {
+double fold_of_displacement(const AdhesiveContact& contact, const Layer& layer) {
     return fold(&Point::displacement_slope, jkr::pull_off_at_fixed_grips(contact).contact_radius, contact, layer);
 }
 
-double radius_at(double value, double State::*member, double fold, const jkr::Contact& contact, const Layer& layer,
+double radius_at(double value, double State::*member, double fold, const AdhesiveContact& contact, const Layer& layer,
                  Branch branch) {
     const auto excess = [&](double a) { return point_at(a, contact, layer).state.*member - value; };
     const double at_fold = excess(fold);
@@ -78,12 +79,12 @@ double radius_at(double value, double State::*member, double fold, const jkr::Co
 
 }  // namespace
 
-double force(double contact_radius, const jkr::Contact& contact, const Layer& layer) {
+double force(double contact_radius, const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
     return point_at(contact_radius, contact, layer).state.force;
 }
 
-double displacement(double contact_radius, const jkr::Contact& contact, const Layer& layer) {
+double displacement(double contact_radius, const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
     return point_at(contact_radius, contact, layer).state.displacement;
 }
@@ -98,35 +99,35 @@ double energy_release_rate_at_force(double contact_radius, double force, const S
     return share * share / (8.0 * pi * contact.contact_modulus * a3);
 }
 
-double contact_radius_at_force(double force, const jkr::Contact& contact, const Layer& layer, Branch branch) {
+double contact_radius_at_force(double force, const AdhesiveContact& contact, const Layer& layer, Branch branch) {
     require(contact);
     return radius_at(force, &State::force, fold_of_force(contact, layer), contact, layer, branch);
 }
 
-double contact_radius_at_displacement(double displacement, const jkr::Contact& contact, const Layer& layer, Branch branch) {
+double contact_radius_at_displacement(double displacement, const AdhesiveContact& contact, const Layer& layer, Branch branch) {
     require(contact);
     return radius_at(displacement, &State::displacement, fold_of_displacement(contact, layer), contact, layer, branch);
 }
 
-Array1D contact_radius_at_force(const ArrayView1D& force, const jkr::Contact& contact, const Layer& layer, Branch branch) {
+Array1D contact_radius_at_force(const ArrayView1D& force, const AdhesiveContact& contact, const Layer& layer, Branch branch) {
     require(contact);
     const double fold = fold_of_force(contact, layer);
     return mapped(force, [&](double f) { return radius_at(f, &State::force, fold, contact, layer, branch); });
 }
 
-Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const jkr::Contact& contact, const Layer& layer,
+Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const AdhesiveContact& contact, const Layer& layer,
                                        Branch branch) {
     require(contact);
     const double fold = fold_of_displacement(contact, layer);
     return mapped(displacement, [&](double d) { return radius_at(d, &State::displacement, fold, contact, layer, branch); });
 }
 
-State pull_off_at_fixed_load(const jkr::Contact& contact, const Layer& layer) {
+State pull_off_at_fixed_load(const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
     return point_at(fold_of_force(contact, layer), contact, layer).state;
 }
 
-State pull_off_at_fixed_grips(const jkr::Contact& contact, const Layer& layer) {
+State pull_off_at_fixed_grips(const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
     return point_at(fold_of_displacement(contact, layer), contact, layer).state;
 }

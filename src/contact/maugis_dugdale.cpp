@@ -8,6 +8,7 @@
 #include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::contact::maugis_dugdale {
@@ -136,7 +137,7 @@ double radius_at(double value, double Point::*member, double lambda, const Fold&
     return point_at(bracketed_root(excess, lower, upper), lambda).radius;
 }
 
-jkr::Contact without_range(const Contact& contact) {
+AdhesiveContact without_range(const Contact& contact) {
     return {.radius = contact.radius,
             .contact_modulus = contact.contact_modulus,
             .work_of_adhesion = contact.work_of_adhesion};
@@ -202,7 +203,7 @@ ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter) {
 
 double transition_parameter(const Contact& contact) { return Scaled(contact).lambda; }
 
-double cohesive_stress(double transition_parameter, const jkr::Contact& contact) {
+double cohesive_stress(double transition_parameter, const AdhesiveContact& contact) {
     require_positive(transition_parameter, "transition parameter");
     return transition_parameter * contact.contact_modulus * jkr::maugis_units(contact).length / (1.5 * contact.radius);
 }

@@ -7,6 +7,7 @@
 
 #include "domain.hpp"
 #include "setae/contact/dmt.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -19,7 +20,7 @@ const double transition_per_tabor = 2.0 * lennard_jones_share * std::cbrt(9.0 / 
 
 constexpr double small_share = 0.05;
 
-Regime regime_of(double force, double tabor_parameter, const jkr::Contact& contact, double interaction_range) {
+Regime regime_of(double force, double tabor_parameter, const AdhesiveContact& contact, double interaction_range) {
     const double pull = -dmt::pull_off(contact).force;
     if (force > 0.0 && pull < small_share * force) return Regime::hertz;
     const double flattened = dmt::displacement_at_force(std::abs(force), contact);
@@ -64,7 +65,7 @@ double lennard_jones_stress(double work_of_adhesion, double interaction_range) {
     return lennard_jones_share * work_of_adhesion / interaction_range;
 }
 
-Verdict which_model(double force, const jkr::Contact& contact, double interaction_range) {
+Verdict which_model(double force, const AdhesiveContact& contact, double interaction_range) {
     if (!std::isfinite(force)) throw InvalidArgument(fmt::format("force must be finite, got {}", force));
     const double parameter = jkr::tabor_parameter(contact, interaction_range);
     const Regime regime = regime_of(force, parameter, contact, interaction_range);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/jkr.hpp"
+#include "setae/contact/adhesive_contact.hpp"
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/arrays.hpp"
 
 /// JKR contact of a sphere, not of the paraboloid that has its curvature: contact radii comparable to R.
 ///
@@ -14,9 +16,8 @@
 /// Sources: Sneddon, Int. J. Eng. Sci. 3 (1965) 47; Maugis, Langmuir 11 (1995) 679.
 namespace setae::contact::large_strain {
 
-using jkr::Branch;
-using jkr::Contact;
-using jkr::State;
+using Contact = AdhesiveContact;
+using State = ContactState;
 
 /// Force [N] in equilibrium at contact radius a [m], 0 <= a < R.
 /// @throws InvalidArgument for a outside [0, R) or a contact outside its domain.

@@ -3,7 +3,9 @@
 
 #include <memory>
 
-#include "setae/contact/jkr.hpp"
+#include "setae/contact/adhesive_contact.hpp"
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/arrays.hpp"
 
 /// JKR (W = 0: Hertz) contact of a rigid sphere and an elastic layer of finite thickness bonded to a rigid base, or of a thin
 /// bonded lens and a rigid flat, without friction in the contact.
@@ -22,8 +24,7 @@
 /// Biophys. J. 82 (2002) 2798; stiffness of the layer: Carbone, Mangialardi, J. Mech. Phys. Solids 56 (2008) 684.
 namespace setae::contact::layer {
 
-using jkr::Branch;
-using jkr::State;
+using State = ContactState;
 
 /// What finite thickness does to a contact, at one a/h; all are 1 at a/h = 0.
 struct Factors {
@@ -60,8 +61,8 @@ private:
 
 /// Force [N], displacement [m] in equilibrium at contact radius a [m], 0 <= a <= 5h.
 /// @throws InvalidArgument for a outside [0, 5h] or a contact outside its domain.
-[[nodiscard]] double force(double contact_radius, const jkr::Contact& contact, const Layer& layer);
-[[nodiscard]] double displacement(double contact_radius, const jkr::Contact& contact, const Layer& layer);
+[[nodiscard]] double force(double contact_radius, const AdhesiveContact& contact, const Layer& layer);
+[[nodiscard]] double displacement(double contact_radius, const AdhesiveContact& contact, const Layer& layer);
 
 /// Energy release rate G = (F_H − F)² e²/(8πE*a³ s²) [J/m²] at contact radius a [m], 0 < a <= 5h, and force F [N], F_H the
 /// force of the same contact without adhesion. @throws InvalidArgument outside the domain.
@@ -70,20 +71,20 @@ private:
 
 /// Contact radius [m] under force F [N]; NaN where no equilibrium exists: beyond pull-off, and for the inner branch F > 0.
 /// @throws InvalidArgument for a contact outside its domain, and where the contact radius would exceed 5h.
-[[nodiscard]] double contact_radius_at_force(double force, const jkr::Contact& contact, const Layer& layer,
+[[nodiscard]] double contact_radius_at_force(double force, const AdhesiveContact& contact, const Layer& layer,
                                              Branch branch = Branch::outer);
-[[nodiscard]] Array1D contact_radius_at_force(const ArrayView1D& force, const jkr::Contact& contact, const Layer& layer,
+[[nodiscard]] Array1D contact_radius_at_force(const ArrayView1D& force, const AdhesiveContact& contact, const Layer& layer,
                                               Branch branch = Branch::outer);
 
 /// Contact radius [m] at displacement δ [m]; NaN and throws as contact_radius_at_force.
-[[nodiscard]] double contact_radius_at_displacement(double displacement, const jkr::Contact& contact, const Layer& layer,
+[[nodiscard]] double contact_radius_at_displacement(double displacement, const AdhesiveContact& contact, const Layer& layer,
                                                     Branch branch = Branch::outer);
-[[nodiscard]] Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const jkr::Contact& contact,
+[[nodiscard]] Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const AdhesiveContact& contact,
                                                      const Layer& layer, Branch branch = Branch::outer);
 
 /// Where the contact parts under a dead load, and in an infinitely stiff machine.
 /// @throws InvalidArgument for a contact outside its domain, and where the contact radius would exceed 5h.
-[[nodiscard]] State pull_off_at_fixed_load(const jkr::Contact& contact, const Layer& layer);
-[[nodiscard]] State pull_off_at_fixed_grips(const jkr::Contact& contact, const Layer& layer);
+[[nodiscard]] State pull_off_at_fixed_load(const AdhesiveContact& contact, const Layer& layer);
+[[nodiscard]] State pull_off_at_fixed_grips(const AdhesiveContact& contact, const Layer& layer);
 
 }  // namespace setae::contact::layer

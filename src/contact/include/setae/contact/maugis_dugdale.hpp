@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/jkr.hpp"
+#include "setae/contact/adhesive_contact.hpp"
+#include "setae/core/arrays.hpp"
 
 /// Contact with adhesion of any range: a constant attraction σ0 acts across gaps below W/σ0 around the contact (Maugis with
 /// Dugdale's cohesive zone), between DMT (λ → 0) and JKR (λ → ∞).
@@ -19,8 +20,7 @@
 /// Source: Maugis, J. Colloid Interface Sci. 150 (1992) 243, Eqs. (6.18)–(6.20); checked against numbers of independent origin.
 namespace setae::contact::maugis_dugdale {
 
-using jkr::Branch;
-using jkr::State;
+using State = ContactState;
 
 struct Contact {
     double radius = 0.0;            ///< R [m], > 0
@@ -52,7 +52,7 @@ struct ReducedState {
 [[nodiscard]] double transition_parameter(const Contact& contact);
 
 /// Cohesive stress σ0 = λ (πWK²/R)^(1/3)/2 [Pa] that gives λ > 0. @throws InvalidArgument outside the domain, and for W = 0.
-[[nodiscard]] double cohesive_stress(double transition_parameter, const jkr::Contact& contact);
+[[nodiscard]] double cohesive_stress(double transition_parameter, const AdhesiveContact& contact);
 
 /// Gap W/σ0 [m] across which the attraction ends. @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double cohesive_range(const Contact& contact);

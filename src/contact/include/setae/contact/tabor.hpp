@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "setae/contact/jkr.hpp"
+#include "setae/contact/adhesive_contact.hpp"
 
 /// Which model of adhesion applies: the range of the attraction against the elastic deformation it causes.
 ///
@@ -46,6 +46,6 @@ struct Verdict {
 
 /// Which model applies at force F [N] to a contact whose attraction reaches over z0 [m].
 /// @throws InvalidArgument for a contact outside its domain, z0 <= 0 or a force that is not finite.
-[[nodiscard]] Verdict which_model(double force, const jkr::Contact& contact, double interaction_range);
+[[nodiscard]] Verdict which_model(double force, const AdhesiveContact& contact, double interaction_range);
 
 }  // namespace setae::contact::tabor
