@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 namespace setae::contact {
 
-/// Root of a continuous function between two points where its signs differ (or it vanishes), to 52 bits.
+/// Root of a continuous function between two points, in either order, where its signs differ (or it vanishes), to 52 bits.
 /// Source: Alefeld, Potra, Shi, ACM TOMS 748 (1995).
 template <class Function>
 [[nodiscard]] double bracketed_root(Function&& function, double lower, double upper) {
+    if (lower > upper) std::swap(lower, upper);
     const double at_lower = function(lower);
     const double at_upper = function(upper);
     if (at_lower == 0.0) return lower;

@@ -11,7 +11,7 @@
 /// a0: radius at F = 0.  Fc < 0: force at pull-off.  Exact for α = 0 and α = 1.
 /// Against Maugis–Dugdale, with λ from this relation and a0, Fc its own (measured, F from −0.95 ❘Fc❘ to 10 ❘Fc❘): contact
 /// radii agree within 1.6 % of a0 for every λ, within 0.7 % for λ >= 1.5; at pull-off itself, where Maugis' radius vanishes with
-/// λ and this one does not as fast, within 0.08 a0. The relation ends at α = 1/1.02 (λ = ∞): α above is JKR.
+/// λ and this one does not as fast, within 0.06 a0. The relation ends at α = 1/1.02 (λ = ∞): α above is JKR.
 /// Source: Carpick, Ogletree, Salmeron, J. Colloid Interface Sci. 211 (1999) 395.
 namespace setae::contact::transition {
 
