@@ -21,31 +21,39 @@ void require(const AdhesiveContact& contact) {
     require_not_negative(contact.work_of_adhesion, "work of adhesion");
 }
 
-/// Equilibrium at a contact radius and its derivatives by it.
-struct Point {
-    State state;
-    double force_slope, displacement_slope;
+/// What the edge's adhesion takes off the dry displacement [m].
+double stretch_at(double a, const AdhesiveContact& contact, const Factors& factors) {
+    return std::sqrt(2.0 * pi * a * contact.work_of_adhesion / contact.contact_modulus) / factors.edge;
+}
+
+State state_at(double a, const AdhesiveContact& contact, const Layer& layer) {
+    const Factors factors = layer.factors(a);
+    const double stretch = stretch_at(a, contact, factors), flat = a * a / contact.radius;
+    return {.force = 2.0 * contact.contact_modulus * a * (2.0 / 3.0 * flat * factors.dry_force - factors.stiffness * stretch),
+            .displacement = flat * factors.dry_displacement - stretch,
+            .contact_radius = a};
+}
+
+/// Derivatives of force and displacement along equilibrium by the contact radius, > 0; the dry force grows as
+/// 2aE* s times the dry displacement.
+struct Slopes {
+    double force, displacement;
 };
 
-Point point_at(double a, const AdhesiveContact& contact, const Layer& layer) {
+Slopes slopes_at(double a, const AdhesiveContact& contact, const Layer& layer) {
     const Factors factors = layer.factors(a), slopes = layer.factor_slopes(a);
-    const double modulus = contact.contact_modulus, curvature = 1.0 / contact.radius;
-    const double stretch = std::sqrt(2.0 * pi * a * contact.work_of_adhesion / modulus) / factors.edge;
-    const double stiffness = 2.0 * modulus * a * factors.stiffness;
-    const double dry_slope = a * curvature * (2.0 * factors.dry_displacement + a * slopes.dry_displacement);
-    const double stretch_slope = a == 0.0 ? 0.0 : stretch * (0.5 / a - slopes.edge / factors.edge);
-    const double stiffness_slope = 2.0 * modulus * (factors.stiffness + a * slopes.stiffness);
-    return {.state = {.force = 4.0 / 3.0 * modulus * a * a * a * curvature * factors.dry_force - stiffness * stretch,
-                      .displacement = a * a * curvature * factors.dry_displacement - stretch,
-                      .contact_radius = a},
-            .force_slope = stiffness * (dry_slope - stretch_slope) - stiffness_slope * stretch,
-            .displacement_slope = dry_slope - stretch_slope};
+    const double stretch = stretch_at(a, contact, factors);
+    const double dry_slope = a / contact.radius * (2.0 * factors.dry_displacement + a * slopes.dry_displacement);
+    const double slope = dry_slope - stretch * (0.5 / a - slopes.edge / factors.edge);
+    const double stiffness_slope = factors.stiffness + a * slopes.stiffness;
+    return {.force = 2.0 * contact.contact_modulus * (a * factors.stiffness * slope - stiffness_slope * stretch),
+            .displacement = slope};
 }
 
 /// Where force or displacement is least.
-double fold(double Point::*slope, double half_space_fold, const AdhesiveContact& contact, const Layer& layer) {
+double fold(double Slopes::*slope, double half_space_fold, const AdhesiveContact& contact, const Layer& layer) {
     if (half_space_fold == 0.0) return 0.0;
-    const auto slope_at = [&](double a) { return point_at(a, contact, layer).*slope; };
+    const auto slope_at = [&](double a) { return slopes_at(a, contact, layer).*slope; };
     const double upper = layer.largest_contact_radius();
     if (slope_at(upper) < 0.0)
         throw InvalidArgument(fmt::format("this contact parts at a contact radius above {} layer thicknesses of {} m, where the "
@@ -55,16 +63,16 @@ double fold(double Point::*slope, double half_space_fold, const AdhesiveContact&
 }
 
 double fold_of_force(const AdhesiveContact& contact, const Layer& layer) {
-    return fold(&Point::force_slope, jkr::pull_off_at_fixed_load(contact).contact_radius, contact, layer);
+    return fold(&Slopes::force, jkr::pull_off_at_fixed_load(contact).contact_radius, contact, layer);
 }
 
 double fold_of_displacement(const AdhesiveContact& contact, const Layer& layer) {
-    return fold(&Point::displacement_slope, jkr::pull_off_at_fixed_grips(contact).contact_radius, contact, layer);
+    return fold(&Slopes::displacement, jkr::pull_off_at_fixed_grips(contact).contact_radius, contact, layer);
 }
 
 double radius_at(double value, double State::*member, double fold, const AdhesiveContact& contact, const Layer& layer,
                  Branch branch) {
-    const auto excess = [&](double a) { return point_at(a, contact, layer).state.*member - value; };
+    const auto excess = [&](double a) { return state_at(a, contact, layer).*member - value; };
     const double at_fold = excess(fold);
     if (!(at_fold <= 0.0)) return undefined;
     if (at_fold == 0.0) return fold;
@@ -81,12 +89,12 @@ double radius_at(double value, double State::*member, double fold, const Adhesiv
 
 double force(double contact_radius, const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
-    return point_at(contact_radius, contact, layer).state.force;
+    return state_at(contact_radius, contact, layer).force;
 }
 
 double displacement(double contact_radius, const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
-    return point_at(contact_radius, contact, layer).state.displacement;
+    return state_at(contact_radius, contact, layer).displacement;
 }
 
 double energy_release_rate_at_force(double contact_radius, double force, const SphereOnFlat& contact, const Layer& layer) {
@@ -124,12 +132,12 @@ Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const Ad
 
 State pull_off_at_fixed_load(const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
-    return point_at(fold_of_force(contact, layer), contact, layer).state;
+    return state_at(fold_of_force(contact, layer), contact, layer);
 }
 
 State pull_off_at_fixed_grips(const AdhesiveContact& contact, const Layer& layer) {
     require(contact);
-    return point_at(fold_of_displacement(contact, layer), contact, layer).state;
+    return state_at(fold_of_displacement(contact, layer), contact, layer);
 }
 
 }  // namespace setae::contact::layer

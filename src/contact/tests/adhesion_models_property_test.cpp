@@ -41,7 +41,8 @@ RC_GTEST_PROP(MaugisDugdaleProperty, PullOffWeakensFromDmtToJkrAsTheRangeShrinks
     const double pull_off = maugis_dugdale::reduced_pull_off_at_fixed_load(lambda).force;
     RC_ASSERT(pull_off > -2.0 && pull_off < -1.5);
     RC_ASSERT(pull_off < maugis_dugdale::reduced_pull_off_at_fixed_load(1.1 * lambda).force);
-    RC_ASSERT(maugis_dugdale::reduced_state(power_of_ten(-3, 1), lambda).force >= pull_off);
+    // the fold of a long range is flat to rounding
+    RC_ASSERT(maugis_dugdale::reduced_state(power_of_ten(-3, 1), lambda).force >= pull_off - 1e-14);
 }
 
 RC_GTEST_PROP(LargeStrainProperty, RadiusUndoesForceAndDisplacementOutsideTheFold, ()) {

@@ -182,13 +182,16 @@ TEST(MaugisDugdale, TranslatesBetweenStressRangeAndTransitionParameter) {
 }
 
 TEST(MaugisDugdale, OpensToItsRangeAtTheEndOfTheZone) {
-    // gap at c of a parabola lifted by a uniform stress in a < r < c, Maugis' second term in place: σ0 · gap = W is the first
-    // equation; here the gap's parabolic part alone must stay below W/σ0 where adhesion pulls the edge up
-    const Contact contact = with(2.0);
-    const double a = pull_off_at_fixed_load(contact).contact_radius, c = zone_radius(a, contact);
-    EXPECT_GT(c, a);
-    EXPECT_LT((std::acos(a / c) * (c * c - 2.0 * a * a) + a * std::sqrt(c * c - a * a)) / (pi * contact.radius),
-              cohesive_range(contact));
+    // gap at c, in metres: that of the parabola pressed flat up to a, and what the cohesive stress adds
+    for (const double lambda : {0.3, 2.0}) {
+        const Contact contact = with(lambda);
+        const double a = pull_off_at_fixed_load(contact).contact_radius, c = zone_radius(a, contact);
+        const double angle = std::acos(a / c);
+        const double parabola = ((c * c - 2.0 * a * a) * angle + a * std::sqrt(c * c - a * a)) / (pi * contact.radius);
+        const double opened = 4.0 * contact.cohesive_stress / (pi * contact.contact_modulus) *
+                              (std::sqrt(c * c - a * a) * angle - c + a);
+        EXPECT_NEAR((parabola + opened) / cohesive_range(contact), 1.0, 1e-10);
+    }
 }
 
 TEST(MaugisDugdale, OfSeriesEqualsThatOfEachValue) {
