@@ -17,7 +17,7 @@
 /// is one bracketed root in s (TOMS 748), on either branch.
 /// Limits: λ → 0 is DMT to O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and
 /// displacement of a vanishing contact are finite; what attracts without contact beyond it is not part of the model.
-/// Source: Maugis, J. Colloid Interface Sci. 150 (1992) 243, Eqs. (6.18)–(6.20); checked against numbers of independent origin.
+/// Source: Maugis, J. Colloid Interface Sci. 150 (1992) 243.
 namespace setae::contact::maugis_dugdale {
 
 using State = ContactState;
