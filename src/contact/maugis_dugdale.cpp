@@ -5,14 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::contact::maugis_dugdale {
 namespace {
+
+/// Far beyond both limits, and λ² and its squares stay numbers.
+void require_transition_parameter(double lambda) {
+    if (!(lambda >= 1e-30 && lambda <= 1e30))
+        throw InvalidArgument(fmt::format("transition parameter must lie in [1e-30, 1e30], got {}; check the units of the "
+                                          "cohesive stress",
+                                          lambda));
+}
 
 /// A point of the curve and its derivatives by s.
 struct Point {
@@ -149,6 +160,7 @@ struct Scaled {
         require_positive(contact.cohesive_stress, "cohesive stress");
         // (πWK²/R)^(1/3) = K · length/R
         lambda = 1.5 * contact.cohesive_stress * contact.radius / (contact.contact_modulus * units.length);
+        require_transition_parameter(lambda);
     }
     [[nodiscard]] State state(const ReducedState& at) const {
         return {.force = at.force * units.force,
@@ -183,20 +195,22 @@ double displacement_of(double contact_radius, const Scaled& scaled) {
 }  // namespace
 
 ReducedState reduced_state(double reduced_radius, double transition_parameter) {
-    require_positive(transition_parameter, "transition parameter");
+    require_transition_parameter(transition_parameter);
     require_not_negative(reduced_radius, "contact radius");
-    // radii below 1e-12 of the zone's: the state differs from the vanished one by less than rounding
-    if (reduced_radius < 1e-12 * zone_of_vanished_contact(transition_parameter)) return vanished_contact(transition_parameter);
+    if (std::isinf(reduced_radius)) throw InvalidArgument("contact radius must be finite");
+    // the state differs from that at A = 0 by order A²
+    if (reduced_radius < 1e-12 * std::min(1.0, zone_of_vanished_contact(transition_parameter)))
+        return vanished_contact(transition_parameter);
     return reduced(zone_at_radius(reduced_radius, transition_parameter), transition_parameter);
 }
 
 ReducedState reduced_pull_off_at_fixed_load(double transition_parameter) {
-    require_positive(transition_parameter, "transition parameter");
+    require_transition_parameter(transition_parameter);
     return reduced(zone_at_least_force(transition_parameter), transition_parameter);
 }
 
 ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter) {
-    require_positive(transition_parameter, "transition parameter");
+    require_transition_parameter(transition_parameter);
     const double zone = zone_at_least_displacement(transition_parameter);
     return std::isnan(zone) ? vanished_contact(transition_parameter) : reduced(zone, transition_parameter);
 }
@@ -204,7 +218,7 @@ ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter) {
 double transition_parameter(const Contact& contact) { return Scaled(contact).lambda; }
 
 double cohesive_stress(double transition_parameter, const AdhesiveContact& contact) {
-    require_positive(transition_parameter, "transition parameter");
+    require_transition_parameter(transition_parameter);
     return transition_parameter * contact.contact_modulus * jkr::maugis_units(contact).length / (1.5 * contact.radius);
 }
 

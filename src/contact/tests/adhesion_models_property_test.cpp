@@ -25,7 +25,7 @@ AdhesiveContact any_contact() {
 // away from the folds, where inverses lose half the digits, and for a long range from what rounding leaves of the load
 RC_GTEST_PROP(MaugisDugdaleProperty, RadiusUndoesForceAndDisplacement, ()) {
     const AdhesiveContact plain = any_contact();
-    const double lambda = power_of_ten(-3, 4);
+    const double lambda = power_of_ten(-8, 8);
     const maugis_dugdale::Contact contact{.radius = plain.radius,
                                           .contact_modulus = plain.contact_modulus,
                                           .work_of_adhesion = plain.work_of_adhesion,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "setae/contact/dmt.hpp"
 #include "setae/contact/jkr.hpp"
@@ -171,6 +172,20 @@ TEST(MaugisDugdaleLimit, IsDmtToTheThreeHalvesInTheRange) {
     EXPECT_NEAR(contact_radius_at_force(1e-4, contact) / dmt::contact_radius_at_force(1e-4, lens), 1.0, 1e-5);
 }
 
+TEST(MaugisDugdale, HoldsAtTheEndsOfItsDomain) {
+    for (const double lambda : {1e-30, 1e30}) {
+        const double limit = lambda < 1.0 ? -2.0 : -1.5;
+        EXPECT_NEAR(reduced_pull_off_at_fixed_load(lambda).force, limit, 1e-12);
+        EXPECT_NEAR(reduced_pull_off_at_fixed_grips(lambda).displacement, lambda < 1.0 ? 0.0 : -0.908560296416, 1e-10);
+        for (const double a : {1e-6, 1.0, 1e6})
+            EXPECT_NEAR(reduced_state(a, lambda).displacement, lambda < 1.0 ? a * a : a * a - 2.0 / 3.0 * std::sqrt(6.0 * a),
+                        1e-14 * (1.0 + a * a));
+        EXPECT_TRUE(std::isnan(contact_radius_at_force(std::numeric_limits<double>::infinity(), with(lambda))));
+    }
+    // the radius at pull-off is resolved down to λ = 1e-5, where it is 2.09 λ as at 1e-3 and 1e-4
+    EXPECT_NEAR(reduced_pull_off_at_fixed_load(1e-5).contact_radius / 2.09e-5, 1.0, 0.02);
+}
+
 TEST(MaugisDugdale, TranslatesBetweenStressRangeAndTransitionParameter) {
     const Contact contact = with(0.7);
     EXPECT_NEAR(transition_parameter(contact), 0.7, 1e-15);
@@ -228,6 +243,8 @@ TEST(MaugisDugdale, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)force(-1e-6, with(1.0)), InvalidArgument);
     EXPECT_THROW((void)displacement(undefined, with(1.0)), InvalidArgument);
     EXPECT_THROW((void)reduced_state(1.0, 0.0), InvalidArgument);
+    EXPECT_THROW((void)reduced_state(1.0, 1e40), InvalidArgument);
+    EXPECT_THROW((void)reduced_state(std::numeric_limits<double>::infinity(), 1.0), InvalidArgument);
     EXPECT_THROW((void)reduced_pull_off_at_fixed_load(-1.0), InvalidArgument);
     EXPECT_THROW((void)cohesive_stress(0.0, lens), InvalidArgument);
 }

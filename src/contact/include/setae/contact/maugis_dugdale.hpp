@@ -14,7 +14,7 @@
 ///   F̄ = A³ − λA² [s + m² atan s],   δ̄ = A² − (4/3) λ A s
 ///
 /// The first equation is a quadratic in A, so the whole curve is explicit in s, along which A falls monotonically; each inverse
-/// is one bracketed root in s (TOMS 748), on either branch.
+/// is one bracketed root in s (TOMS 748), on either branch. Domain: 1e-30 <= λ <= 1e30.
 /// Limits: λ → 0 is DMT to O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and
 /// displacement of a vanishing contact are finite; what attracts without contact beyond it is not part of the model.
 /// Source: Maugis, J. Colloid Interface Sci. 150 (1992) 243.
@@ -37,21 +37,21 @@ struct ReducedState {
     double zone_ratio = 1.0;      ///< m = c/a, >= 1; infinity at a = 0
 };
 
-/// State at reduced contact radius A >= 0. @throws InvalidArgument for A < 0 or λ <= 0.
+/// State at reduced contact radius A >= 0. @throws InvalidArgument for A < 0 or λ outside its domain.
 [[nodiscard]] ReducedState reduced_state(double reduced_radius, double transition_parameter);
 
 /// State of least force, where the contact parts under a dead load. For λ < 1e-5 its contact radius (about 2.1 λ) is not
-/// resolved, its force is. @throws InvalidArgument for λ <= 0.
+/// resolved, its force is. @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_load(double transition_parameter);
 
 /// State of least displacement, where the contact parts in an infinitely stiff machine: the fold of δ̄(A), or for
-/// λ below about 0.938, where there is none, A = 0. @throws InvalidArgument for λ <= 0.
+/// λ below about 0.938, where there is none, A = 0. @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter);
 
 /// λ = 2σ0 (R/(πWK²))^(1/3), K = 4E*/3. @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double transition_parameter(const Contact& contact);
 
-/// Cohesive stress σ0 = λ (πWK²/R)^(1/3)/2 [Pa] that gives λ > 0. @throws InvalidArgument outside the domain, and for W = 0.
+/// Cohesive stress σ0 = λ (πWK²/R)^(1/3)/2 [Pa] that gives λ. @throws InvalidArgument outside the domain, and for W = 0.
 [[nodiscard]] double cohesive_stress(double transition_parameter, const AdhesiveContact& contact);
 
 /// Gap W/σ0 [m] across which the attraction ends. @throws InvalidArgument for a contact outside its domain.
