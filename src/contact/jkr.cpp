@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "domain.hpp"
+#include "mapped.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::contact::jkr {
@@ -39,13 +40,6 @@ double distance_from_fold(double s, double sign) {
         if (std::abs(change) <= 1e-16 * v) break;
     }
     return v;
-}
-
-template <class Function>
-Array1D mapped(const ArrayView1D& values, Function&& function) {
-    Array1D result(values.size());
-    for (Index i = 0; i < values.size(); ++i) result[i] = function(values[i]);
-    return result;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "setae/contact/adhesive_contact.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 
@@ -12,24 +13,9 @@
 /// Solids (2000), ch. 4; Dalvi et al., PNAS 116 (2019) 25484, Eqs. (1), (S1), (S2).
 namespace setae::contact::jkr {
 
-struct Contact {
-    double radius = 0.0;            ///< R [m], > 0
-    double contact_modulus = 0.0;   ///< E* [Pa], > 0
-    double work_of_adhesion = 0.0;  ///< W [J/m²], >= 0
-};
-
-/// Which of the two equilibrium radii that belong to one force, or to one displacement.
-enum class Branch {
-    outer,  ///< the larger radius: stable
-    inner,  ///< the smaller radius: unstable, reached only through the pull-off point
-};
-
-/// A state of equilibrium.
-struct State {
-    double force = 0.0;           ///< F [N]
-    double displacement = 0.0;    ///< δ [m]
-    double contact_radius = 0.0;  ///< a [m]
-};
+using Contact = AdhesiveContact;
+using State = ContactState;
+using contact::Branch;
 
 /// Force F = 4E*a³/(3R) − √(8πE*W a³) [N] in equilibrium at contact radius a [m], >= 0.
 /// @throws InvalidArgument for a < 0 or a contact outside its domain.
