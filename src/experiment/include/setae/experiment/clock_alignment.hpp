@@ -22,7 +22,7 @@ struct ClockOptions {
 
 /// How far the camera's clock is behind the force's.
 struct ClockAlignment {
-    Estimate offset;             ///< [s] to add to the camera's times; standard error of the fit, never below frame/√12 ÷ √n of contacts
+    Estimate offset;             ///< [s] to add to the camera's times
     double explained = 0.0;      ///< share of the force's variance at the frames that the radii explain, at the best offset
     double runner_up = 0.0;      ///< the same at the next best offset at least five frames away
     std::optional<Estimate> by_onset;  ///< from the first frame in contact against the jump-in alone; ± half a frame
@@ -39,10 +39,11 @@ struct ClockAlignment {
 ///   F = 2 E* a (δ − a²/3R)      so that   F = c0 + c1 a + c2 a δ + c3 a³
 ///
 /// with constants that take in E*, R and the zeros of force and displacement. The offset is the one at which the frames
-/// satisfy this best by least squares, force and displacement taken at the frames' times by linear interpolation; it is
+/// satisfy this best by least squares, force and displacement averaged over half a frame about the frames' times; it is
 /// searched at half a frame, then refined. Contact onsets and partings weigh most: F and a jump there together. Without
 /// displacement the form is F = c0 + c1 a + c2 a^(3/2) + c3 a³ (JKR under load), which hysteresis of adhesion spoils.
-/// The standard error is the curvature's, inflated for residuals that follow their neighbours.
+/// The standard error is read from the profile of the sum of squares, widened for residuals that follow their neighbours
+/// and for jumps that hide within half a frame.
 /// @throws InvalidArgument for series of different length, time that is missing or does not run forwards, an empty search.
 /// @throws UndefinedDataError for fewer than 20 usable frames, radii that never change, clocks that cannot overlap.
 /// Source of the relation: Johnson, Kendall, Roberts 1971; Maugis 1992.
