@@ -234,10 +234,10 @@ Score score(const std::vector<std::string_view>& lines, const Dialect& dialect) 
     return best;
 }
 
-/// Better: more rows; among equals more columns than one; then the order in which dialects are tried.
+/// Better: more rows, where several columns count twice: a short row among integers at commas makes no decimal commas.
 bool better(const Score& a, const Score& b) {
-    if (a.rows != b.rows) return a.rows > b.rows;
-    return a.columns > 1 && b.columns <= 1;
+    const auto weight = [](const Score& score) { return score.rows * (score.columns > 1 ? 2 : 1); };
+    return weight(a) > weight(b);
 }
 
 constexpr std::array<Dialect, 13> dialects{{{'\t', '.'}, {';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','},
@@ -305,7 +305,9 @@ std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>
     for (const auto& dialect : dialects) {
         if (!allowed(dialect, options)) continue;
         auto candidate = score_with_words(lines, dialect);
-        if (candidate.rows < best.rows || (candidate.rows == best.rows && candidate.numeric <= best.numeric)) continue;
+        // words hold blanks and commas themselves: among equals the separator tried first, and its decimal sign that gives more numbers
+        const bool more_numbers = candidate.numeric > best.numeric && (best.rows == 0 || dialect.separator == layout.dialect.separator);
+        if (candidate.rows < best.rows || (candidate.rows == best.rows && !more_numbers)) continue;
         best = std::move(candidate);
         layout.dialect = dialect;
     }
