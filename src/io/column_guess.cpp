@@ -22,6 +22,7 @@
 namespace setae::io {
 namespace {
 
+constexpr const char* undefined_note = "all values undefined";
 constexpr double sure = 0.95, phrase = 0.85, symbol = 0.7, by_unit = 0.5, derived = 0.6;
 
 /// The words of one role; phrases hold one of the words beside others.
@@ -87,7 +88,9 @@ Named by_name(const std::string& name, const Vocabulary& role) {
     if (qualifier(words, role.role == std::string_view("contact_radius"))) return {};
     if (contains(role.names, plain)) return {sure, fmt::format("'{}' is a word for {}", name, role.role)};
     for (const auto& word : words)
-        if (contains(role.words, word)) return {plain == word ? sure : phrase, fmt::format("'{}' holds '{}', a word for {}", name, word, role.role)};
+        if (contains(role.words, word))
+            return plain == word ? Named{sure, fmt::format("'{}' is a word for {}", name, role.role)}
+                                 : Named{phrase, fmt::format("'{}' holds '{}', a word for {}", name, word, role.role)};
     if (contains(role.symbols, name)) return {symbol, fmt::format("'{}' is a symbol of {}", name, role.role)};
     return {};
 }
@@ -158,7 +161,7 @@ ColumnGuess::Shown shown(const RawTable::RawColumn& column) {
     if (!column.text.empty())
         result.note = fmt::format("text: {}", column.text);
     else if (column.values.isNaN().all())
-        result.note = "all values undefined";
+        result.note = undefined_note;
     else if (column.unit.empty())
         result.note = "no unit";
     else if (!try_parse_unit(column.unit))
@@ -263,7 +266,7 @@ void require_usable(const ColumnGuess& guess, const std::string& role, std::size
     const auto& shown = guess.columns[column];
     const auto refuse = [&](const std::string& what) { throw FormatError(guess.path, {}, fmt::format("{} for {} {}", label(guess, column), role, what)); };
     if (shown.note.starts_with("text")) refuse(fmt::format("holds {}, expected numbers", shown.note));
-    if (shown.note == "all values undefined") refuse("holds no number at all");
+    if (shown.note == undefined_note) refuse("holds no number at all");
     if (shown.note == "no unit") refuse("has no unit; write it into the header, as in 'force [mN]', or into a mapping file");
     if (shown.note == "unknown unit") refuse("has a unit setae does not know; give it in a mapping file");
 }
@@ -297,6 +300,10 @@ Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::
     for (const auto& role : guess.roles) {
         const auto candidate = decided(guess, role, chosen);
         if (!candidate) continue;
+        if (guess.columns[candidate->column].note == undefined_note && !chosen.contains(role.role)) {
+            mapping.notes.push_back(fmt::format("{}: {} left out, it holds no number at all", role.role, label(guess, candidate->column)));
+            continue;
+        }
         require_usable(guess, role.role, candidate->column);
         const std::string name = candidate->from_area ? "contact_area" : role.role + "_column";
         mapping.columns.push_back(mapped(guess, name, candidate->column));
@@ -307,7 +314,8 @@ Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::
     }
     if (!found.contains("force") || (!found.contains("displacement") && !found.contains("contact_radius"))) {
         std::vector<std::string> names;
-        for (std::size_t k = 0; k < guess.columns.size(); ++k) names.push_back(label(guess, k));
+        for (std::size_t k = 0; k < guess.columns.size(); ++k)
+            names.push_back(guess.columns[k].note == undefined_note ? fmt::format("{} ({})", label(guess, k), undefined_note) : label(guess, k));
         throw FormatError(guess.path, {}, fmt::format("no column found for {}, the file has {}; name it by a mapping file",
                                                       found.contains("force") ? "displacement or contact_radius" : "force", fmt::join(names, ", ")));
     }

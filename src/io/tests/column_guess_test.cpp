@@ -83,7 +83,10 @@ TEST(ColumnGuess, UnusableColumnsAreRefusedByName) {
     EXPECT_TRUE(holds(message("Force;depth [um]\n1;2\n3;4\n"), "column 1 'Force' for force has no unit"));
     EXPECT_TRUE(holds(message("depth [um];T [K]\n1;2\n3;4\n"), "no column found for force, the file has column 1 'depth' [um]"));
     EXPECT_TRUE(holds(message("Force [mN];T [K]\n1;2\n3;4\n"), "no column found for displacement or contact_radius"));
-    EXPECT_TRUE(holds(message("Force [mN];depth [um];T [K]\n1;;2\n3;;4\n"), "'depth' [um] for displacement holds no number at all"));
+    EXPECT_TRUE(holds(message("Force [mN];depth [um];T [K]\n1;;2\n3;;4\n"), "column 2 'depth' [um] (all values undefined)"));
+    const auto without_radii = guess_of("Force [mN];depth [um];a [um]\n1;2;\n3;4;\n");
+    EXPECT_TRUE(holds(as_toml(mapping_from(without_radii)), "# contact_radius: column 3 'a' [um] left out, it holds no number at all"));
+    EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(without_radii, {{"contact_radius", "a"}}); }), "for contact_radius holds no number at all"));
     const auto text = guess_of("Force [mN];depth [um];state\n1;2;ok\n3;4;ok\n");
     EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(text, {{"displacement", "state"}}); }), "holds text: 'ok' on line 2, expected numbers"));
 }
@@ -156,7 +159,7 @@ TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
 TEST(RealFiles, LadybugSummaryIsReadWithItsWords) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/ladybug_pad_summary.txt");
     const auto table = read_raw_table(file_source(path.string()));
-    ASSERT_EQ(table.columns.size(), 41u);
+    ASSERT_EQ(table.columns.size(), 42u);
     const auto column = [&](const std::string& name) {
         for (const auto& found : table.columns)
             if (found.name == name) return found;

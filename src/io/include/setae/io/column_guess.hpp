@@ -57,7 +57,8 @@ struct ColumnGuess {
 /// The mapping a guess amounts to. `chosen` names a column for a role, by its header or by its position from 1, and
 /// overrules the guess.
 /// @throws FormatError where a role has two candidates and none was chosen (both are named), where force or both
-/// displacement and contact radius are missing, where a column has no unit, holds text or no number at all.
+/// displacement and contact radius are missing, where a column has no unit or holds text. A column without any number is
+/// left out with a note, unless it was chosen.
 [[nodiscard]] Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen = {});
 
 }  // namespace setae::io
