@@ -19,6 +19,7 @@ struct Reader {
 };
 constexpr Reader readers[] = {{"jpk-force", is_jpk_force, read_jpk_force},
                               {"afm-workshop", is_afm_workshop, read_afm_workshop},
+                              {"igor-force", is_igor_force, read_igor_force},
                               {"nt-mdt", is_nt_mdt_text, read_nt_mdt_text}};
 
 void require_positive(const std::optional<double>& value, const char* name) {
@@ -104,6 +105,8 @@ const std::vector<ForceCurveFormat>& force_curve_formats() {
          "from converter to volts, metres and newtons are followed in the order the file names them", "JPK Instruments, data format of NanoWizard, version 0.x to 2", true},
         {"afm-workshop", "AFM Workshop force curve", ".csv", "text with 'Force-Distance Curve' in the first line; height and force or volts of extension, then of retraction",
          "files of AFM Workshop instruments, format 3", true},
+        {"igor-force", "Asylum force curve", ".ibw", "Igor binary wave of version 5 with channels Defl and ZSnsr or Raw; segments by the note's Indexes, spring constant and InvOLS "
+         "from the note", "WaveMetrics, Technical Note 3 (Igor binary format); names of channels as Asylum's software writes them", false},
         {"nt-mdt", "NT-MDT force curve", ".txt", "text that Nova exports: height, deflection of approach and of retraction, no header; nm and nA are assumed, constant padding is cut off",
          "files of NT-MDT Nova", true}};
     return formats;
@@ -136,7 +139,7 @@ Table read_force_curve(const Source& source, const ForceCurveOptions& options) {
         table.metadata["segments"] = fmt::format("{}", fmt::join(segments, ", "));
         return table;
     }
-    throw FormatError(source.name, {}, "no force curve setae reads (JPK, AFM Workshop, NT-MDT text); import tables by a mapping");
+    throw FormatError(source.name, {}, "no force curve setae reads (JPK, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
 }
 
 Table read_force_curve(const std::string& path, const ForceCurveOptions& options) { return read_force_curve(file_source(path), options); }

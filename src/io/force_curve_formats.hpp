@@ -40,4 +40,7 @@ struct ForceCurveData {
 [[nodiscard]] bool is_nt_mdt_text(const Source& source);
 [[nodiscard]] ForceCurveData read_nt_mdt_text(const Source& source);
 
+[[nodiscard]] bool is_igor_force(const Source& source);
+[[nodiscard]] ForceCurveData read_igor_force(const Source& source);
+
 }  // namespace setae::io

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "import_samples.hpp"
-#include "reference_data.hpp"
 
 namespace setae::io::tests {
 namespace {
@@ -144,32 +143,6 @@ TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
     EXPECT_TRUE(holds(message("F,x\na,1\nb,2\n"), "column 'f' holds text ('a' on line 2), expected numbers"));
     EXPECT_TRUE(holds(message("F,x\n,1\n,2\n"), "column 'f' holds no number at all"));
     EXPECT_TRUE(holds(message("F,x\n1 mN,1\n2 N,2\n"), "holds text ('1 mN' on line 2)"));  // units in cells may be mixed
-}
-
-TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/pdms_a.txt");
-    const auto guess = guess_columns(path.string());
-    EXPECT_EQ(guess.columns.size(), 6u);
-    EXPECT_EQ(guess.file.decimal_point, ',');
-    EXPECT_TRUE(holds(describe(guess), "displacement: undecided between column 1 'Piezo position' [nm] and column 2 'MEMS displ.' [nm]")) << describe(guess);
-    EXPECT_TRUE(holds(describe(guess), "time: column 3 'Time' [ms]"));
-    EXPECT_THROW((void)mapping_from(guess), FormatError);
-}
-
-TEST(RealFiles, LadybugSummaryIsReadWithItsWords) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/ladybug_pad_summary.txt");
-    const auto table = read_raw_table(file_source(path.string()));
-    ASSERT_EQ(table.columns.size(), 42u);
-    const auto column = [&](const std::string& name) {
-        for (const auto& found : table.columns)
-            if (found.name == name) return found;
-        return RawTable::RawColumn{};
-    };
-    EXPECT_EQ(column("Beam Spring Constant").unit, "μN/μm");
-    EXPECT_DOUBLE_EQ(column("Beam Spring Constant").values[0], 31.79);
-    EXPECT_EQ(column("Adhesion Energy").unit, "pJ");
-    EXPECT_NEAR(column("Pulloff Force").values[0], 157.40947683394876, 1e-12);
-    EXPECT_NE(column("ROI Label").text, "");
 }
 
 }  // namespace

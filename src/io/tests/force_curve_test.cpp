@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "import_samples.hpp"
-#include "reference_data.hpp"
 
 namespace setae::io::tests {
 namespace {
@@ -109,43 +108,28 @@ TEST(ForceCurves, FormatsAreToldApart) {
     EXPECT_TRUE(holds(message_of([] { (void)curve("a,b\n1,2\n"); }), "no force curve setae reads"));
 }
 
-// Values below are those afmformats 0.18.7 (PyPI) gives for the same files.
-
-TEST(RealForceCurves, JpkAgreesWithAfmformats) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-jpk-fd_spot3-0192.jpk-force");
-    const auto table = read_force_curve(path.string());
-    ASSERT_EQ(table.rows(), 4000);
-    const auto& force = table.at("force");
-    const auto& height = table.at("height");
-    EXPECT_NEAR(force[0], -5.145579192349918e-10, 1e-24);
-    EXPECT_NEAR(force[2500], -5.795164055415912e-10, 1e-24);
-    EXPECT_NEAR(force.mean(), -4.430379197409225e-10, 1e-22);
-    EXPECT_NEAR(height[0], 2.2815672438768612e-05, 1e-19);
-    EXPECT_NEAR(height[3999], 2.2793994016157793e-05, 1e-19);
-    EXPECT_NEAR(height.mean(), 2.0306628064609423e-05, 1e-18);
-    EXPECT_NEAR(table.at("time")[2500], 1.25, 1e-12);
-    EXPECT_EQ(table.metadata.at("spring_constant"), "0.043493666407368466 N/m");
-    EXPECT_EQ(table.metadata.at("sensitivity"), "7.000143623002982e-08 m/V");
+TEST(IgorForce, ReadsChannelsByTheirLabels) {
+    for (const bool big : {false, true}) {
+        const auto table = curve(igor_force_file("SpringConstant: 0.5\rInvOLS: 1e-7\rNumPtsPerSec: 10\rIndexes: 0,2,3,5\rMicroscopeModel: MFP\r", big));
+        ASSERT_EQ(table.rows(), 5);
+        EXPECT_NEAR(table.at("force")[2], 2e-9, 1e-16);  // floats have 7 digits
+        EXPECT_NEAR(table.at("displacement")[2], 3e-6 - 4e-9, 1e-12);
+        EXPECT_NEAR(table.at("reading")[2], 0.04, 1e-8);
+        EXPECT_NEAR(table.at("time")[4], 0.4, 1e-12);
+        EXPECT_EQ(table.at("segment")[4], 2.0);
+        EXPECT_EQ(table.metadata.at("segments"), "extend, pause, retract");
+        EXPECT_EQ(table.metadata.at("instrument"), "MFP");
+        EXPECT_NEAR(curve(igor_force_file("InvOLS: 1e-7\r"), {.spring_constant = 1.0, .sensitivity = 2e-7}).at("force")[2], 8e-9, 1e-15);
+    }
 }
 
-TEST(RealForceCurves, AfmWorkshopAgreesWithAfmformats) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-afm-workshop-fd_single_2020-02-14_13.41.25.csv");
-    const auto table = read_force_curve(path.string());
-    ASSERT_EQ(table.rows(), 2030);
-    EXPECT_NEAR(table.at("force")[0], 1.2764373000000002e-06, 1e-20);
-    EXPECT_NEAR(table.at("force").mean(), 1.3890711267487685e-06, 1e-18);
-    EXPECT_NEAR(table.at("height").mean(), 1.6762457066699508e-05, 1e-18);  // the other reader turns the sign
+TEST(IgorForce, SplitsAtTheTurnWithoutANote) {
+    const auto table = curve(igor_force_file(""));
+    EXPECT_EQ(table.metadata.at("segments"), "extend, retract");
+    EXPECT_EQ(table.at("segment")[2], 0.0);
+    EXPECT_EQ(table.at("segment")[3], 1.0);
     EXPECT_EQ(table.metadata.at("missing"), "spring_constant");
-}
-
-TEST(RealForceCurves, NtMdtAgreesWithAfmformats) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
-    const auto table = read_force_curve(path.string(), {.spring_constant = 0.04, .sensitivity = 60.0});
-    ASSERT_EQ(table.rows(), 1644);
-    EXPECT_NEAR(table.at("force")[0], -2.6479199999999997e-09, 1e-22);
-    EXPECT_NEAR(table.at("force").mean(), -2.087460875912409e-09, 1e-21);
-    EXPECT_NEAR(table.at("height").mean(), -3.2872664000000008e-06, 1e-18);
-    EXPECT_EQ(table.at("segment").mean(), 0.5);
+    EXPECT_EQ(table.find("time"), nullptr);
 }
 
 }  // namespace

@@ -133,6 +133,38 @@ std::string big_endian(const std::vector<Number>& values) {
     return zip_archive(members);
 }
 
+/// A force curve as Igor stores it: columns Raw, Defl, ZSnsr of five samples, floats of the order named.
+[[nodiscard]] inline std::string igor_force_file(const std::string& note, bool big = false) {
+    const auto put = [&](std::string& bytes, std::size_t at, auto value) {
+        auto raw = bytes_of(std::vector<decltype(value)>{value});
+        if (big) std::reverse(raw.begin(), raw.end());
+        bytes.replace(at, raw.size(), raw);
+    };
+    const std::vector<float> numbers{0.f, 1e-6f, 2e-6f, 1e-6f, 0.f, 0.f, 0.f, 4e-9f, 1e-9f, -2e-9f, 0.f, 1.5e-6f, 3e-6f, 1.5e-6f, 0.f};
+    std::string bytes(384 + 4 * numbers.size(), '\0');
+    put(bytes, 0, std::int16_t{5});
+    put(bytes, 4, static_cast<std::int32_t>(320 + 4 * numbers.size()));
+    put(bytes, 12, static_cast<std::int32_t>(note.size()));
+    put(bytes, 40, std::int32_t{4 * 32});
+    put(bytes, 76, static_cast<std::int32_t>(numbers.size()));
+    put(bytes, 80, std::int16_t{2});
+    put(bytes, 132, std::int32_t{5});
+    put(bytes, 136, std::int32_t{3});
+    for (std::size_t i = 0; i < numbers.size(); ++i) put(bytes, 384 + 4 * i, numbers[i]);
+    std::uint16_t sum = 0;
+    for (std::size_t at = 0; at < 384; at += 2) {
+        const auto one = static_cast<unsigned char>(bytes[at]), two = static_cast<unsigned char>(bytes[at + 1]);
+        sum = static_cast<std::uint16_t>(sum + (big ? one * 256 + two : two * 256 + one));
+    }
+    put(bytes, 2, static_cast<std::uint16_t>(-sum));
+    bytes += note;
+    for (std::string label : {"", "Raw", "Defl", "ZSnsr"}) {
+        label.resize(32, '\0');
+        bytes += label;
+    }
+    return bytes;
+}
+
 [[nodiscard]] inline std::string afm_workshop_file() {
     return "Force-Distance Curve\r\nFile Format:\t3\r\n\r\nDate:\tFriday, February 14, 2020\r\nForce Constant, nN/nm:\t2.5\r\nX, um:\t25.0\r\n\r\n"
            "Extend Z-Sense(nm),Extend Force(nN),Retract Z-Sense(nm),Retract Force(nN)\r\n100,1,120,40\r\n110,2,110,15\r\n120,40,,\r\n";

@@ -96,6 +96,7 @@ std::vector<std::pair<std::string, std::string>> import_samples() {
             {"jpk-force", jpk_force_file()},
             {"jpk-force with shared header", jpk_force_file(true)},
             {"afm-workshop", afm_workshop_file()},
+            {"igor-force", igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r")},
             {"nt-mdt", nt_mdt_file()}};
 }
 
@@ -133,6 +134,20 @@ TEST(Import, WorkbooksSurviveFlippedBitsInsideTheirMembers) {
                                            {"segments/0/segment-header.properties", damaged(properties, generator)},
                                            {"segments/0/channels/measuredHeight.dat", channel},
                                            {"segments/0/channels/vDeflection.dat", channel}}));
+}
+
+TEST(Import, IgorWavesSurviveDamageBehindTheirChecksum) {
+    std::mt19937 generator(31);
+    const auto whole = igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r");
+    for (int trial = 0; trial < 1000; ++trial) {
+        auto content = damaged(whole.substr(0, 384), generator) + whole.substr(384);
+        content[2] = content[3] = 0;
+        std::uint16_t sum = 0;
+        for (std::size_t at = 0; at < 384; at += 2)
+            sum = static_cast<std::uint16_t>(sum + static_cast<unsigned char>(content[at]) + 256 * static_cast<unsigned char>(content[at + 1]));
+        content.replace(2, 2, bytes_of(std::vector<std::uint16_t>{static_cast<std::uint16_t>(-sum)}));
+        must_import_or_refuse(content);
+    }
 }
 
 TEST(Import, LoopFilesSurviveFlippedBits) {

@@ -19,7 +19,7 @@ struct ForceCurveOptions {
 
 /// A file format of force curves.
 struct ForceCurveFormat {
-    std::string identifier;   ///< "jpk-force", "afm-workshop", "nt-mdt"
+    std::string identifier;   ///< "jpk-force", "afm-workshop", "igor-force", "nt-mdt"
     std::string name;
     std::string extensions;
     std::string description;
