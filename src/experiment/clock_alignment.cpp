@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -16,6 +17,8 @@ namespace setae::experiment {
 namespace {
 
 constexpr Index fewest_frames = 20;
+constexpr Index most_frames_at_first = 2000;  ///< of the search over all offsets
+constexpr double onset_reach = 3.0;  ///< frames to both sides of the offset by the onset alone
 constexpr int fine_steps = 40;  ///< of the refined search, each frame
 
 void require_clock(const Array1D& time, Index size, const char* subject) {
@@ -40,6 +43,20 @@ struct Frames {
     double interval = 0.0;
 };
 
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Three standard deviations of the noise of radii, from their second differences: what is below counts as no contact.
+double least_radius(const std::vector<double>& radii) {
+    std::vector<double> differences;
+    for (std::size_t i = 2; i < radii.size(); ++i) differences.push_back(std::abs(radii[i] - 2.0 * radii[i - 1] + radii[i - 2]));
+    return 3.0 * 1.4826 * median(std::move(differences)) / std::sqrt(6.0);  // 1.4826: median of normal deviates to standard deviation
+}
+
 Frames usable_frames(const CameraRecord& camera) {
     std::vector<double> time, radius, steps;
     for (Index i = 0; i < camera.time.size(); ++i) {
@@ -51,13 +68,41 @@ Frames usable_frames(const CameraRecord& camera) {
     const auto n = static_cast<Index>(time.size());
     if (n < fewest_frames) throw UndefinedDataError(fmt::format("{} frames with a contact radius, expected {} at least to align clocks by", n, fewest_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-    frames.interval = steps[steps.size() / 2];
+    frames.interval = median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
     if (!(largest > 0.0) || frames.radius.maxCoeff() == frames.radius.minCoeff())
         throw UndefinedDataError("the contact radius never changes: nothing to align clocks by");
-    frames.radius /= largest;
+    const double least = least_radius(radius);
+    frames.radius = (frames.radius < least).select(0.0, frames.radius / largest);
     return frames;
+}
+
+/// Frames of free flight and of the first loading: where adhesion has hysteresis, force is a function of the radius there only.
+Frames before_unloading(const Frames& frames) {
+    constexpr double share = 0.98;  // of the largest radius, where loading counts as over
+    const double top = share * frames.radius.maxCoeff();
+    std::vector<double> time, radius;
+    bool loading = true;
+    for (Index i = 0; i < frames.time.size(); ++i) {
+        loading = loading && frames.radius[i] < top;
+        if (!loading && frames.radius[i] > 0.0) continue;
+        time.push_back(frames.time[i]);
+        radius.push_back(frames.radius[i]);
+    }
+    const auto n = static_cast<Index>(time.size());
+    return {Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), frames.interval};
+}
+
+/// Every so many frames that no more than `most` are left, for a first search.
+Frames thinned(const Frames& frames, Index most) {
+    const Index stride = (frames.time.size() + most - 1) / most;
+    const Index n = (frames.time.size() - 1) / stride + 1;
+    Frames result{Array1D(n), Array1D(n), frames.interval * static_cast<double>(stride)};
+    for (Index i = 0; i < n; ++i) {
+        result.time[i] = frames.time[i * stride];
+        result.radius[i] = frames.radius[i * stride];
+    }
+    return result;
 }
 
 Array1D standardised(const Array1D& values) {
@@ -109,7 +154,7 @@ public:
         for (Index i = 0; i < frames_.time.size(); ++i) {
             const double t = frames_.time[i] + offset;
             if (t < time_[0] || t > time_[time_.size() - 1]) continue;
-            while (time_[at] < t) ++at;
+            at = std::max<Index>(1, std::lower_bound(time_.begin() + at, time_.end(), t) - time_.begin());
             const double share = (t - time_[at - 1]) / (time_[at] - time_[at - 1]);
             const auto between = [&](const Array1D& series) { return series[at - 1] + share * (series[at] - series[at - 1]); };
             const double a = frames_.radius[i];
@@ -207,20 +252,19 @@ double standard_error(const Search& search, const Candidate& best) {
             const auto trial = search(best.offset + direction * k * step);
             if (trial.frames < best.trial.frames / 2 || trial.residual > limit) break;
         }
-    // where within the half frame averaged over a jump lies is not known: two jumps, evenly likely places
-    const double hidden = 0.5 * search.interval() / std::sqrt(2.0 * 12.0);
+    // where within a frame a jump lies is not known: two jumps, evenly likely places
+    const double hidden = search.interval() / std::sqrt(2.0 * 12.0);
     return std::hypot(0.25 * step * static_cast<double>(range + 2), hidden);
 }
 
 /// Offset that brings the first frame in contact behind the jump-in and the frame before it ahead.
-std::optional<Estimate> by_onset(const Loop& force, const CameraRecord& camera) {
+std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
     std::optional<double> parted, touching;
-    for (Index i = 0; i < camera.time.size() && !touching; ++i) {
-        if (!std::isfinite(camera.contact_radius[i])) continue;
-        if (camera.contact_radius[i] > 0.0)
-            touching = camera.time[i];
+    for (Index i = 0; i + 1 < frames.time.size() && !touching; ++i) {
+        if (frames.radius[i] > 0.0 && frames.radius[i + 1] > 0.0)
+            touching = frames.time[i];
         else
-            parted = camera.time[i];
+            parted = frames.time[i];
     }
     if (!parted || !touching) return std::nullopt;
     try {
@@ -242,7 +286,8 @@ std::string doubt_of(const ClockAlignment& found, const Range& range) {
     if (!(found.offset.standard_error >= 0.0)) return "the agreement does not peak at the best offset";
     if (range.upper - range.lower > 4.0 * step && (found.offset.value - range.lower < step || range.upper - found.offset.value < step))
         return "the best offset lies at the end of the search";
-    if (found.explained < 0.8) return fmt::format("the radii explain {:.0f} % of the force's variance only", 100.0 * found.explained);
+    if (found.explained < 0.9) return fmt::format("the radii explain {:.0f} % of the force's variance only", 100.0 * found.explained);
+    if (found.method == "F, a" && !found.by_onset) return "without displacement and without a jump-in it rests on loading alone";
     if (1.0 - found.explained > 0.7 * (1.0 - found.runner_up)) return "another offset at least five frames away explains nearly as much";
     if (found.by_onset && std::abs(found.by_onset->value - found.offset.value) > 2.0 * found.frame_interval + 3.0 * found.offset.standard_error)
         return fmt::format("the first contact alone gives {:.4g} s", found.by_onset->value);
@@ -254,31 +299,43 @@ std::string doubt_of(const ClockAlignment& found, const Range& range) {
 ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const ClockOptions& options) {
     require_record(force);
     require_clock(camera.time, camera.contact_radius.size(), "camera record");
-    const Search search(force, usable_frames(camera));
-    const auto range = searched(force, search.frame_times(), options);
-    const auto fewest = std::max<Index>(8, static_cast<Index>(options.least_overlap * static_cast<double>(search.frame_times().size())) - 1);
-    // a contact that moves the force by half as much as the whole record does
+    const auto all = usable_frames(camera);
+    const bool displaced = force.displacement.size() > 0;
+    const auto frames = displaced ? all : before_unloading(all);
+    if (frames.time.size() < fewest_frames)
+        throw UndefinedDataError(fmt::format("{} frames before unloading and out of contact, expected {} at least to align clocks by", frames.time.size(), fewest_frames));
+    const auto onset = by_onset(force, all);
+    auto range = searched(force, frames.time, options);
+    // without displacement loading alone may fit elsewhere as well: the first contact says where to look
+    if (!displaced && onset && onset->value > range.lower && onset->value < range.upper)
+        range = {std::max(range.lower, onset->value - onset_reach * all.interval), std::min(range.upper, onset->value + onset_reach * all.interval)};
+    // the frames must see a tenth of the record's changes of force
     const Array1D forces = standardised(force.force);
-    const double least_total = 0.25 * (forces - forces.mean()).square().mean();
-    const auto coarse = scan(search, range, 0.5 * search.interval(), fewest, least_total);
+    const double least_total = 0.01 * (forces - forces.mean()).square().mean();
+    const auto scanned = [&](const Search& search, const Range& within, double step) {
+        const auto fewest = static_cast<Index>(options.least_overlap * static_cast<double>(search.frame_times().size())) - 1;
+        return scan(search, within, step, std::max<Index>(8, fewest), least_total);
+    };
+    const auto around = [&](double offset, double reach) { return Range{std::max(range.lower, offset - reach), std::min(range.upper, offset + reach)}; };
+
+    const Search rough(force, thinned(frames, most_frames_at_first)), search(force, frames);
+    const auto coarse = scanned(rough, range, 0.5 * rough.interval());
     if (coarse.empty())
-        throw UndefinedDataError(fmt::format("no offset between {:.4g} s and {:.4g} s brings {} frames onto a force that changes; check the clocks", range.lower, range.upper, fewest));
-    const auto first = best_of(coarse);
-    const double reach = 1.5 * search.interval();
-    const Range near{std::max(range.lower, first.offset - reach), std::min(range.upper, first.offset + reach)};
-    auto fine = scan(search, near, search.interval() / fine_steps, fewest, least_total);
-    fine.push_back(first);
-    const auto best = best_of(fine);
+        throw UndefinedDataError(fmt::format("no offset between {:.4g} s and {:.4g} s brings half of the frames onto a force that changes; check the clocks", range.lower, range.upper));
+    auto best = best_of(coarse);
+    const double rough_offset = best.offset;
+    for (const auto& [reach, step] : {std::pair{1.5 * rough.interval(), 0.5 * search.interval()}, std::pair{1.5 * search.interval(), search.interval() / fine_steps}})
+        if (const auto finer = scanned(search, around(best.offset, reach), step); !finer.empty()) best = best_of(finer);
 
     ClockAlignment found;
     found.offset = {.value = best.offset, .standard_error = standard_error(search, best), .method = "profile of the sum of squares"};
     found.explained = best.trial.explained();
     for (const auto& other : coarse)
-        if (std::abs(other.offset - best.offset) >= 5.0 * search.interval()) found.runner_up = std::max(found.runner_up, other.trial.explained());
-    found.by_onset = by_onset(force, camera);
+        if (std::abs(other.offset - rough_offset) >= 5.0 * rough.interval()) found.runner_up = std::max(found.runner_up, other.trial.explained());
+    found.by_onset = onset;
     found.frame_interval = search.interval();
     found.frames = best.trial.frames;
-    found.method = force.displacement.size() ? "F, δ, a" : "F, a";
+    found.method = displaced ? "F, δ, a" : "F, a";
     found.doubt = doubt_of(found, range);
     return found;
 }

@@ -61,14 +61,28 @@ TEST(ClockAlignment, HoldsWithNoiseAndItsStandardErrorCoversTheError) {
     EXPECT_GE(covered, 19);  // 3 standard errors: 1 in 370 misses
 }
 
-TEST(ClockAlignment, OfLoadingWithoutHysteresisNeedsNoDisplacement) {
-    const auto loop = SyntheticLoop{.samples = 1500}.make();
+TEST(ClockAlignment, NeedsNoDisplacement) {
+    for (const double work : {0.040, 0.120}) {
+        const auto loop = SyntheticLoop{.retraction_work = work, .samples = 1500}.make();
+        const double frame = 40 * (loop.time[1] - loop.time[0]);
+        auto force = without_radius(loop);
+        force.displacement = Array1D();
+        const auto found = align_clocks(force, filmed(loop, frame, 9.6 * frame));
+        EXPECT_EQ(found.method, "F, a");
+        EXPECT_NEAR(found.offset.value, 9.6 * frame, 0.5 * frame) << work;
+    }
+}
+
+TEST(ClockAlignment, DoubtsForceAloneWhereNoiseHidesTheJump) {
+    auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
-    auto force = without_radius(loop);
-    force.displacement = Array1D();
-    const auto found = align_clocks(force, filmed(loop, frame, 9.6 * frame));
-    EXPECT_EQ(found.method, "F, a");
-    EXPECT_NEAR(found.offset.value, 9.6 * frame, 0.5 * frame);
+    const auto camera = filmed(loop, frame, 3.0 * frame);
+    std::mt19937_64 generator(5);
+    loop.force = with_noise(loop.force, 0.2 * loop.force.maxCoeff(), generator);
+    loop.displacement = Array1D();
+    const auto found = align_clocks(without_radius(loop), camera);
+    EXPECT_FALSE(found.by_onset);
+    EXPECT_NE(found.doubt, "");
 }
 
 TEST(ClockAlignment, DoubtsRecordsThatHaveNothingInCommon) {

@@ -24,7 +24,7 @@ struct ClockOptions {
 struct ClockAlignment {
     Estimate offset;             ///< [s] to add to the camera's times
     double explained = 0.0;      ///< share of the force's variance at the frames that the radii explain, at the best offset
-    double runner_up = 0.0;      ///< the same at the next best offset at least five frames away
+    double runner_up = 0.0;      ///< the same at the best offset at least five frames away, of the first search
     std::optional<Estimate> by_onset;  ///< from the first frame in contact against the jump-in alone; ± half a frame
     double frame_interval = 0.0; ///< median [s]
     Index frames = 0;            ///< used
@@ -40,10 +40,12 @@ struct ClockAlignment {
 ///
 /// with constants that take in E*, R and the zeros of force and displacement. The offset is the one at which the frames
 /// satisfy this best by least squares, force and displacement averaged over half a frame about the frames' times; it is
-/// searched at half a frame, then refined. Contact onsets and partings weigh most: F and a jump there together. Without
-/// displacement the form is F = c0 + c1 a + c2 a^(3/2) + c3 a³ (JKR under load), which hysteresis of adhesion spoils.
+/// searched at half a frame (of 2000 frames at most), then refined. Contact onsets and partings weigh most: F and a jump there together. Without
+/// displacement the form is F = c0 + c1 a + c2 a^(3/2) + c3 a³ (JKR under load) for the frames before the largest radius and
+/// out of contact: hysteresis of adhesion spoils it in between; where the record has a jump-in,
+/// it is searched about that. Radii below three standard deviations of their noise are 0.
 /// The standard error is read from the profile of the sum of squares, widened for residuals that follow their neighbours
-/// and for jumps that hide within half a frame.
+/// and for jumps that hide within a frame.
 /// @throws InvalidArgument for series of different length, time that is missing or does not run forwards, an empty search.
 /// @throws UndefinedDataError for fewer than 20 usable frames, radii that never change, clocks that cannot overlap.
 /// Source of the relation: Johnson, Kendall, Roberts 1971; Maugis 1992.
