@@ -154,7 +154,7 @@ TEST(Import, LoopFilesSurviveFlippedBits) {
     std::mt19937 generator(99);
     const TemporaryFolder folder;
     const std::string text = "# format: setae loop\n# version: 1\n# sphere_radius: 1.25 mm\nforce [N],displacement [m]\n1,2\n3,\n";
-    for (int trial = 0; trial < 200; ++trial) {
+    for (int trial = 0; trial < 80; ++trial) {
         const auto path = folder.write("l.csv", damaged(text, generator));
         try {
             (void)read_loop(path);
