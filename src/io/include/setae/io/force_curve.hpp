@@ -37,8 +37,8 @@ struct ForceCurveFormat {
 ///   force = k s (reading of the detector)      displacement = travel of the base − deflection
 ///
 /// Columns: "force" [N], "displacement" [m] growing into the sample, "height" [m] as the file has it, "deflection" [m],
-/// "time" [s] where the file tells durations, "segment" [1] numbered from 0. Without k there is no force, without k and s
-/// or deflection in metres no displacement: then the columns stand as measured and the metadata say what is missing.
+/// "reading" [V or A] of the detector, "time" [s] where the file tells durations, "segment" [1] numbered from 0.
+/// Without k there is no force, without k and s or deflection in metres no displacement: then the columns stand as measured and metadata["missing"] names the constants.
 /// metadata: "format", "spring_constant" [N/m] and "sensitivity" where known, "segments" (their names), the file's own lines.
 /// @throws FileError; FormatError with member, key or line for a truncated or damaged file, channels of different length,
 /// an unknown scaling; InvalidArgument for k or s ≤ 0.
