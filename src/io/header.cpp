@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "text.hpp"
@@ -47,10 +49,26 @@ std::optional<HeaderCell> with_word(std::string_view cell, std::string_view word
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(unit)};
 }
 
-std::optional<HeaderCell> with_trailing_length(std::string_view cell) {
+/// Units that are no words, for spellings without brackets: of length, force, area and time, "min" and "h" excepted.
+bool is_plain_unit(std::string_view text) {
+    if (text == "min" || text == "h" || text == "A") return false;
+    const auto unit = try_parse_unit(text);
+    return unit && (unit->dimension == dimension::length || unit->dimension == dimension::force || unit->dimension == dimension::area ||
+                    unit->dimension == dimension::time);
+}
+
+std::optional<HeaderCell> with_trailing_unit(std::string_view cell) {
     const auto at = cell.rfind(' ');
-    if (at == std::string_view::npos || cell.size() - at < 3 || !is_length(cell.substr(at + 1))) return std::nullopt;
+    if (at == std::string_view::npos || cell.size() - at < 3 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(cell.substr(at + 1))};
+}
+
+/// "force_mN"; one letter counts behind a word only: "force_N", not "x_m".
+std::optional<HeaderCell> with_underscore(std::string_view cell) {
+    const auto at = cell.rfind('_');
+    if (at == std::string_view::npos || at == 0 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;
+    if (cell.size() - at == 2 && at < 3) return std::nullopt;
+    return HeaderCell{std::string(without_underscore(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
 /// Units of a row that holds nothing else: each cell in brackets, or each a unit below a row of names, or each a length.
@@ -92,7 +110,9 @@ HeaderCell parse_header_cell(std::string_view cell) {
     if (auto found = with_brackets(cell)) return *found;
     if (auto found = with_word(cell, " / ")) return *found;
     if (auto found = with_word(cell, " in ")) return *found;
-    if (auto found = with_trailing_length(cell)) return *found;
+    if (auto found = with_word(cell, ", ")) return *found;
+    if (auto found = with_trailing_unit(cell)) return *found;
+    if (auto found = with_underscore(cell)) return *found;
     return {std::string(cell), {}};
 }
 
@@ -105,7 +125,12 @@ std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, cha
     const auto units = unit_row(last, !above.empty());
     if (units.empty()) return name_row(last);
     auto names = above.empty() ? std::vector<HeaderCell>(units.size()) : name_row(above);
-    for (std::size_t i = 0; i < units.size(); ++i) names[i].unit = units[i];
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        if (!names[i].unit.empty() && names[i].unit != units[i])
+            throw InvalidArgument(fmt::format("mixed units: column '{}' is in {} by its name and in {} by the row of units; correct one of them",
+                                              names[i].name, names[i].unit, units[i].empty() ? "no unit" : units[i]));
+        names[i].unit = units[i];
+    }
     return names;
 }
 

@@ -24,6 +24,7 @@ TableOptions parse_file(TomlReader reader) {
     options.separator = reader.choice<char>("separator", {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}});
     options.decimal_point = reader.choice<char>("decimal", {{"point", '.'}, {"comma", ','}});
     options.header_end = reader.text("header_end");
+    options.sheet = reader.text("sheet");
     reader.finish();
     return options;
 }
@@ -179,6 +180,10 @@ struct SiColumn {
 };
 
 SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, const std::string& path) {
+    if (!column.text.empty())
+        throw FormatError(path, {}, fmt::format("column '{}' holds text ({}), expected numbers", wanted.name, column.text));
+    if (column.values.isNaN().all())
+        throw FormatError(path, {}, fmt::format("column '{}' holds no number at all: all {} values are undefined", wanted.name, column.values.size()));
     const auto name = wanted.unit ? *wanted.unit : column.unit;
     if (name.empty()) throw FormatError(path, {}, fmt::format("column '{}' has no unit; give it in the mapping", wanted.name));
     const auto unit = try_parse_unit(name);
@@ -198,6 +203,7 @@ Table read_mapped_table(const std::string& path, const Mapping& mapping) {
     }
     inputs.constants = mapping.constants;
     Table table;
+    table.metadata = raw.metadata;
     table.metadata["file"] = path;
     table.metadata["mapping"] = mapping.path;
     if (!raw.header.empty()) table.metadata["header"] = fmt::format("{}", fmt::join(raw.header, "\n"));

@@ -8,8 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "header.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/io/spreadsheet.hpp"
 #include "setae/io/whole_file.hpp"
 #include "text.hpp"
 
@@ -32,10 +34,12 @@ struct Numbers {
     std::vector<double> values;        ///< row-major
     std::size_t columns = 0;
     std::vector<bool> has_text;        ///< per column: any cell that is not empty
+    std::vector<std::string> words;    ///< per column: its first cell and line, where it holds text
 };
 
 Numbers parse_rows(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
-    Numbers numbers{{}, layout.columns, std::vector<bool>(layout.columns, false)};
+    Numbers numbers{{}, layout.columns, std::vector<bool>(layout.columns, false), std::vector<std::string>(layout.columns)};
+    const auto is_text = [&](std::size_t column) { return !layout.text.empty() && layout.text[column]; };
     numbers.values.reserve((lines.size() - layout.first_row) * layout.columns);
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
@@ -48,10 +52,12 @@ Numbers parse_rows(const std::vector<std::string_view>& lines, const Layout& lay
                               fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
                                           cells.size(), layout.columns));
         for (std::size_t k = 0; k < cells.size(); ++k) {
-            double value = 0.0;
-            if (!parse_cell(cells[k], layout.dialect.decimal_point, value))
+            double value = undefined;
+            if (is_text(k)) {
+                if (numbers.words[k].empty() && !cells[k].empty()) numbers.words[k] = fmt::format("'{:.40}' on line {}", cells[k], i + 1);
+            } else if (!parse_cell(cells[k], layout.dialect, value))
                 throw FormatError(name, {.line = i + 1},
-                                  fmt::format("'{:.40}' in column {} is no number", cells[k], k + 1));
+                                  fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
             numbers.values.push_back(value);
             if (!cells[k].empty()) numbers.has_text[k] = true;
         }
@@ -72,33 +78,94 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
+/// Refuses commas that may begin decimals or group thousands: "1,234" with no cell that decides.
+void require_decided_commas(const std::vector<std::string_view>& lines, const Layout& layout, const TableOptions& options, const std::string& name) {
+    if (options.decimal_point || layout.dialect.decimal_point != ',' || layout.dialect.separator == ';') return;
+    std::vector<std::string_view> cells;
+    std::size_t doubtful_line = 0;
+    std::string doubtful;
+    for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
+        if (is_comment(trimmed(lines[i]))) continue;
+        split_cells(lines[i], layout.dialect.separator, cells);
+        for (const auto cell : cells) {
+            if (cell.find(',') == std::string_view::npos) continue;
+            if (!is_grouped(cell, ',', true)) return;
+            if (doubtful.empty()) doubtful = cell, doubtful_line = i + 1;
+        }
+    }
+    if (!doubtful.empty())
+        throw FormatError(name, {.line = doubtful_line},
+                          fmt::format("'{0:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
+                                      "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping", doubtful));
+}
+
+/// Refuses integers at commas, twice as many as names: commas that separate and begin decimals.
+void require_separating_commas(const RawTable& table, const std::vector<std::string_view>& lines, const Layout& layout, const TableOptions& options,
+                               const std::string& name) {
+    if (options.separator || options.decimal_point || layout.dialect.separator != ',' || table.header.empty()) return;
+    std::vector<std::string_view> cells;
+    split_cells(table.header.back(), ',', cells);
+    if (cells.size() < 2 || 2 * cells.size() != layout.columns) return;
+    if (lines[layout.first_row].find('.') != std::string_view::npos) return;
+    throw FormatError(name, {.line = layout.first_row + 1},
+                      fmt::format("{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
+                                  "export with semicolons or tabs, or with decimal points", layout.columns, cells.size()));
+}
+
+/// "# key: value" lines.
+std::map<std::string, std::string> key_values(const std::vector<std::string>& header) {
+    std::map<std::string, std::string> found;
+    for (const auto& line : header) {
+        if (!is_comment(line)) continue;
+        const auto text = trimmed(std::string_view(line).substr(1));
+        const auto colon = text.find(':');
+        if (colon == std::string_view::npos || colon == 0 || colon > 60) continue;
+        found.emplace(trimmed(text.substr(0, colon)), trimmed(text.substr(colon + 1)));
+    }
+    return found;
+}
+
+std::vector<HeaderCell> names_of(const RawTable& table, std::size_t least, std::size_t most, const std::string& name) {
+    try {
+        return parse_header(table.header, table.separator, least, most);
+    } catch (const InvalidArgument& error) {
+        throw FormatError(name, {}, error.what());
+    }
+}
+
 }  // namespace
 
 RawTable read_raw_table(const Source& source, const TableOptions& options) {
+    if (is_spreadsheet(source)) return read_spreadsheet(source, options.sheet);
+    if (options.sheet) throw FormatError(source.name, {.offset = 0}, fmt::format("is no workbook, but its sheet '{}' was asked for", *options.sheet));
     if (source.size == 0) throw FormatError(source.name, {.offset = 0}, "the file is empty; expected rows of numbers");
     const auto text = decoded(source.all(), options.encoding);
     auto lines = split_lines(text);
     const auto begin = after_header_end(lines, options, source.name);
     const std::vector<std::string_view> body(lines.begin() + static_cast<std::ptrdiff_t>(begin), lines.end());
     auto layout = find_layout(body, options);
+    if (!layout) layout = find_layout_with_words(body, options);
     if (!layout) throw FormatError(source.name, {.line = begin + 1}, "no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
+    require_decided_commas(lines, *layout, options, source.name);
     const auto numbers = parse_rows(lines, *layout, source.name);
 
-    RawTable table{{}, {}, layout->dialect.separator, layout->dialect.decimal_point};
+    RawTable table{{}, {}, {}, layout->dialect.separator, layout->dialect.decimal_point};
     for (std::size_t i = 0; i < layout->first_row; ++i) {
         if (options.header_end && i + 1 == begin) continue;
         if (const auto line = trimmed(lines[i]); !line.empty()) table.header.emplace_back(line);
     }
+    require_separating_commas(table, lines, *layout, options, source.name);
+    table.metadata = key_values(table.header);
     const auto filled = filled_columns(numbers);
-    const auto names = parse_header(table.header, layout->dialect.separator, filled, numbers.columns);
+    const auto names = names_of(table, filled, numbers.columns, source.name);
     const auto columns = names.empty() ? filled : names.size();
     const auto rows = static_cast<Index>(numbers.values.size() / numbers.columns);
     using Rows = Eigen::Map<const Array2D>;
     const Rows values(numbers.values.data(), rows, static_cast<Index>(numbers.columns));
     for (std::size_t k = 0; k < columns; ++k) {
         const auto cell = names.empty() ? HeaderCell{} : names[k];
-        table.columns.push_back({cell.name, cell.unit, values.col(static_cast<Index>(k))});
+        table.columns.push_back({cell.name, cell.unit, values.col(static_cast<Index>(k)), numbers.words[k]});
     }
     return table;
 }
@@ -106,6 +173,7 @@ RawTable read_raw_table(const Source& source, const TableOptions& options) {
 Table read_table(const std::string& path, const TableOptions& options) {
     const auto raw = read_raw_table(file_source(path), options);
     Table table;
+    table.metadata = raw.metadata;
     table.metadata["file"] = path;
     if (!raw.header.empty()) table.metadata["header"] = joined(raw.header);
     for (std::size_t k = 0; k < raw.columns.size(); ++k) {

@@ -25,10 +25,15 @@ namespace setae::io {
 struct Dialect {
     char separator = ' ';  ///< '\t', ';', ',' or ' ' for runs of blanks
     char decimal_point = '.';
+    bool grouped = false;  ///< thousands may be grouped by the other sign: "1,234.5"
 };
+
+/// Whether a cell is a number with thousands in groups, and nothing but its groups where `whole`: "1,234" for ','.
+[[nodiscard]] bool is_grouped(std::string_view cell, char group_sign, bool whole);
 
 /// A cell's number: true with NaN for an empty cell and "nan", "bad", "-"; false for anything that is no number.
 [[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
+[[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 
 /// Cells of a line; for separator ' ' runs of blanks and tabs separate and none lead or trail.
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
@@ -39,10 +44,15 @@ struct Layout {
     std::size_t columns = 0;
     std::size_t filled = 0;     ///< columns up to the last that is not empty in every row looked at
     std::size_t first_row = 0;  ///< index of the line the numbers begin at
+    std::vector<bool> text;     ///< per column whether it holds text; empty where none does
 };
 
 /// The dialect that makes the most of the last lines rows of numbers, and the first row; nothing where no line is one.
 [[nodiscard]] std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, const TableOptions& options);
+
+/// The same for text of which some columns are words: the layout that makes the most of the last lines rows of as many cells,
+/// the same columns numbers in each; nothing where there is none of at least two columns.
+[[nodiscard]] std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines, const TableOptions& options);
 
 /// Numeric columns in the first bytes of a text, 0 where there are none or it is no text.
 [[nodiscard]] std::size_t numeric_columns(std::string_view head);

@@ -8,6 +8,7 @@
 
 #include "sample_files.hpp"
 #include "setae/io/channel.hpp"
+#include "setae/io/loop_file.hpp"
 #include "setae/io/npy.hpp"
 #include "setae/io/table_file.hpp"
 
@@ -40,6 +41,28 @@ RC_GTEST_PROP(Csv, KeepsEveryDouble, ()) {
     const auto back = read_table(folder.path("t.csv"));
     RC_ASSERT(same(back.at("a"), table.columns[0].values));
     RC_ASSERT(same(back.at("b"), table.columns[1].values));
+}
+
+RC_GTEST_PROP(LoopFile, IsTheSameAfterWritingAndReading, ()) {
+    const auto rows = *rc::gen::inRange<std::size_t>(1, 20);
+    Table table;
+    for (const auto& [name, unit] : {std::pair{"force", "N"}, {"displacement", "m"}, {"contact_radius", "m"}, {"time", "s"}, {"temperature", "°C"}, {"state", ""}})
+        table.columns.push_back({name, unit, to_array(*numbers(rows))});
+    // any text of one line without outer blanks: UTF-8 letters, colons, commas, quotes, '#'
+    const auto text = rc::gen::container<std::string>(rc::gen::elementOf(std::string("ab7:,#\"'[]=-")));
+    std::map<std::string, std::string> metadata{{"sphere_radius", fmt::format("{} mm", *rc::gen::inRange(1, 1000) / 7.0)}};
+    for (const char* key : {"surface", "elastomer", "my_own_key_2"}) metadata[key] = *text + "µ";
+    const TemporaryFolder folder;
+    write_loop(folder.path("l.csv"), table, metadata);
+    auto back = read_loop(folder.path("l.csv"));
+    RC_ASSERT(back.columns.size() == table.columns.size());
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+        RC_ASSERT(back.columns[k].name == table.columns[k].name);
+        RC_ASSERT(back.columns[k].unit == table.columns[k].unit);
+        RC_ASSERT(same(back.columns[k].values, table.columns[k].values));
+    }
+    for (const char* own : {"file", "format", "version"}) back.metadata.erase(own);
+    RC_ASSERT(back.metadata == metadata);
 }
 
 RC_GTEST_PROP(Text, MeansTheSameInEveryDialect, ()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct TableOptions {
     std::optional<char> separator;             ///< '\t', ',', ';', or ' ' for runs of blanks
     std::optional<char> decimal_point;         ///< '.' or ','
     std::optional<std::string> header_end;     ///< the line after which numbers begin, such as "eoh"
+    std::optional<std::string> sheet;          ///< of a workbook; else the first that holds a table
+
+    friend bool operator==(const TableOptions&, const TableOptions&) = default;
 };
 
 /// A table as the file spells it: names and units of the header (empty where it states none), numbers unconverted.
@@ -27,9 +31,11 @@ struct RawTable {
         std::string name;
         std::string unit;
         Array1D values;
+        std::string text;  ///< the first cell that is no number, with its place, where the column holds text; values are NaN
     };
     std::vector<RawColumn> columns;
     std::vector<std::string> header;  ///< lines before the numbers, decoded to UTF-8
+    std::map<std::string, std::string> metadata;  ///< of header lines "# key: value"
     char separator = ' ';
     char decimal_point = '.';
 };
@@ -38,13 +44,16 @@ struct RawTable {
 ///
 /// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are found by trying
 /// which reading makes the most lines regular. Names stand in the last header line with as many cells as columns, units
-/// beside them as "force [mN]", "force (mN)", "force / mN" or "force in mN", or in a row of their own. An empty cell,
-/// "nan", "-" and "bad" are undefined.
+/// beside them as "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in a row of
+/// their own. An empty cell, "nan", "-" and "bad" are undefined; columns of text are kept as names and marked. Commas that may
+/// group thousands as well as begin decimals ("1,234" without any cell that decides) are refused, as are rows with twice as
+/// many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
 /// @throws FileError; FormatError that names the line where a row has another number of columns.
 [[nodiscard]] RawTable read_raw_table(const Source& source, const TableOptions& options = {});
 
 /// The same in SI. A column without unit keeps its numbers and has the empty unit; so does one whose unit setae does not
-/// know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines.
+/// know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines, further keys those of
+/// lines "# key: value".
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});
 
 /// A loop: column "force" [N] and "displacement" [m] or "contact_radius" [m], optionally "time" [s], in SI. Names are
