@@ -61,10 +61,13 @@ void Run::stop_if_cancelled() const {
     if (cancelled()) throw Cancelled("stopped before all was done");
 }
 
+bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurements) {
+    return options.spectrum ? *options.spectrum == SpectrumMethod::likelihood : measurements > 1;
+}
+
 double surface_work(const AnalysisOptions& options, std::size_t measurements) {
     constexpr double share_of_a_fit = 8.0;
-    const bool fitted = options.spectrum ? *options.spectrum == SpectrumMethod::likelihood : measurements > 1;
-    return fitted ? share_of_a_fit * static_cast<double>(measurements) : 1.0;
+    return wants_likelihood(options, static_cast<std::ptrdiff_t>(measurements)) ? share_of_a_fit * static_cast<double>(measurements) : 1.0;
 }
 
 std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options) {

@@ -53,6 +53,9 @@ private:
     double work_done_ = 0.0, work_computed_ = 0.0, work_ = 0.0;
 };
 
+/// Whether the likelihood's spectrum is wanted of so many measurements: one alone speaks for itself.
+[[nodiscard]] bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurements);
+
 /// Expected work of steps, in measurements: what a bar's time left rests on.
 inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] double surface_work(const AnalysisOptions& options, std::size_t measurements);

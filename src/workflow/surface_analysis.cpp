@@ -59,11 +59,6 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
     return tasks;
 }
 
-/// Whether the likelihood's spectrum is wanted of so many measurements: one alone speaks for itself.
-bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurements) {
-    return options.spectrum ? *options.spectrum == SpectrumMethod::likelihood : measurements > 1;
-}
-
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
 /// order, else nothing: maps need not all fit into memory at once for an average.
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, Run& run,
