@@ -11,21 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io::tests {
-
-/// What an error says, or "no error".
-template <class Function>
-std::string message_of(Function function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

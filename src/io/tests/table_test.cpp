@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/format.hpp"
@@ -14,16 +15,6 @@
 
 namespace setae::io::tests {
 namespace {
-
-template <class Function>
-std::string message_of(Function function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 TEST(Table, ColumnsComeInSi) {
     const TemporaryFolder folder;
