@@ -8,6 +8,7 @@
 #include "builders.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/workflow/study_tables.hpp"
 
 namespace setae::gallery {
 namespace {
@@ -19,16 +20,6 @@ struct Entry {
     std::string identifier, name, title;
     Build build;
 };
-
-/// A surface's name as part of a file's: what is no letter, digit, dash or dot of ASCII becomes an underscore.
-std::string file_stem(const std::string& name) {
-    std::string stem;
-    for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
-        stem += plain ? c : '_';
-    }
-    return stem;
-}
 
 std::vector<Entry> entries_of(const workflow::StudyResult& result) {
     std::vector<Entry> entries{
@@ -46,7 +37,7 @@ std::vector<Entry> entries_of(const workflow::StudyResult& result) {
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         if (result.surfaces[i].measurements.empty()) continue;
         const auto& name = result.surfaces[i].name;
-        auto stem = "spectra_" + file_stem(name);
+        auto stem = "spectra_" + workflow::as_file_name(name);
         // names that differ in other letters alone
         for (const auto& other : entries)
             if (other.name == stem) stem += fmt::format("_{}", i + 1);

@@ -205,14 +205,13 @@ Table spectrum_table(const SurfaceResult& surface) {
     return table;
 }
 
-/// A surface's name as part of a file name.
+}  // namespace
+
 std::string as_file_name(std::string name) {
     for (char& c : name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
     return name;
 }
-
-}  // namespace
 
 std::string summary(const StudyResult& result) {
     std::string text = result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";

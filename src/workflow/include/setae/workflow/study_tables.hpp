@@ -34,6 +34,9 @@ namespace setae::workflow {
 /// A fitted spectrum with standard error and 95 % band.
 [[nodiscard]] Table fitted_spectrum_table(const FittedSpectrum& fitted);
 
+/// A surface's name as part of a file's: what is no letter, digit, dash, dot or underscore of ASCII becomes an underscore.
+[[nodiscard]] std::string as_file_name(std::string name);
+
 /// The summary a terminal shows, in the units of the field.
 [[nodiscard]] std::string summary(const StudyResult& result);
 
