@@ -103,10 +103,28 @@ ElastomerInput read_elastomer(const std::string& name, TomlReader reader) {
     return elastomer;
 }
 
+CameraInput read_camera(TomlReader reader, const std::string& study_path) {
+    CameraInput camera;
+    camera.file = beside(study_path, reader.required_text("file"));
+    camera.mapping = file_beside(reader, "mapping", study_path);
+    camera.clock_offset = reader.quantity("clock_offset", dimension::time);
+    reader.finish();
+    return camera;
+}
+
 ExperimentInput read_experiment(TomlReader reader, const std::string& study_path) {
     ExperimentInput experiment;
     experiment.file = beside(study_path, reader.required_text("file"));
     experiment.mapping = file_beside(reader, "mapping", study_path);
+    reader.table("camera", [&](TomlReader inner) { experiment.camera = read_camera(std::move(inner), study_path); });
+    experiment.force_curve.spring_constant = reader.quantity("spring_constant", dimension::stiffness);
+    if (const auto sensitivity = reader.text("sensitivity")) {
+        try {
+            experiment.force_curve.sensitivity = io::parse_sensitivity(*sensitivity);
+        } catch (const InvalidArgument& error) {
+            reader.fail("sensitivity", error.what());
+        }
+    }
     experiment.reference = reader.choice<bool>("role", {{"rough", false}, {"reference", true}}).value_or(false);
     experiment.surface = reader.text("surface").value_or("");
     experiment.elastomer = reader.required_text("elastomer");

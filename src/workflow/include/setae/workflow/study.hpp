@@ -13,6 +13,7 @@
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/options.hpp"
 #include "setae/topography/detrend.hpp"
+#include "setae/workflow/loop_source.hpp"
 
 namespace setae::workflow {
 
@@ -61,9 +62,7 @@ struct ElastomerInput {
 };
 
 /// A loop on file.
-struct ExperimentInput {
-    std::string file;
-    std::optional<std::string> mapping;
+struct ExperimentInput : LoopSource {
     std::string surface;                  ///< empty for a reference
     std::string elastomer;
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
