@@ -74,9 +74,14 @@ void BodyArguments::add_to(CLI::App& verb) {
 }
 
 experiment::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
+    const auto bodies = without_radius(loop);
+    if (!(bodies.radius > 0.0)) throw InvalidArgument("missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
+    return bodies;
+}
+
+experiment::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const {
     auto bodies = workflow::bodies_stated_in(loop);
     bodies.radius = given(radius, dimension::length).value_or(bodies.radius);
-    if (!(bodies.radius > 0.0)) throw InvalidArgument("missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
     bodies.lens_poisson_ratio = poisson_ratio.value_or(bodies.lens_poisson_ratio);
     bodies.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(bodies.counter_youngs_modulus);
     bodies.counter_poisson_ratio = counter_poisson_ratio.value_or(bodies.counter_poisson_ratio);

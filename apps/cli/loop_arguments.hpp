@@ -32,6 +32,8 @@ struct BodyArguments {
     void add_to(CLI::App& verb);
     /// What the options say, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's radius.
     [[nodiscard]] experiment::LensAndCounterBody bodies(const Table& loop) const;
+    /// The same for tips that have no radius.
+    [[nodiscard]] experiment::LensAndCounterBody without_radius(const Table& loop) const;
 };
 
 /// Options of the analysis of a loop.

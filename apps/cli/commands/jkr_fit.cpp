@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jkr_fit.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "jkr_curve.hpp"
+#include "jkr_models.hpp"
 #include "loop_arguments.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/gallery/loop_figures.hpp"
 #include "setae/gallery/write_figures.hpp"
 #include "setae/io/whole_file.hpp"
+#include "setae/workflow/fit_json.hpp"
 #include "setae/workflow/loop_tables.hpp"
 
 namespace setae::cli {
@@ -30,6 +34,8 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     LoopAnalysisRequest request;
+    ModelArguments models;
+    CurveArguments curve;
     std::string tidy, figures;
 };
 
@@ -99,26 +105,59 @@ private:
     std::vector<gallery::NamedScan> scans_;
 };
 
-ExitCode run(const Arguments& arguments) {
-    workflow::Json list = workflow::Json::array();
+/// Force curves among the files.
+ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, workflow::Json& list) {
+    return for_each_item(files, [&](const std::string& file) {
+        const auto segments = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
+        if (arguments.common.json) list.push_back({{"file", file}, {"segments", workflow::to_json(segments)}});
+        else print_curve(file, segments);
+    });
+}
+
+/// Loops among them, with the fit they share where one is wanted.
+ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, workflow::Json& list, std::optional<experiment::GlobalFit>& global) {
     auto fits = workflow::fits_table();
     FigureFolder figures(arguments);
-    const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
+    SharedFit shared(arguments.models);
+    const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         workflow::add_fits(fits, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (!arguments.figures.empty()) figures.add(loop);
+        if (shared.wanted()) shared.add(loop);
         if (arguments.common.json) {
             auto json = workflow::to_json(loop.analysis);
             json["file"] = loop.file;
+            if (arguments.models.wanted()) json["models"] = json_of(models_of(loop, arguments.models));
             list.push_back(std::move(json));
         } else {
             print_loop(loop.file, loop.analysis);
+            if (arguments.models.wanted()) print_models(models_of(loop, arguments.models));
             show(loop.analysis.alerts);
         }
     });
-    if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);
-    if (!arguments.figures.empty() && code != ExitCode::nothing_done) figures.write();
-    if (!arguments.tidy.empty() && !fits.rows.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(fits));
+    if (code == ExitCode::nothing_done) return code;
+    if (shared.wanted()) global = shared.fit();
+    if (!arguments.figures.empty()) figures.write();
+    if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(fits));
     return code;
+}
+
+ExitCode run(const Arguments& arguments) {
+    workflow::Json list = workflow::Json::array();
+    auto loops = arguments.request;
+    std::vector<std::string> curves;
+    loops.loops.files.clear();
+    for (const auto& file : arguments.request.loops.expanded()) (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
+    std::optional<experiment::GlobalFit> global;
+    std::vector<ExitCode> codes;
+    if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
+    if (!loops.loops.files.empty()) codes.push_back(fit_loops(arguments, loops, list, global));
+    if (arguments.common.json && !list.empty()) {
+        const auto results = list.size() == 1 ? list.front() : list;
+        print_json(global ? workflow::Json{{"loops", results}, {"shared", workflow::to_json(*global)}} : results);
+    } else if (global) {
+        print_shared(*global);
+    }
+    return std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); }) ? codes.front() : ExitCode::some_failed;
 }
 
 }  // namespace
@@ -127,6 +166,8 @@ void add_jkr_fit(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = group.add_subcommand("fit", "fit JKR to loops of force, displacement and contact radius");
     arguments->request.add_to(*verb);
+    arguments->models.add_to(*verb);
+    arguments->curve.add_to(*verb);
     verb->add_option("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
     verb->add_option("--figures", arguments->figures, "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
     on_named(*verb, action, arguments, explanation, run);

@@ -148,7 +148,7 @@ void import(const Arguments& arguments, const std::string& file, workflow::Json&
         for (const auto& column : opened.table.columns) json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
         if (how.guess) json["guess"] = json_of(*how.guess);
         if (how.mapping) json["mapping"] = io::as_toml(*how.mapping);
-        if (opened.clock) json["clock"] = {{"offset", workflow::to_json(quantity("clock_offset", "t0", opened.clock->offset, "s"))}, {"doubt", opened.clock->doubt}};
+        if (opened.clock) json["clock"] = {{"offset", workflow::to_json(workflow::quantity("clock_offset", "t0", opened.clock->offset, "s"))}, {"doubt", opened.clock->doubt}};
         if (!output.empty()) json["output"] = output;
         list.push_back(json);
         return;
