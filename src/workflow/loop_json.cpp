@@ -30,6 +30,8 @@ Json fit_json(const JkrFit& fit) {
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);
     json["residuals"] = numbers(fit.residuals);
+    if (fit.depth_residuals.size() > 0) json["depth_residuals"] = numbers(fit.depth_residuals);
+    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
     return json;
 }
 
@@ -62,11 +64,14 @@ Json branch_json(const experiment::BranchAnalysis& branch) {
     add_outcome(fits, "radius_force_effective_variance", branch.radius_force_effective_variance, fit_json);
     add_outcome(fits, "linear_form", branch.linear_form, fit_json);
     add_outcome(fits, "force_displacement", branch.force_displacement, fit_json);
+    add_outcome(fits, "joint", branch.joint, fit_json);
     add_outcome(fits, "pointwise", branch.pointwise, pointwise_json);
     json["fits"] = fits;
     json["energy_release_rate"] = {{"contact_radius", numbers(branch.energy_release_rate.contact_radius)},
                                    {"contact_radius_unit", "m"},
                                    {"energy_release_rate", numbers(branch.energy_release_rate.energy_release_rate)},
+                                   {"standard_error", numbers(branch.energy_release_rate.standard_error)},
+                                   {"systematic", numbers(branch.energy_release_rate.systematic)},
                                    {"energy_release_rate_unit", "J/m2"},
                                    {"contact_radius_measured", branch.energy_release_rate.radius_measured}};
     Json sensitivity = Json::array();

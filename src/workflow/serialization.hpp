@@ -119,13 +119,14 @@ SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displaceme
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
 SETAE_KEEP(Segments, before, after, contacts, cycles)
+SETAE_KEEP(RunsTest, runs, above, below, p_value)
 SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point, covariance, correlation, correlated_samples, n,
-           residuals, residual_unit, rms_residual, relative_residual, chi2_reduced)
+           residuals, residual_unit, depth_residuals, rms_residual, relative_residual, chi2_reduced, runs)
 SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual, n)
-SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, radius_measured)
+SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, standard_error, systematic, radius_measured)
 SETAE_KEEP(FitRange, name, first, last, n, force_first, force_last)
 SETAE_KEEP(RangeSensitivity, dropped, fit)
-SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, pointwise, energy_release_rate, sensitivity,
+SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint, pointwise, energy_release_rate, sensitivity,
            effective_variance_first)
 SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual, radius_measured)
