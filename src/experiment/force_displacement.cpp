@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "fit_support.hpp"
+#include "latent_fit.hpp"
+#include "latent_start.hpp"
 #include "reduced_jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -15,7 +17,6 @@ namespace {
 struct DepthProblem {
     Array1D force;
     Array1D depth;
-    Array1D weight;  ///< of each residual
 
     /// The best of many shapes, c and δ0 by linear regression.
     [[nodiscard]] Eigen::VectorXd start() const {
@@ -47,8 +48,8 @@ struct DepthProblem {
             .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
                 for (Index i = 0; i < force.size(); ++i) {
                     const reduced::Point point = reduced::depth(force[i], at[1]);
-                    residuals[i] = weight[i] * (depth[i] - at[0] * point.value - at[2]);
-                    if (jacobian) jacobian->row(i) << -weight[i] * point.value, -weight[i] * at[0] * point.by_shape, -weight[i];
+                    residuals[i] = depth[i] - at[0] * point.value - at[2];
+                    if (jacobian) jacobian->row(i) << -point.value, -at[0] * point.by_shape, -1.0;
                 }
             }};
         return minimise(function, from);
@@ -71,35 +72,15 @@ Array1D depth_variances(const BranchData& data, const DepthProblem& problem, con
     return variances;
 }
 
-/// From the solution of ordinary least squares, rounds with each residual weighed by its own variance: near pull-off δ(F)
-/// is steep, and noise of force moves the depth most.
-LeastSquaresSolution solve_weighted(DepthProblem& problem, const BranchData& data, double force_unit, double depth_unit,
-                                    LeastSquaresSolution solution) {
-    constexpr int rounds = 3;  // the weights follow parameters that move within their errors
-    for (int round = 0; round < rounds && solution.converged; ++round) {
-        const Array1D variances = depth_variances(data, problem, solution.parameters, force_unit, depth_unit);
-        if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
-        problem.weight = (variances.mean() / variances).sqrt();
-        solution = problem.solve(solution.parameters);
-    }
-    solution.residuals.array() /= problem.weight;
-    return solution;
-}
-
-}  // namespace
-
-JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
-    require_data(data, bodies, {.displacement = true, .fewest = 4});
+/// Least squares in depth.
+JkrFit in_depth(const BranchData& data, const LensAndCounterBody& bodies) {
     const double force_unit = force_scale(data);
     const double origin = data.displacement[0];
     const double depth_unit = data.displacement.maxCoeff() - data.displacement.minCoeff();
     if (!(depth_unit > 0.0))
         throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
-    DepthProblem problem{.force = data.force / force_unit,
-                         .depth = (data.displacement - origin) / depth_unit,
-                         .weight = Array1D::Ones(data.force.size())};
-    LeastSquaresSolution solution = problem.solve(problem.start());
-    if (errors == DepthErrors::effective_variance) solution = solve_weighted(problem, data, force_unit, depth_unit, solution);
+    const DepthProblem problem{.force = data.force / force_unit, .depth = (data.displacement - origin) / depth_unit};
+    const LeastSquaresSolution solution = problem.solve(problem.start());
     const double scale = solution.parameters[0];
 
     const double length = std::sqrt(scale * depth_unit * bodies.radius);
@@ -121,8 +102,46 @@ JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& 
     fit.residuals = solution.residuals.array() * depth_unit;
     fit.chi2_reduced =
         reduced_chi2(fit.residuals, depth_variances(data, problem, solution.parameters, force_unit, depth_unit), 3);
-    complete(fit, solution, bodies, depth_unit);
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, depth_unit);
     return fit;
+}
+
+/// δ − δ(F) − δ0, the depth kept at its value at pull-off for forces below it.
+Array1D depth_residuals(const BranchData& data, const JkrFit& fit, double radius) {
+    const double modulus = fit.contact_modulus.value, work = fit.work_of_adhesion.value;
+    const double force_unit = force_scale(data);
+    const double shape = std::copysign(std::sqrt(1.5 * pi * radius * std::abs(work) / force_unit), work);
+    const double length = std::cbrt(0.75 * radius * force_unit / modulus);
+    Array1D residuals = data.displacement - fit.contact_point.value;
+    for (Index i = 0; i < residuals.size(); ++i) residuals[i] -= length * length / radius * reduced::depth(data.force[i] / force_unit, shape).value;
+    return residuals;
+}
+
+/// Errors in both channels: each sample has a contact radius of its own, so that the fold at pull-off, where δ(F) is
+/// vertical, is a point like others.
+JkrFit with_both_errors(const BranchData& data, const LensAndCounterBody& bodies) {
+    BranchData means = data;
+    const Index neighbours = neighbours_of_a_first_solution(data.force.size());
+    means.force = block_means(data.force, neighbours);
+    means.displacement = block_means(data.displacement, neighbours);
+    const JkrFit first = in_depth(means, bodies);
+    const latent::Points points = latent::points(data, bodies, {.displacement = true});
+    const auto start = latent::reduced_parameters(points, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value);
+    const latent::Solution solution = latent::solve_from(points, start);
+    JkrFit fit = latent::finished(points, solution, latent::across(points, solution), first.method);
+    fit.residuals = depth_residuals(data, fit, bodies.radius);
+    fit.residual_unit = first.residual_unit;
+    complete(fit, bodies, data.displacement.maxCoeff() - data.displacement.minCoeff());
+    return fit;
+}
+
+}  // namespace
+
+JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
+    require_data(data, bodies, {.displacement = true, .fewest = 4});
+    if (errors == DepthErrors::depth_only || !(data.force_noise > 0.0 && data.displacement_noise > 0.0)) return in_depth(data, bodies);
+    return with_both_errors(data, bodies);
 }
 
 }  // namespace setae::experiment

@@ -97,7 +97,8 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
                                   length_unit +
                               data.contact_radius_noise * data.contact_radius_noise;
     fit.chi2_reduced = reduced_chi2(fit.residuals, variances, 2);
-    complete(fit, solution, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
     return fit;
 }
 

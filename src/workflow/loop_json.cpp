@@ -29,9 +29,9 @@ Json fit_json(const JkrFit& fit) {
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);
-    json["runs_test"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
     json["residuals"] = numbers(fit.residuals);
     if (fit.depth_residuals.size() > 0) json["depth_residuals"] = numbers(fit.depth_residuals);
+    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
     return json;
 }
 
@@ -70,9 +70,9 @@ Json branch_json(const experiment::BranchAnalysis& branch) {
     json["energy_release_rate"] = {{"contact_radius", numbers(branch.energy_release_rate.contact_radius)},
                                    {"contact_radius_unit", "m"},
                                    {"energy_release_rate", numbers(branch.energy_release_rate.energy_release_rate)},
-                                   {"energy_release_rate_unit", "J/m2"},
                                    {"standard_error", numbers(branch.energy_release_rate.standard_error)},
-                                   {"systematic_error", numbers(branch.energy_release_rate.systematic)},
+                                   {"systematic", numbers(branch.energy_release_rate.systematic)},
+                                   {"energy_release_rate_unit", "J/m2"},
                                    {"contact_radius_measured", branch.energy_release_rate.radius_measured}};
     Json sensitivity = Json::array();
     for (const auto& entry : branch.sensitivity) {
