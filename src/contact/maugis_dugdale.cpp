@@ -204,6 +204,31 @@ ReducedState reduced_state(double reduced_radius, double transition_parameter) {
     return reduced(zone_at_radius(reduced_radius, transition_parameter), transition_parameter);
 }
 
+ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter) {
+    require_transition_parameter(transition_parameter);
+    if (!(reduced_radius >= 1e-9) || std::isinf(reduced_radius))
+        throw InvalidArgument(fmt::format("reduced contact radius must be >= 1e-9 and finite, got {}", reduced_radius));
+    const double lambda = transition_parameter;
+    const double s = zone_at_radius(reduced_radius, lambda);
+    const Point point = point_at(s, lambda);
+    const double a = point.radius, arc = std::atan(s), s2 = s * s;
+    // p ∝ λ and q ∝ λ² in p A² + 2q A = 1, which gives A's derivative by λ at given s, and that of s at given A
+    const double q = 2.0 / 3.0 * lambda * lambda * (s * (arc - s / (1.0 + std::sqrt(1.0 + s2))));
+    const double p = (1.0 - 2.0 * q * a) / (a * a);
+    const double a_by_lambda = -0.5 * a * (p * a + 4.0 * q) / (lambda * (p * a + q));
+    const double s_by_lambda = -a_by_lambda / point.radius_slope;
+    const double g = s + (1.0 + s2) * arc;
+    return {.state = {.force = point.force,
+                      .displacement = point.displacement,
+                      .contact_radius = a,
+                      .zone_ratio = std::hypot(1.0, s)},
+            .force_by_radius = point.force_slope / point.radius_slope,
+            .force_by_transition = -a * a * g + (a_by_lambda * (3.0 * a - 2.0 * lambda * g) * a) + point.force_slope * s_by_lambda,
+            .displacement_by_radius = point.displacement_slope / point.radius_slope,
+            .displacement_by_transition = -4.0 / 3.0 * a * s + a_by_lambda * (2.0 * a - 4.0 / 3.0 * lambda * s) +
+                                          point.displacement_slope * s_by_lambda};
+}
+
 ReducedState reduced_pull_off_at_fixed_load(double transition_parameter) {
     require_transition_parameter(transition_parameter);
     return reduced(zone_at_least_force(transition_parameter), transition_parameter);
