@@ -100,8 +100,9 @@ struct MixedModel {
 ///   2 ln L_R = −Σ_surfaces [ln det V + ln 1ᵀV⁻¹1 + (y − μ)ᵀV⁻¹(y − μ)]
 ///
 /// θ_k >= 0 at the global maximum of L_R: damped Newton steps in ln θ from several starts with each set of components at 0;
-/// ν of Var μ: 2 (Var μ)²/(gᵀCg), g = ∂Var μ/∂θ, C the inverse expected information of all components, those at 0 too
-/// (Satterthwaite; exact for balanced groups, too many of none: towards wide intervals where a component is at 0).
+/// ν of Var μ: 2 (Var μ)²/(gᵀCg), g = ∂Var μ/∂θ, C the inverse expected information of all components (Satterthwaite; exact for
+/// balanced groups). Components at 0 are not certain to be 0: each keeps (1/2 − 1/(2π)) C of its variance, as a normal variable cut at
+/// its mean. ν >= 1.
 /// Rows without a standard error count as σ = 0: their fits' errors are part of the repeats' variance.
 /// Levels whose groups are those of the surface are left out, levels with the same groups are one: see VarianceFit.
 /// A level where every label is empty is missing.
