@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/estimate.hpp"
+#include "setae/experiment/energy_ledger.hpp"
 #include "setae/experiment/range_scan.hpp"
 #include "setae/gallery/study_figures.hpp"
 
@@ -30,5 +32,19 @@ struct NamedScan {
 
 /// E* and W of loading against where the fit begins and ends, and in their own plane with the 95 % ellipses of the fits: "ranges".
 [[nodiscard]] StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command);
+
+/// Where the energy of a loop goes, sample by sample, and against the contact area: "energy".
+[[nodiscard]] StudyFigure course_figure(const DrawnLoop& loop, const experiment::EnergyCourse& course, const std::string& command);
+
+/// A loop's loss and the area it was lost on.
+struct NamedLoss {
+    std::string name;
+    Estimate loss;           ///< [J]
+    double true_area = 0.0;  ///< r π a_max² [m²]
+    double ideal_loss = 0.0; ///< of a smooth sphere in this machine [J]
+};
+
+/// E_loss against true area at the largest preload, with the line through the origin (10), of all loops: "losses".
+[[nodiscard]] StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string& command);
 
 }  // namespace setae::gallery
