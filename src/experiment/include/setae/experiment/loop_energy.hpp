@@ -12,6 +12,7 @@ namespace setae::experiment {
 struct LoopErrorBudget {
     double noise = 0.0;           ///< of force and displacement, sample by sample
     double drift = 0.0;           ///< of the two baselines between which drift is interpolated; NaN without the second
+    double compliance = 0.0;      ///< of the machine's stiffness: 0 over a closed loop, where the spring gives back what it took
     double sampling = 0.0;        ///< where within one sampling step the jumps happened
     double discretisation = 0.0;  ///< of the trapezoid rule, against every second sample
     double total = 0.0;           ///< square root of the sum of squares of those known
