@@ -36,6 +36,8 @@ struct EnergyLedger {
     double true_area_ratio = 1.0;            ///< r of the surface
     double loss_per_apparent_area = 0.0;     ///< [J/m²]
     double loss_per_true_area = 0.0;         ///< over r π a_max² [J/m²]
+
+    /// r π a_max² [m²], against which losses of many loops lie on a line whose slope is the work a cycle costs per area.
     [[nodiscard]] double largest_true_area() const { return true_area_ratio * largest_contact_area; }
 };
 
@@ -44,6 +46,7 @@ struct LedgerInputs {
     double largest_contact_area = 0.0;       ///< [m²]
     double true_area_ratio = 1.0;            ///< >= 1
     double machine_stiffness = 0.0;          ///< [N/m], > 0; infinite for fixed grips
+    DriftModel drift = DriftModel::between_baselines;
     std::optional<Estimate> displacement_stiffness;  ///< k that made δ = stage − F/k of the record
 };
 
@@ -69,7 +72,7 @@ struct CourseInputs {
     double contact_point = 0.0;     ///< δ0 [m]
 };
 
-/// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Frames without radius take the one before.
+/// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Between frames the radius runs on a straight line.
 /// @throws UndefinedDataError without displacement.
 /// Cost: linear; about 0.1 µs a sample where the radius is measured, 0.2 µs where it is implied.
 [[nodiscard]] EnergyCourse energy_course(const Loop& loop, const ContactSegments& contact, const CourseInputs& inputs);

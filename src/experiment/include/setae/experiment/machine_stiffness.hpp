@@ -21,8 +21,8 @@ struct RigidContactOptions {
     double largest_nonlinearity = 0.1;  ///< more of it is a soft contact, whose slope grows with the force
 };
 
-/// Machine stiffness from a loop on a rigid counter-body: the robust slope (least absolute deviations refined to Huber's
-/// M-estimate) of stage against force above `lowest_share` of the largest force, on both branches.
+/// Machine stiffness from a loop on a rigid counter-body: the slope of force against stage (Huber's M-estimate: outliers count
+/// little; noise of the stage is taken to be small) above `lowest_share` of the largest force, the mean of both branches.
 ///
 /// `loop.displacement` is the stage's position. The standard error holds the scatter of the residuals, correlated as they
 /// are, and half the difference of the branches.
