@@ -3,29 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
+#include "alert_list.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::experiment {
 namespace {
-
-/// Collects alerts about one subject.
-class AlertList {
-public:
-    explicit AlertList(std::string subject) : subject_(std::move(subject)) {}
-
-    void add(std::string code, std::string message, std::string action) {
-        alerts_.push_back({std::move(code), subject_, std::move(message), std::move(action)});
-    }
-    [[nodiscard]] std::vector<Alert> take() { return std::move(alerts_); }
-
-private:
-    std::string subject_;
-    std::vector<Alert> alerts_;
-};
 
 void check_fit(AlertList& list, const BranchAnalysis& branch, const char* name, const AlertLimits& limits) {
     const JkrFit& fit = branch.primary();
@@ -78,6 +63,22 @@ void check_size(AlertList& list, const LoopContext& context, const LensAndCounte
 }
 
 void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
+    constexpr const char* action = "check drift and compliance; E* and W move with the contact point";
+    if (loop.displacement.size() > 0 && !analysis.contact_points)
+        list.add("CONTACT_POINT_UNKNOWN", analysis.contact_points.reason, "choose another estimator or give the contact point");
+    if (analysis.contact_points && analysis.contact_points->spread_share > limits.contact_point_share) {
+        const ContactPoints& points = *analysis.contact_points;
+        std::string each;
+        for (const ContactPointEstimate& estimate : points.estimates)
+            if (estimate.contact_point)
+                each += fmt::format("{}{} {}", each.empty() ? "" : ", ", contact_point_name(estimate.method),
+                                    format_value(estimate.contact_point->value - points.contact_point.value, "m", 3));
+        list.add("CONTACT_POINT_SPREAD",
+                 fmt::format("estimates of the contact point spread over {}, {:.0f} % of the largest penetration: {} from the one used",
+                             format_value(points.spread, "m"), 100.0 * points.spread_share, each),
+                 action);
+        return;
+    }
     if (!analysis.unloading || !analysis.loading.force_displacement || !analysis.unloading->force_displacement) return;
     const double loading = analysis.loading.force_displacement->contact_point.value;
     const double unloading = analysis.unloading->force_displacement->contact_point.value;
@@ -86,7 +87,7 @@ void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Lo
         list.add("CONTACT_POINT_SPREAD",
                  fmt::format("contact points of loading and unloading differ by {}, {:.0f} % of the largest penetration",
                              format_value(unloading - loading, "m"), 100.0 * std::abs((unloading - loading) / penetration)),
-                 "check drift and compliance; E* and W move with the contact point");
+                 action);
 }
 
 /// A contact much stiffer than the machine shows in the displacement only as a small difference of large numbers.
@@ -134,6 +135,7 @@ std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, con
     check_contact_point(list, analysis, loop, limits);
     check_stiffness(list, analysis, loop, limits);
     check_loop(list, analysis, limits);
+    check_record(list, analysis, loop, bodies, limits);
     return list.take();
 }
 

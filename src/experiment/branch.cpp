@@ -40,6 +40,12 @@ Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies,
     return result;
 }
 
+/// Force against displacement, the contact point held where one is given.
+JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (options.contact_point.mode == ContactPointChoice::Mode::value) return fit_with_contact_point(data, bodies, options.contact_point.value);
+    return fit_force_displacement(data, bodies, options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only);
+}
+
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
 
 bool can_join(const BranchData& data) { return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0; }
@@ -92,8 +98,7 @@ BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selecti
 }
 
 JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    const auto depth = options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only;
-    if (data.contact_radius.size() == 0) return fit_force_displacement(data, bodies, depth);
+    if (data.contact_radius.size() == 0) return depth_fit(data, bodies, options);
     const bool both = options.effective_variance && can_weigh_both(data);
     return fit_radius_force(data, bodies, both ? RadiusErrors::effective_variance : RadiusErrors::radius_only);
 }
@@ -116,9 +121,7 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                              : Outcome<JkrFit>::missing("the noise of force or contact radius is not known");
     branch.linear_form =
         fitted(data, bodies, [&](const BranchData& samples) { return fit_linear_form(samples, bodies); });
-    const auto depth = options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only;
-    branch.force_displacement =
-        fitted(data, bodies, [&](const BranchData& samples) { return fit_force_displacement(samples, bodies, depth); });
+    branch.force_displacement = fitted(data, bodies, [&](const BranchData& samples) { return depth_fit(samples, bodies, options); });
     branch.joint = can_join(data) ? fitted(data, bodies, [&](const BranchData& samples) { return fit_joint(samples, bodies); })
                                   : Outcome<JkrFit>::missing(why_not_joined(data));
     branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });

@@ -1,29 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drift.hpp"
 
+#include "baseline.hpp"
+#include "setae/core/errors.hpp"
+
 namespace setae::experiment {
 namespace {
 
-double middle(const IndexRange& range) { return 0.5 * static_cast<double>(range.first + range.last); }
+double middle(const Array1D& clock, const IndexRange& range) { return 0.5 * (clock[range.first] + clock[range.last]); }
 
 }  // namespace
 
-Array1D share_of_drift(const Loop& loop, const IndexRange& before, const IndexRange& after) {
-    Array1D clock = Array1D::LinSpaced(loop.force.size(), 0.0, static_cast<double>(loop.force.size() - 1));
-    double start = middle(before), end = middle(after);
-    if (loop.time.size() > 0 && loop.time.allFinite() && loop.time[after.last] > loop.time[before.first]) {
-        start = 0.5 * (loop.time[before.first] + loop.time[before.last]);
-        end = 0.5 * (loop.time[after.first] + loop.time[after.last]);
-        clock = loop.time;
-    }
-    return (clock - start) / (end - start);
+ForceZero force_zero(const Loop& loop, const Segments& segments, DriftModel drift) {
+    const Baseline& before = segments.before;
+    if (!before.range || drift == DriftModel::constant) return {};
+    const Array1D clock = clock_of(loop);
+    const double start = middle(clock, *before.range);
+    if (drift == DriftModel::extrapolated)
+        return {.share = clock - start, .change = before.force_slope, .change_standard_error = before.force_slope_standard_error};
+    if (!segments.after || !segments.after->range) return {};
+    return {.share = (clock - start) / (middle(clock, *segments.after->range) - start),
+            .change = segments.after->force - before.force,
+            .change_standard_error = segments.after->force_standard_error,
+            .weight_lost = 1.0};
 }
 
-Loop without_force_drift(const Loop& loop, const Segments& segments) {
-    if (!segments.after || !segments.before.range) return loop;
+Loop without_force_drift(const Loop& loop, const Segments& segments, DriftModel drift) {
+    const ForceZero zero = force_zero(loop, segments, drift);
     Loop level = loop;
-    level.force -= share_of_drift(loop, *segments.before.range, *segments.after->range) *
-                   (segments.after->force - segments.before.force);
+    if (!zero.constant()) level.force -= zero.share * zero.change;
+    return level;
+}
+
+Loop without_displacement_drift(const Loop& loop, double rate) {
+    if (rate == 0.0 || loop.displacement.size() == 0) return loop;
+    if (loop.time.size() != loop.force.size() || !loop.time.allFinite())
+        throw InvalidArgument("a drift of the displacement needs the time of every sample, which the record does not have");
+    Loop level = loop;
+    level.displacement -= rate * (loop.time - loop.time[0]);
     return level;
 }
 

@@ -31,7 +31,7 @@ Radii measured_radii(const Loop& loop, const IndexRange& range, const AnalysisOp
     return radii;
 }
 
-Radii implied_radii(const Loop& loop, const LoopAnalysis& analysis, const IndexRange& range, double sphere_radius) {
+Radii implied_radii(const Loop& loop, const Segments& segments, const ContactAnalysis& analysis, const IndexRange& range, double sphere_radius) {
     Radii radii;
     const JkrFit& fit = *analysis.loading.force_displacement;
     const contact::SphereOnFlat bodies{sphere_radius, fit.contact_modulus.value};
@@ -39,7 +39,7 @@ Radii implied_radii(const Loop& loop, const LoopAnalysis& analysis, const IndexR
     for (Index k = 0; k < range.count(); ++k) {
         const Index i = range.first + k;
         radii.samples.push_back(i);
-        radii.values[k] = contact::jkr::contact_radius_at(loop.force[i] - analysis.segments.before.force,
+        radii.values[k] = contact::jkr::contact_radius_at(loop.force[i] - segments.before.force,
                                                           loop.displacement[i] - fit.contact_point.value, bodies);
     }
     radii.noise = white_noise(radii.values);
@@ -48,20 +48,20 @@ Radii implied_radii(const Loop& loop, const LoopAnalysis& analysis, const IndexR
 
 }  // namespace
 
-std::optional<IndexRange> pinned_stretch(const Loop& loop, const LoopAnalysis& analysis, const LensAndCounterBody& bodies,
+std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                                         const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
                                          const AnalysisOptions& options) {
-    const ContactSegments& contact = analysis.segments.contacts.front();
     if (!contact.unloading) return std::nullopt;
     const IndexRange& unloading = *contact.unloading;
     const bool measured = loop.contact_radius.size() > 0;
     if (!measured && !analysis.loading.force_displacement) return std::nullopt;
     const Radii radii = measured ? measured_radii(loop, unloading, options)
-                                 : implied_radii(loop, analysis, unloading, bodies.radius);
+                                 : implied_radii(loop, segments, analysis, unloading, bodies.radius);
     constexpr double deviations = 4.0, rounding = 1e-6;
     constexpr Index fewest_left = 10, fewest_pinned = 2;
     const double largest = analysis.context.largest_contact_radius;
     // the largest radius belongs to a noisy force: a ∝ F^(1/3)
-    const double by_force = largest * analysis.segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
+    const double by_force = largest * segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
     const double noise = std::hypot(radii.noise, by_force);
     const double least = largest - std::max(deviations * noise, rounding * largest);
     Index pinned = radii.values.size();

@@ -71,6 +71,7 @@ Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
     if (!(options.baseline_share > 0.0 && options.baseline_share < 1.0))
         throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", options.baseline_share));
     if (options.force_baseline) return {.force = *options.force_baseline};
+    if (options.edits.baseline_before) return given_baseline(loop, *options.edits.baseline_before, "baseline");
     auto count = static_cast<Index>(options.baseline_share * static_cast<double>(loop.force.size()));
     count = std::max(count, fewest_free_samples);
     if (loop.contact_radius.size() > 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -197,7 +198,7 @@ Segments find_segments(const Loop& loop, const SegmentOptions& options) {
     }
     require_adhesion(record, segments);
     segments.after = baseline_after(record, segments.contacts.back());
-    return segments;
+    return apply(options.edits, std::move(segments), loop);
 }
 
 }  // namespace setae::experiment

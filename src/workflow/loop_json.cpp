@@ -115,21 +115,98 @@ Json retraction_json(const experiment::RetractionFit& fit) {
     return json;
 }
 
+Json budget_json(const experiment::LoopErrorBudget& budget) {
+    return {{"noise", number(budget.noise)},         {"drift", number(budget.drift)},
+            {"compliance", number(budget.compliance)}, {"sampling", number(budget.sampling)},
+            {"discretisation", number(budget.discretisation)}, {"unit", "J"}};
+}
+
 Json energy_json(const experiment::LoopEnergy& loop, const experiment::LoopContext& context) {
     Json json;
     auto energy = quantity("energy", "E_loss", loop.estimate(), "J");
     energy.source = "closed integral of F d(delta), baseline and linear drift removed";
     add(json, energy);
     add(json, quantity("energy_without_drift", "E_loss", loop.without_drift, "J"));
-    const auto& budget = loop.standard_error;
-    json["standard_error_budget"] = {{"noise", number(budget.noise)},
-                                     {"drift", number(budget.drift)},
-                                     {"sampling", number(budget.sampling)},
-                                     {"discretisation", number(budget.discretisation)},
-                                     {"unit", "J"}};
+    json["standard_error_budget"] = budget_json(loop.standard_error);
     auto ideal = quantity("ideal_smooth_sphere_loss", "E_ideal", context.ideal_smooth_sphere_loss, "J");
     ideal.source = "jumps of the ideal smooth JKR sphere under fixed grips, E* and W of loading";
     add(json, ideal);
+    return json;
+}
+
+Json work_json(const experiment::WorkEntry& entry) {
+    Json json{{"first", entry.range.first}, {"last", entry.range.last}};
+    add(json, quantity("work", "int F d(delta)", Estimate{.value = entry.energy, .standard_error = entry.standard_error.total, .method = "error budget"}, "J"));
+    json["standard_error_budget"] = budget_json(entry.standard_error);
+    return json;
+}
+
+Json ledger_json(const experiment::EnergyLedger& ledger) {
+    Json json;
+    json["before_contact"] = work_json(ledger.before_contact);
+    json["jump_in"] = ledger.jump_in ? work_json(*ledger.jump_in) : Json();
+    json["approach"] = work_json(ledger.approach);
+    json["retraction"] = work_json(ledger.retraction);
+    json["jump_out"] = ledger.jump_out ? work_json(*ledger.jump_out) : Json();
+    json["after_contact"] = work_json(ledger.after_contact);
+    add(json, quantity("recovered_share", "recovered", ledger.recovered_share, "1"));
+    add(json, quantity("ideal_loss_fixed_grips", "E_ideal", ledger.ideal_fixed_grips, "J"));
+    add(json, quantity("ideal_loss_this_machine", "E_ideal", ledger.ideal_this_machine, "J"));
+    add(json, quantity("machine_stiffness", "k", ledger.machine_stiffness, "N/m"));
+    add(json, quantity("true_area_ratio", "r", ledger.true_area_ratio, "1"));
+    add(json, quantity("largest_true_area", "r pi a_max^2", ledger.largest_true_area(), "m2"));
+    add(json, quantity("loss_per_apparent_area", "E_loss/A", ledger.loss_per_apparent_area, "J/m2"));
+    add(json, quantity("loss_per_true_area", "E_loss/A_true", ledger.loss_per_true_area, "J/m2"));
+    return json;
+}
+
+Json contact_points_json(const experiment::ContactPoints& points) {
+    Json json;
+    json["chosen"] = points.chosen ? Json(experiment::contact_point_name(*points.chosen)) : Json("given");
+    add(json, quantity("contact_point", "delta0", points.contact_point, "m"));
+    Json estimates = Json::array();
+    for (const auto& estimate : points.estimates) {
+        Json row{{"method", experiment::contact_point_name(estimate.method)}};
+        if (estimate.contact_point) add(row, quantity("contact_point", "delta0", *estimate.contact_point, "m"));
+        else row["reason"] = estimate.contact_point.reason;
+        if (estimate.fit) add_moduli_and_work(row, *estimate.fit);
+        estimates.push_back(row);
+    }
+    json["estimates"] = estimates;
+    add(json, quantity("spread", "spread", points.spread, "m"));
+    add(json, quantity("spread_share", "spread", points.spread_share, "1"));
+    json["chi_squared"] = number(points.chi2);
+    json["degrees_of_freedom"] = points.degrees_of_freedom;
+    add(json, quantity("work_by_contact_point", "dW/d(delta0)", points.work_by_contact_point, "J/m3"));
+    add(json, quantity("modulus_by_contact_point", "dE*/d(delta0)", points.modulus_by_contact_point, "Pa/m"));
+    return json;
+}
+
+Json compliance_json(const experiment::ComplianceEffect& effect) {
+    Json json;
+    add(json, quantity("machine_stiffness", "k", effect.stiffness, "N/m"));
+    add(json, quantity("modulus_change", "E*(k + SE) - E*(k)", effect.modulus_change, "Pa"));
+    add(json, quantity("work_change", "W(k + SE) - W(k)", effect.work_change, "J/m2"));
+    add(json, quantity("energy_change", "of the approach", effect.energy_change, "J"));
+    return json;
+}
+
+Json range_of(const std::optional<experiment::IndexRange>& range) {
+    return range ? Json{{"first", range->first}, {"last", range->last}} : Json();
+}
+
+Json segments_json(const experiment::Segments& segments) {
+    Json json{{"baseline_before", range_of(segments.before.range)}, {"baseline_after", segments.after ? range_of(segments.after->range) : Json()}};
+    Json contacts = Json::array();
+    for (const auto& contact : segments.contacts) {
+        Json row{{"extent", range_of(contact.extent)}, {"jump_in", range_of(contact.jump_in)},     {"loading", range_of(contact.loading)},
+                 {"hold", range_of(contact.hold)},     {"unloading", range_of(contact.unloading)}, {"pull_off", range_of(contact.pull_off)}};
+        contacts.push_back(row);
+    }
+    json["contacts"] = contacts;
+    Json ignored = Json::array();
+    for (const auto& range : segments.ignored) ignored.push_back(range_of(range));
+    json["ignored"] = ignored;
     return json;
 }
 
@@ -137,24 +214,47 @@ Json cycle_json(const experiment::CycleAnalysis& cycle) {
     Json json;
     add_outcome(json, "loading", cycle.loading, branch_json);
     add_outcome(json, "unloading", cycle.unloading, branch_json);
-    add_outcome(json, "energy", cycle.energy, [](double energy) { return to_json(quantity("energy", "E_loss", energy, "J")); });
+    json["contact"] = cycle.cycle.contact;
+    json["loading_samples"] = range_of(cycle.cycle.loading);
+    json["unloading_samples"] = range_of(cycle.cycle.unloading);
+    add_outcome(json, "energy", cycle.energy, [&](double energy) {
+        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
+    });
     return json;
 }
 
-}  // namespace
-
-Json to_json(const experiment::LoopAnalysis& analysis) {
+/// What is known of one touch: the first, which stands for the record, or a further one.
+template <class Contact>
+Json contact_json(const Contact& analysis) {
     Json json;
     json["loading"] = branch_json(analysis.loading);
     add_outcome(json, "unloading", analysis.unloading, branch_json);
     add_outcome(json, "retraction", analysis.retraction, retraction_json);
     add_outcome(json, "pull_off", analysis.pull_off, pull_off_json);
     add_outcome(json, "loop", analysis.loop, [&](const experiment::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_outcome(json, "contact_points", analysis.contact_points, contact_points_json);
+    add_outcome(json, "ledger", analysis.ledger, ledger_json);
+    if (analysis.compliance) json["compliance"] = compliance_json(*analysis.compliance);
     auto radius = quantity("largest_contact_radius", "a_max", analysis.context.largest_contact_radius, "m");
     radius.source = analysis.context.radius_measured ? "measured" : "JKR at the largest force, loading fit";
     add(json, radius);
     add(json, quantity("largest_contact_area", "pi a_max^2", analysis.context.largest_contact_area, "m2"));
     add(json, quantity("tabor_parameter", "mu", analysis.context.tabor_parameter, "1"));
+    return json;
+}
+
+}  // namespace
+
+Json to_json(const experiment::LoopAnalysis& analysis) {
+    Json json = contact_json(analysis);
+    Json further = Json::array();
+    for (const auto& contact : analysis.further_contacts) {
+        Json row;
+        add_outcome(row, "contact", contact, contact_json<experiment::ContactAnalysis>);
+        further.push_back(row);
+    }
+    json["further_contacts"] = further;
+    json["segments"] = segments_json(analysis.segments);
     Json cycles = Json::array();
     for (const auto& cycle : analysis.cycles) cycles.push_back(cycle_json(cycle));
     json["cycles"] = cycles;

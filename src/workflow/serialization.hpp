@@ -121,10 +121,10 @@ void serialize(Archive& archive, Outcome<T>& of) {
 SETAE_KEEP(Loop, time, force, displacement, contact_radius)
 SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height, layer_thickness)
 SETAE_KEEP(IndexRange, first, last)
-SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance, force_scatter)
+SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance, force_scatter, force_slope, force_slope_standard_error)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
-SETAE_KEEP(Segments, before, after, contacts, cycles)
+SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
 SETAE_KEEP(RunsTest, runs, above, below, p_value)
 SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point, covariance, correlation, correlated_samples, n,
            residuals, residual_unit, depth_residuals, rms_residual, relative_residual, chi2_reduced, runs)
@@ -136,11 +136,20 @@ SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance,
            effective_variance_first)
 SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual, radius_measured)
-SETAE_KEEP(LoopErrorBudget, noise, drift, sampling, discretisation, total)
+SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)
 SETAE_KEEP(LoopEnergy, energy, without_drift, standard_error, opening, half_width)
 SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss, tabor_parameter)
-SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy)
-SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context, cycles, alerts)
+SETAE_KEEP(ContactPointEstimate, method, contact_point, fit)
+SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom, work_by_contact_point, modulus_by_contact_point)
+SETAE_KEEP(WorkEntry, range, energy, standard_error)
+SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact, recovered_share, ideal_fixed_grips, ideal_this_machine,
+           machine_stiffness, largest_contact_area, true_area_ratio, loss_per_apparent_area, loss_per_true_area)
+SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)
+SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger, compliance)
+SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
+SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
+SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger, compliance, further_contacts, cycles,
+           faults, alerts)
 
 }  // namespace setae::experiment
 

@@ -96,7 +96,7 @@ TEST(LoopEnergy, OfAReversiblePartialReleaseIsZero) {
     ASSERT_EQ(segments.cycles.size(), 2u);
     const auto energy = partial_loop_energy(loop, segments, 0);
     ASSERT_TRUE(energy.has_value());
-    EXPECT_NEAR(*energy, 0.0, 1e-6 * shape.loss());
+    EXPECT_NEAR(energy->value, 0.0, 1e-6 * shape.loss());
     EXPECT_FALSE(partial_loop_energy(loop, segments, 1).has_value());
 }
 

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/experiment/contact_point.hpp"
+#include "setae/experiment/energy_ledger.hpp"
 #include "setae/experiment/jkr_fits.hpp"
 #include "setae/experiment/loop_energy.hpp"
 #include "setae/experiment/outcome.hpp"
+#include "setae/experiment/record_checks.hpp"
 #include "setae/experiment/retraction.hpp"
 #include "setae/experiment/segments.hpp"
 
@@ -25,6 +28,9 @@ struct AlertLimits {
     double loop_sampling_share = 0.05;              ///< LOOP_UNDERSAMPLED: sampling error over energy
     double stiffness_ratio = 10.0;                  ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
     double pinned_modulus_ratio = 1.5;              ///< of E* of a later press or release to that of first loading
+    double frames_missing = 0.05;                   ///< FRAME_MISSING: share of the frames in contact
+    double contact_modulus_least = 1e3, contact_modulus_most = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
+    double work_of_adhesion_most = 10.0;            ///< UNITS_IMPLAUSIBLE above [J/m²]
     double work_spread = 0.2;                       ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
 };
 
@@ -34,9 +40,14 @@ struct AnalysisOptions {
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
     bool effective_variance = true;                ///< fits allow for the errors of force too, where they are known
     bool force_drift = true;                       ///< the zero of force runs from the first baseline to the second
+    bool extrapolate_force_drift = false;          ///< …, or where there is no second, on with the first one's slope
+    double displacement_drift_rate = 0.0;          ///< [m/s] of the displacement where a reference tells it, such as thermal drift
     bool leave_pinned_out = true;                  ///< the unloading fits begin where the contact edge lets go
     std::optional<double> contact_radius_noise;    ///< σ_a [m]; else from the radii's second differences
     std::optional<double> machine_stiffness;       ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
+    double machine_stiffness_standard_error = 0.0;  ///< [N/m]
+    ContactPointChoice contact_point;              ///< where F–δ fits take the contact point from
+    double true_area_ratio = 1.0;                  ///< r of the hard surface, for losses per true area
     Index retraction_points = 6;                   ///< of (S2)
     bool retraction_modulus_free = false;          ///< E* of (S2) fitted, not taken from loading
     double interaction_range = 0.3e-9;             ///< z0 of the Tabor parameter [m]
@@ -92,19 +103,48 @@ struct CycleAnalysis {
     Outcome<BranchAnalysis> loading;
     Outcome<BranchAnalysis> unloading;
     Outcome<double> energy;  ///< ∮F dδ of the cycle [J]
+    double energy_standard_error = 0.0;  ///< [J]; NaN where unknown
 };
 
-struct LoopAnalysis {
-    Loop corrected;     ///< the record as analysed: force counted from its zero, drift and the machine's own deflection taken off
-    Segments segments;
-    BranchAnalysis loading;  ///< of the first contact, partial releases left out
+/// What the machine's stiffness, known within its standard error, leaves open.
+struct ComplianceEffect {
+    Estimate stiffness;              ///< k as given [N/m]
+    double modulus_change = 0.0;     ///< of E* from F–δ of loading, k one standard error higher [Pa]
+    double work_change = 0.0;        ///< of W likewise [J/m²]
+    double energy_change = 0.0;      ///< of the energy of the approach [J]; that of the closed loop does not change
+};
+
+/// All that one touch tells.
+struct ContactAnalysis {
+    BranchAnalysis loading;             ///< partial releases left out
     std::optional<IndexRange> pinned;   ///< after the last press, while the contact radius stays at its largest
     Outcome<BranchAnalysis> unloading;  ///< behind the pinned stretch where that is left out
     Outcome<PullOff> pull_off;
     Outcome<RetractionFit> retraction;
     Outcome<LoopEnergy> loop;
     LoopContext context;
+    Outcome<ContactPoints> contact_points;
+    Outcome<EnergyLedger> ledger;
+    std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
+};
+
+/// Of the first contact in full; a record of several touches has the others in `further_contacts`.
+struct LoopAnalysis {
+    Loop corrected;     ///< the record as analysed: force counted from its zero, drift and the machine's own deflection taken off
+    Segments segments;
+    BranchAnalysis loading;
+    std::optional<IndexRange> pinned;
+    Outcome<BranchAnalysis> unloading;
+    Outcome<PullOff> pull_off;
+    Outcome<RetractionFit> retraction;
+    Outcome<LoopEnergy> loop;
+    LoopContext context;
+    Outcome<ContactPoints> contact_points;
+    Outcome<EnergyLedger> ledger;
+    std::optional<ComplianceEffect> compliance;
+    std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
     std::vector<CycleAnalysis> cycles;
+    RecordFaults faults;
     std::vector<Alert> alerts;
 };
 

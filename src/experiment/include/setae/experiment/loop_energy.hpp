@@ -8,10 +8,18 @@
 
 namespace setae::experiment {
 
+/// Where the zero of force lies along a record.
+enum class DriftModel {
+    constant,           ///< where the first baseline has it
+    between_baselines,  ///< on the straight line from the first baseline to the second; constant where there is no second
+    extrapolated,       ///< on the straight line through the first baseline, with its slope
+};
+
 /// One standard deviation of each cause of error of a loop energy [J].
 struct LoopErrorBudget {
     double noise = 0.0;           ///< of force and displacement, sample by sample
     double drift = 0.0;           ///< of the two baselines between which drift is interpolated; NaN without the second
+    double compliance = 0.0;      ///< of the machine's stiffness: 0 over a closed loop, where the spring gives back what it took
     double sampling = 0.0;        ///< where within one sampling step the jumps happened
     double discretisation = 0.0;  ///< of the trapezoid rule, against every second sample
     double total = 0.0;           ///< square root of the sum of squares of those known
@@ -39,10 +47,11 @@ struct LoopEnergy {
 /// both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order 3/2
 /// for one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
 /// @throws UndefinedDataError without displacement or without return to free flight.
-[[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0);
+[[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0,
+                                     DriftModel drift = DriftModel::between_baselines);
 
-/// ∮F dδ [J] of a partial release and reload: from the reversal to where the displacement is reached again. Nothing
-/// where it never is.
-[[nodiscard]] std::optional<double> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle);
+/// ∮F dδ [J] of a partial release and reload, with the error of noise: from the reversal to where the displacement is reached
+/// again. Nothing where it never is.
+[[nodiscard]] std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle);
 
 }  // namespace setae::experiment

@@ -4,18 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "setae/experiment/index_range.hpp"
 #include "setae/experiment/loop.hpp"
+#include "setae/experiment/segment_edits.hpp"
 
 namespace setae::experiment {
-
-/// Samples first … last, both included.
-struct IndexRange {
-    Index first = 0;
-    Index last = 0;
-
-    [[nodiscard]] Index count() const { return last - first + 1; }
-    friend bool operator==(const IndexRange&, const IndexRange&) = default;
-};
 
 /// A stretch of free flight: where the zero of force is, and how noisy the record.
 struct Baseline {
@@ -26,6 +19,8 @@ struct Baseline {
     double displacement_noise = 0.0;      ///< σ_δ of one sample [m], likewise
     double force_displacement_covariance = 0.0;  ///< [N m]: a deflection sensor enters both channels
     double force_scatter = 0.0;           ///< standard deviation about the median [N], slow wander included
+    double force_slope = 0.0;             ///< of the force along the stretch [N a unit of its clock: s, else sample]
+    double force_slope_standard_error = 0.0;
 };
 
 /// One press and release within a contact.
@@ -52,6 +47,7 @@ struct Segments {
     std::optional<Baseline> after;  ///< none where the record ends in contact
     std::vector<ContactSegments> contacts;
     std::vector<Cycle> cycles;
+    std::vector<IndexRange> ignored;  ///< samples no fit uses: those of the edits, and those of a saturated force
 };
 
 struct SegmentOptions {
@@ -59,6 +55,7 @@ struct SegmentOptions {
     std::optional<double> force_baseline;   ///< zero of force [N] where known; nothing is then read from the start
     double feature_factor = 6.0;            ///< a feature deeper than this many baseline scatters is real
     double turning_share = 0.01;            ///< a reversal smaller than this share of the force range is noise
+    SegmentEdits edits;                     ///< what the user knows better, applied on top of what is found
 };
 
 /// Finds free flight, jump-in, loading, hold, unloading and pull-off of each contact, and the cycles within.

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_point_estimators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "baseline.hpp"
+#include "jump.hpp"
+#include "least_squares.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/experiment/spring_jumps.hpp"
+
+namespace setae::experiment {
+namespace {
+
+using contact::jkr::Contact;
+
+Estimate measured(double value, double standard_error, const char* method) { return {.value = value, .standard_error = standard_error, .method = method}; }
+
+double hypotenuse(std::initializer_list<double> parts) {
+    double sum = 0.0;
+    for (const double part : parts) sum += part * part;
+    return std::sqrt(sum);
+}
+
+/// A record with one of its contacts.
+class Touch {
+public:
+    explicit Touch(const ContactPointInputs& inputs)
+        : in(inputs), contact(inputs.segments.contacts[static_cast<std::size_t>(inputs.contact)]), noise(inputs.segments.before) {}
+
+    const ContactPointInputs& in;
+    const ContactSegments& contact;
+    const Baseline& noise;
+
+    [[nodiscard]] double force(Index i) const { return in.loop.force[i] - noise.force; }
+    [[nodiscard]] double displacement(Index i) const { return in.loop.displacement[i]; }
+
+    /// Motion from sample to sample in free flight up to a sample, or behind it [m].
+    [[nodiscard]] double free_step(Index at, Index direction) const {
+        constexpr Index most = 40, fewest = 3;
+        const Index end = direction < 0 ? std::max(at - most, contact.extent.first) : std::min(at + most, contact.extent.last);
+        const Index n = std::abs(end - at);
+        if (n < fewest) throw UndefinedDataError("too little free flight beside the jump to know the motion from sample to sample");
+        return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
+    }
+
+    /// Compliance 1/k of what holds the bodies [m/N]: given, else from the jump out, in which the stage moves on as in free flight.
+    [[nodiscard]] Estimate compliance() const {
+        if (in.machine_stiffness) return measured(1.0 / *in.machine_stiffness, 0.0, "given");
+        if (!contact.pull_off) throw UndefinedDataError("the machine's stiffness is neither given nor seen in a jump out of contact");
+        const Index at = largest_step(in.loop.force, *contact.pull_off);
+        const double rise = force(at + 1) - force(at), moved = displacement(at + 1) - displacement(at);
+        if (!(rise > 0.0)) throw UndefinedDataError("the force does not jump at pull-off: the machine's stiffness is not seen");
+        const double value = (free_step(at + 1, 1) - moved) / rise;
+        // softer than the noise of the jump's ends tells is as good as rigid
+        return measured(std::max(value, 0.0), std::sqrt(2.0) * std::hypot(noise.displacement_noise, value * noise.force_noise) / rise, "jump out");
+    }
+};
+
+/// @throws UndefinedDataError where adhesion pulls by more than the noise hides: no power law begins at the contact point then.
+void require_repulsion(const Touch& touch, double radius) {
+    if (touch.contact.jump_in) throw UndefinedDataError("the approach jumps into contact: no power law begins at the contact point");
+    if (!touch.in.force_displacement) return;
+    const double attraction = 1.5 * pi * radius * touch.in.force_displacement->work_of_adhesion.value;
+    constexpr double rounding = 1e-4;
+    const double largest = touch.force(touch.contact.loading.last);
+    if (attraction > std::max(touch.noise.force_noise, rounding * largest))
+        throw UndefinedDataError(fmt::format("adhesion pulls by {:.2g} N, more than noise hides: no power law begins at the contact point", attraction));
+}
+
+/// Straight line through F^(2/3), which Hertz's force makes of the depth, from where the force stands out from its noise.
+Estimate first_touch(const Touch& touch, double radius) {
+    require_repulsion(touch, radius);
+    const double largest = touch.force(touch.contact.loading.last);
+    constexpr double clear = 5.0, share_least = 1e-3, share_most = 0.25;
+    const double least = std::max(clear * touch.noise.force_noise, share_least * largest), most = std::max(share_most * largest, 4.0 * least);
+    std::vector<Index> samples;
+    Index first = touch.contact.loading.last;
+    while (first > touch.contact.extent.first && touch.force(first - 1) > least) --first;
+    for (Index i = first; i <= touch.contact.loading.last && touch.force(i) < most; ++i) samples.push_back(i);
+    const auto n = static_cast<Index>(samples.size());
+    constexpr Index fewest = 5;
+    if (n < fewest) throw UndefinedDataError(fmt::format("{} samples between first touch and {:.2g} N, a departure needs at least {}", n, most, fewest));
+    const double origin = touch.displacement(first);
+    Eigen::MatrixXd design(n, 2);
+    Eigen::VectorXd values(n);
+    for (Index k = 0; k < n; ++k) {
+        const Index i = samples[static_cast<std::size_t>(k)];
+        const double power = std::pow(touch.force(i), 2.0 / 3.0);
+        const double weight = std::sqrt(power);  // σ of F^(2/3) goes as F^(−1/3)
+        design.row(k) << weight * (touch.displacement(i) - origin), weight;
+        values[k] = weight * power;
+    }
+    const LeastSquaresSolution line = solve_linear(design, values);
+    const double slope = line.parameters[0], level = line.parameters[1];
+    if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise behind first touch");
+    const Eigen::Vector2d by(level / (slope * slope), -1.0 / slope);
+    // a zero of force wrong by its error moves F^(2/3) of the samples by 2/3 F^(−1/3) of it
+    const double zero = touch.noise.force_standard_error * 2.0 / 3.0 / (std::cbrt(least) * slope);
+    return measured(origin - level / slope, std::hypot(std::sqrt(by.dot(line.uncertainty.covariance * by)), zero), "F^(2/3) extrapolated to 0");
+}
+
+Estimate force_departure(const Touch& touch, double radius) {
+    if (!touch.contact.jump_in) return first_touch(touch, radius);
+    const Index last_free = touch.contact.jump_in->first;
+    const double step = touch.free_step(last_free, -1);
+    return measured(touch.displacement(last_free) + 0.5 * step, std::hypot(step / std::sqrt(12.0), touch.noise.displacement_noise), "middle of the step of the jump");
+}
+
+Estimate broken_line(const Touch& touch, double radius) {
+    const Estimate start = first_touch(touch, radius);
+    const Index last = touch.contact.loading.last, first = touch.contact.extent.first;
+    const Index n = last - first + 1;
+    const double depth_unit = touch.displacement(last) - start.value, force_unit = touch.force(last);
+    const Array1D depth = (touch.in.loop.displacement.segment(first, n) - start.value) / depth_unit;
+    const Array1D force = (touch.in.loop.force.segment(first, n) - touch.noise.force) / force_unit;
+    const double force_noise = touch.noise.force_noise / force_unit, depth_noise = touch.noise.displacement_noise / depth_unit;
+    Array1D weight = Array1D::Ones(n);
+    if (force_noise > 0.0) weight = force_noise / (force_noise * force_noise + 2.25 * depth.max(0.0) * depth_noise * depth_noise).sqrt();
+    const LeastSquaresSolution solution = minimise(
+        {.residuals = n,
+         .parameters = 3,
+         .evaluate =
+             [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                 for (Index i = 0; i < n; ++i) {
+                     const double d = std::max(depth[i] - at[2], 0.0), root = std::sqrt(d);
+                     residuals[i] = weight[i] * (force[i] - at[0] - at[1] * d * root);
+                     if (jacobian) jacobian->row(i) << -weight[i], -weight[i] * d * root, weight[i] * 1.5 * at[1] * root;
+                 }
+             }},
+        Eigen::Vector3d(0.0, 1.0, 0.0));
+    if (!solution.converged) throw UndefinedDataError("the broken line did not converge");
+    return measured(start.value + depth_unit * solution.parameters[2], depth_unit * std::sqrt(solution.uncertainty.covariance(2, 2)), "least squares");
+}
+
+Estimate behind_jump_in(const Touch& touch) {
+    if (!touch.contact.jump_in) throw UndefinedDataError("no jump into contact");
+    const IndexRange& jump = *touch.contact.jump_in;
+    const double step = touch.free_step(jump.first, -1);
+    const Estimate compliance = touch.compliance();
+    const Index behind = largest_step(touch.in.loop.force, jump) + 1;
+    const double stage = touch.displacement(behind) + compliance.value * touch.force(behind);
+    const double error = hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
+                                     touch.force(behind) * compliance.standard_error});
+    return measured(stage - 0.5 * step, error, "machine's line through the first sample behind the jump");
+}
+
+/// A quadratic through samples: its value and slope at a place, and the standard error of the value.
+struct Parabola {
+    LeastSquaresSolution solution;
+    double origin, unit;
+
+    Parabola(const Array1D& x, const Array1D& y) : origin(x.mean()), unit((x - x.mean()).abs().maxCoeff()) {
+        const Array1D u = (x - origin) / unit;
+        Eigen::MatrixXd design(x.size(), 3);
+        design << Array1D::Ones(x.size()), u, u.square();
+        solution = solve_linear(design, y);
+    }
+    [[nodiscard]] Eigen::Vector3d row(double x) const {
+        const double u = (x - origin) / unit;
+        return {1.0, u, u * u};
+    }
+    [[nodiscard]] double at(double x) const { return row(x).dot(solution.parameters.head<3>()); }
+    [[nodiscard]] double slope(double x) const { return (solution.parameters[1] + 2.0 * solution.parameters[2] * (x - origin) / unit) / unit; }
+    [[nodiscard]] double error(double x) const { return std::sqrt(row(x).dot(solution.uncertainty.covariance * row(x))); }
+};
+
+/// Samples of the branch around where its force passes zero.
+IndexRange around_zero(const BranchData& data, double noise) {
+    constexpr double share = 0.15, clear = 3.0;
+    constexpr Index fewest = 8;
+    const double window = std::max(share * (data.force.maxCoeff() - data.force.minCoeff()), clear * noise);
+    IndexRange range{0, data.force.size() - 1};
+    while (range.first < range.last && data.force[range.first] < -window) ++range.first;
+    while (range.last > range.first && data.force[range.last] > window) --range.last;
+    constexpr Index ends = 3;
+    const bool passes = range.count() >= fewest && data.force.segment(range.first, ends).mean() < 0.0 && data.force.segment(range.last - ends + 1, ends).mean() > 0.0;
+    if (!passes) throw UndefinedDataError("the force of the loading fit does not pass through zero, or in too few samples");
+    return range;
+}
+
+/// a²/(3R) at F = 0 from W/E*, a³ = 6πWR²/E*.
+Estimate zero_load_depth(const JkrFit& fit, double radius) {
+    const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
+    if (!(W > 0.0)) throw UndefinedDataError("the loading fit has no adhesion, so that F = 0 is first touch itself");
+    const double a = std::cbrt(6.0 * pi * W * radius * radius / E), depth = a * a / (3.0 * radius);
+    const double relative = fit.covariance(1, 1) / (W * W) + fit.covariance(0, 0) / (E * E) - 2.0 * fit.covariance(0, 1) / (W * E);
+    return measured(depth, 2.0 / 3.0 * depth * std::sqrt(std::max(relative, 0.0)), "jkr");
+}
+
+Estimate from_zero_force(const Touch& touch, double radius) {
+    const BranchData& data = touch.in.loading;
+    const IndexRange range = around_zero(data, touch.noise.force_noise);
+    const Array1D depth = data.displacement.segment(range.first, range.count());
+    const Parabola force(depth, data.force.segment(range.first, range.count()));
+    double at = depth.mean();
+    constexpr int rounds = 20;
+    for (int i = 0; i < rounds; ++i) at -= force.at(at) / force.slope(at);
+    if (!(at >= depth.minCoeff() && at <= depth.maxCoeff() && force.slope(at) > 0.0))
+        throw UndefinedDataError("no zero of the force between the samples around it");
+    const double zero_error = hypotenuse({force.error(at), touch.noise.force_standard_error}) / force.slope(at);
+    if (data.contact_radius.size() > 0) {
+        const Parabola radii(depth, data.contact_radius.segment(range.first, range.count()));
+        const double a = radii.at(at);
+        return measured(at - a * a / (3.0 * radius), std::hypot(zero_error, 2.0 * a * radii.error(at) / (3.0 * radius)), "measured radius at F = 0");
+    }
+    if (!touch.in.force_displacement) throw UndefinedDataError("neither a contact radius nor a fit tells a at F = 0");
+    const Estimate below = zero_load_depth(*touch.in.force_displacement, radius);
+    return measured(at - below.value, std::hypot(zero_error, below.standard_error), "jkr radius at F = 0");
+}
+
+/// Stage position δ + F/k of a contact at its instability, against first touch.
+double stage_at_instability(double modulus, double work, double radius, double compliance) {
+    const auto state = spring_jumps({radius, modulus, work}, compliance > 0.0 ? 1.0 / compliance : INFINITY).before_jump_out;
+    return state.displacement + compliance * state.force;
+}
+
+Estimate from_pull_off(const Touch& touch, double radius) {
+    if (!touch.contact.pull_off) throw UndefinedDataError("the record does not show the pull-off");
+    if (!touch.in.unloading) throw UndefinedDataError("no fit of the retraction, whose W and E* tell where it parts");
+    const JkrFit& fit = *touch.in.unloading;
+    const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
+    if (!(W > 0.0)) throw UndefinedDataError("the retraction has no adhesion: nothing jumps out of contact");
+    const Estimate compliance = touch.compliance();
+    const Index last = largest_step(touch.in.loop.force, *touch.contact.pull_off);
+    const double step = touch.free_step(last + 1, 1);
+    const double stage = touch.displacement(last) + compliance.value * touch.force(last) + 0.5 * step;
+    const double parting = stage_at_instability(E, W, radius, compliance.value);
+    const double by_modulus = (stage_at_instability(1.001 * E, W, radius, compliance.value) - parting) / (0.001 * E);
+    const double by_work = (stage_at_instability(E, 1.001 * W, radius, compliance.value) - parting) / (0.001 * W);
+    const double fitted = by_modulus * by_modulus * fit.covariance(0, 0) + by_work * by_work * fit.covariance(1, 1) + 2.0 * by_modulus * by_work * fit.covariance(0, 1);
+    return measured(stage - parting,
+                    hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
+                                touch.force(last) * compliance.standard_error, std::sqrt(std::max(fitted, 0.0))}),
+                    "instability of the retraction's fit");
+}
+
+}  // namespace
+
+Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs, const LensAndCounterBody& bodies) {
+    const Touch touch(inputs);
+    switch (method) {
+        case ContactPointMethod::force_departure: return force_departure(touch, bodies.radius);
+        case ContactPointMethod::broken_line: return broken_line(touch, bodies.radius);
+        case ContactPointMethod::jump_in: return behind_jump_in(touch);
+        case ContactPointMethod::force_displacement:
+            if (!inputs.force_displacement) throw UndefinedDataError(inputs.force_displacement.reason);
+            return inputs.force_displacement->contact_point;
+        case ContactPointMethod::pointwise:
+            if (!inputs.pointwise) throw UndefinedDataError(inputs.pointwise.reason);
+            return inputs.pointwise->contact_point;
+        case ContactPointMethod::zero_force: return from_zero_force(touch, bodies.radius);
+        case ContactPointMethod::pull_off: return from_pull_off(touch, bodies.radius);
+    }
+    throw InternalError("unknown contact point method");
+}
+
+}  // namespace setae::experiment

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit_support.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/experiment/contact_point.hpp"
+
+namespace setae::experiment {
+namespace {
+
+/// F/E* at a depth, with s = √a: s⁴/R − λs = δ − δ0, F/E* = 4s⁶/(3R) − 2λs³, λ = √(2πω) with the sign of ω = W/E*.
+struct Point {
+    double value = 0.0;     ///< F/E* [m²]
+    double by_shape = 0.0;  ///< its derivative in λ
+    double by_depth = 0.0;  ///< in δ
+};
+
+/// The stable root: the polynomial is convex, so that Newton's steps from above it never pass it.
+double root_of_radius(double depth, double shape, double radius) {
+    const double fold = shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0;
+    if (depth <= fold * (fold * fold * fold / radius - shape)) return fold;
+    const double by_depth = depth > 0.0 ? std::sqrt(std::sqrt(2.0 * radius * depth)) : 0.0;
+    double s = std::max(by_depth, shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0);
+    constexpr int most = 60;
+    for (int i = 0; i < most; ++i) {
+        const double cubed = s * s * s / radius;
+        const double step = (s * (cubed - shape) - depth) / (4.0 * cubed - shape);
+        s -= step;
+        if (!(step > 1e-15 * s)) break;
+    }
+    return std::max(s, fold);
+}
+
+Point force_over_modulus(double depth, double shape, double radius) {
+    const double s = root_of_radius(depth, shape, radius), cubed = s * s * s;
+    Point point{.value = cubed * (4.0 / 3.0 * cubed / radius - 2.0 * shape), .by_shape = -2.0 * cubed};
+    const double slope = 4.0 * cubed / radius - shape;  // 0 at the fold, where the contact parts and the force stays
+    constexpr double off_fold = 1e-9;
+    if (!(slope > off_fold * std::abs(shape)) || slope == 0.0) return point;
+    const double by_root = s * s * (8.0 * cubed / radius - 6.0 * shape);
+    point.by_shape += by_root * s / slope;
+    point.by_depth = by_root / slope;
+    return point;
+}
+
+struct HeldProblem {
+    Array1D depth;   ///< δ − δ0 [m]
+    Array1D force;   ///< [N]
+    Array1D weight;
+    double radius;
+    double shape_unit;    ///< λ of a contact whose adhesion is as deep as its penetration
+    double modulus_unit;  ///< [Pa]
+
+    /// The best of many shapes, E* by linear regression, on some hundred of the samples.
+    [[nodiscard]] Eigen::Vector2d start() const {
+        constexpr Index enough = 100;
+        const Index stride = std::max<Index>(1, depth.size() / enough);
+        Eigen::Vector2d best(1.0, 0.0);
+        double least = std::numeric_limits<double>::infinity();
+        const auto consider = [&](double shape) {
+            double xx = 0.0, xy = 0.0, yy = 0.0;
+            for (Index i = 0; i < depth.size(); i += stride) {
+                const double model = force_over_modulus(depth[i], shape * shape_unit, radius).value * modulus_unit;
+                xx += model * model;
+                xy += model * force[i];
+                yy += force[i] * force[i];
+            }
+            const double cost = yy - xy * xy / xx;
+            if (!(xx > 0.0 && xy > 0.0) || !(cost < least)) return;
+            least = cost;
+            best = {xy / xx, shape};
+        };
+        constexpr int steps = 40;
+        consider(0.0);
+        for (int i = 0; i < steps; ++i) consider(std::pow(10.0, -2.0 + 3.0 * i / (steps - 1)));
+        return best;
+    }
+
+    [[nodiscard]] LeastSquaresSolution solve(const Eigen::VectorXd& from) const {
+        return minimise({.residuals = force.size(),
+                         .parameters = 2,
+                         .evaluate =
+                             [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                                 for (Index i = 0; i < force.size(); ++i) {
+                                     const Point point = force_over_modulus(depth[i], at[1] * shape_unit, radius);
+                                     residuals[i] = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
+                                     if (jacobian) jacobian->row(i) << -weight[i] * modulus_unit * point.value, -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
+                                 }
+                             }},
+                        from);
+    }
+
+    /// Variance of F − F(δ) [N²].
+    [[nodiscard]] Array1D variances(const BranchData& data, const Eigen::VectorXd& at) const {
+        Array1D result(force.size());
+        for (Index i = 0; i < result.size(); ++i) {
+            const double slope = at[0] * modulus_unit * force_over_modulus(depth[i], at[1] * shape_unit, radius).by_depth;
+            result[i] = data.force_noise * data.force_noise + slope * slope * data.displacement_noise * data.displacement_noise -
+                        2.0 * slope * data.force_displacement_covariance;
+        }
+        return result;
+    }
+};
+
+}  // namespace
+
+JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
+    require_data(data, bodies, {.displacement = true, .fewest = 3});
+    const double largest = data.displacement.maxCoeff() - contact_point, scale = force_scale(data);
+    if (!(largest > 0.0)) throw UndefinedDataError("the branch never passes the contact point: a fit needs a penetration > 0");
+    HeldProblem problem{.depth = data.displacement - contact_point,
+                        .force = data.force / scale,
+                        .weight = Array1D::Ones(data.force.size()),
+                        .radius = bodies.radius,
+                        .shape_unit = std::sqrt(largest * std::sqrt(largest / bodies.radius)),
+                        .modulus_unit = 0.75 / (std::sqrt(bodies.radius * largest) * largest)};
+    BranchData reduced = data;
+    reduced.force_noise /= scale;
+    reduced.force_displacement_covariance /= scale;
+    LeastSquaresSolution solution = problem.solve(problem.start());
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds && solution.converged; ++round) {
+        const Array1D variances = problem.variances(reduced, solution.parameters);
+        if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
+        problem.weight = (variances.mean() / variances).sqrt();
+        solution = problem.solve(solution.parameters);
+    }
+    solution.residuals.array() /= problem.weight;
+
+    const double modulus = solution.parameters[0] * problem.modulus_unit * scale, shape = solution.parameters[1] * problem.shape_unit;
+    require_modulus(modulus);
+    const double work_over_modulus = shape * std::abs(shape) / (2.0 * pi);
+    Eigen::Matrix2d transform;
+    transform << problem.modulus_unit * scale, 0.0,  //
+        work_over_modulus * problem.modulus_unit * scale, modulus * std::abs(shape) / pi * problem.shape_unit;
+    JkrFit fit{.method = "force_displacement_held_contact_point",
+               .converged = solution.converged,
+               .iterations = solution.iterations,
+               .contact_point = {.value = contact_point, .standard_error = 0.0, .method = "held"},
+               .residual_unit = "N"};
+    fit.covariance = transform * solution.uncertainty.covariance * transform.transpose();
+    fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
+    // the second-order term keeps the error finite at W = 0
+    const double second = modulus / pi * std::pow(problem.shape_unit, 2) * solution.uncertainty.covariance(1, 1);
+    fit.work_of_adhesion = solution.estimate(modulus * work_over_modulus, std::sqrt(fit.covariance(1, 1) + 0.5 * second * second));
+    fit.residuals = solution.residuals.array() * scale;
+    fit.chi2_reduced = reduced_chi2(solution.residuals.array(), problem.variances(reduced, solution.parameters), 2);
+    complete(fit, solution, bodies, data.force.maxCoeff() - data.force.minCoeff());
+    return fit;
+}
+
+}  // namespace setae::experiment
