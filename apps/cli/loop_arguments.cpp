@@ -6,6 +6,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/experiment/machine_stiffness.hpp"
 #include "setae/io/loop_file.hpp"
 
 namespace setae::cli {
@@ -13,6 +14,17 @@ namespace {
 
 std::optional<double> given(const std::string& text, const Dimension& dimension) {
     return text.empty() ? std::nullopt : std::optional(parse_quantity(text, dimension));
+}
+
+/// k of the machine: given, measured on something rigid, or stated in the loop's file.
+std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, const Table& loop) {
+    if (!arguments.machine_stiffness.empty()) return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
+    if (!arguments.rigid_contact.empty()) {
+        const auto rigid = workflow::open_loop({.file = arguments.rigid_contact});
+        return experiment::machine_stiffness_from_rigid_contact(experiment::loop_from_table(rigid.table)).stiffness;
+    }
+    if (const auto stated = io::loop_quantity(loop, "machine_stiffness")) return Estimate{*stated};
+    return std::nullopt;
 }
 
 AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& file) {
@@ -91,9 +103,16 @@ experiment::LensAndCounterBody BodyArguments::without_radius(const Table& loop) 
 }
 
 void LoopAnalysisArguments::add_to(CLI::App& verb) {
-    verb.add_option("--machine-stiffness", machine_stiffness, "where displacement is the stage's, such as \"30 N/m\"");
+    verb.add_option("--machine-stiffness", machine_stiffness, "where displacement is the stage's, such as \"30 ± 1 N/m\"");
+    verb.add_option("--rigid-contact", rigid_contact, "a loop on something rigid, from which that stiffness is measured");
+    verb.add_option("--contact-point", contact_point, "of F-delta fits: auto, fit, a method (force_departure, broken_line, jump_in, …) or a displacement")->capture_default_str();
+    verb.add_option("--segment", segments, "replace what was found, such as loading=120:900, unloading@2=12.5s:20s, baseline=0s:10s, cut=400, \"ignore=30:35 (slip)\"");
+    verb.add_option("--baseline-share", baseline_share, "share of the record, from its start, taken as free flight")->capture_default_str();
+    verb.add_option("--displacement-drift", displacement_drift, "rate of it where known, such as \"0.1 nm/s\"");
+    verb.add_option("--area-ratio", area_ratio, "true over apparent area of the hard surface, for losses per true area")->capture_default_str();
     verb.add_option("--samples-dropped", samples_dropped, "samples left out after the jump into contact")->check(CLI::Range(0L, 1000000L));
     verb.add_flag("--unweighted", unweighted, "ordinary least squares in radius or depth, errors of force left out");
+    verb.add_flag("--extrapolate-drift", extrapolate_drift, "slope of the first baseline goes on where there is no second");
     verb.add_flag("--no-drift", no_drift, "one zero of force, from free flight before contact");
     verb.add_flag("--whole-retraction", whole_retraction, "fit the retraction from the largest force, its pinned stretch included");
     verb.add_flag("--retraction-modulus-free", modulus_free, "fit E* in (S2) too");
@@ -106,7 +125,16 @@ experiment::AnalysisOptions LoopAnalysisArguments::options(const Table& loop) co
     options.force_drift = !no_drift;
     options.leave_pinned_out = !whole_retraction;
     options.retraction_modulus_free = modulus_free;
-    options.machine_stiffness = machine_stiffness.empty() ? io::loop_quantity(loop, "machine_stiffness") : given(machine_stiffness, dimension::stiffness);
+    options.extrapolate_force_drift = extrapolate_drift;
+    options.contact_point = experiment::parse_contact_point(contact_point);
+    options.true_area_ratio = area_ratio;
+    options.segments.baseline_share = baseline_share;
+    for (const auto& edit : segments) experiment::add_segment_edit(options.segments.edits, edit);
+    if (!displacement_drift.empty()) options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
+    if (const auto stiffness = stiffness_of(*this, loop)) {
+        options.machine_stiffness = stiffness->value;
+        if (stiffness->standard_error > 0.0) options.machine_stiffness_standard_error = stiffness->standard_error;
+    }
     return options;
 }
 

@@ -38,12 +38,15 @@ struct BodyArguments {
 
 /// Options of the analysis of a loop.
 struct LoopAnalysisArguments {
-    std::string machine_stiffness;
+    std::string machine_stiffness, rigid_contact, contact_point = "auto", displacement_drift;
+    std::vector<std::string> segments;
+    double baseline_share = experiment::SegmentOptions{}.baseline_share, area_ratio = 1.0;
     long samples_dropped = 3;
-    bool unweighted = false, modulus_free = false, no_drift = false, whole_retraction = false;
+    bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false, whole_retraction = false;
 
     void add_to(CLI::App& verb);
     /// What the options say; the machine's stiffness else from the loop's metadata.
+    /// @throws as reading and analysing the rigid contact.
     [[nodiscard]] experiment::AnalysisOptions options(const Table& loop) const;
 };
 

@@ -210,16 +210,27 @@ Json segments_json(const experiment::Segments& segments) {
     return json;
 }
 
+template <class Contact>
+void add_energies(Json& json, const Contact& analysis) {
+    add_outcome(json, "loop", analysis.loop, [&](const experiment::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_outcome(json, "ledger", analysis.ledger, ledger_json);
+}
+
+Json cycle_energy_json(const experiment::CycleAnalysis& cycle) {
+    Json json{{"contact", cycle.cycle.contact}};
+    add_outcome(json, "energy", cycle.energy, [&](double energy) {
+        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
+    });
+    return json;
+}
+
 Json cycle_json(const experiment::CycleAnalysis& cycle) {
     Json json;
     add_outcome(json, "loading", cycle.loading, branch_json);
     add_outcome(json, "unloading", cycle.unloading, branch_json);
-    json["contact"] = cycle.cycle.contact;
     json["loading_samples"] = range_of(cycle.cycle.loading);
     json["unloading_samples"] = range_of(cycle.cycle.unloading);
-    add_outcome(json, "energy", cycle.energy, [&](double energy) {
-        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
-    });
+    json.update(cycle_energy_json(cycle));
     return json;
 }
 
@@ -231,9 +242,8 @@ Json contact_json(const Contact& analysis) {
     add_outcome(json, "unloading", analysis.unloading, branch_json);
     add_outcome(json, "retraction", analysis.retraction, retraction_json);
     add_outcome(json, "pull_off", analysis.pull_off, pull_off_json);
-    add_outcome(json, "loop", analysis.loop, [&](const experiment::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_energies(json, analysis);
     add_outcome(json, "contact_points", analysis.contact_points, contact_points_json);
-    add_outcome(json, "ledger", analysis.ledger, ledger_json);
     if (analysis.compliance) json["compliance"] = compliance_json(*analysis.compliance);
     auto radius = quantity("largest_contact_radius", "a_max", analysis.context.largest_contact_radius, "m");
     radius.source = analysis.context.radius_measured ? "measured" : "JKR at the largest force, loading fit";
@@ -244,6 +254,21 @@ Json contact_json(const Contact& analysis) {
 }
 
 }  // namespace
+
+Json energies_json(const experiment::LoopAnalysis& analysis) {
+    Json json;
+    add_energies(json, analysis);
+    json["further_contacts"] = Json::array();
+    for (const auto& contact : analysis.further_contacts) {
+        Json row = contact ? Json::object() : Json{{"reason", contact.reason}};
+        if (contact) add_energies(row, *contact);
+        json["further_contacts"].push_back(row);
+    }
+    json["cycles"] = Json::array();
+    for (const auto& cycle : analysis.cycles) json["cycles"].push_back(cycle_energy_json(cycle));
+    json["alerts"] = to_json(analysis.alerts);
+    return json;
+}
 
 Json to_json(const experiment::LoopAnalysis& analysis) {
     Json json = contact_json(analysis);

@@ -67,6 +67,40 @@ void add_branch(TidyTable& table, const Part& part, const Outcome<BranchAnalysis
     add_fit(table, part, *branch, "joint", branch->joint);
 }
 
+std::vector<TidyTable::Cell> energies_beginning(const LoopLabels& labels, std::size_t contact, double cycle) {
+    return {labels.file, labels.surface, labels.elastomer, labels.lens, labels.spot, static_cast<double>(contact), cycle};
+}
+
+/// Ends a row whose further numbers are not known.
+void add_reason(TidyTable& table, std::vector<TidyTable::Cell> row, const std::string& reason) {
+    row.resize(table.columns.size() - 1, undefined);
+    row.emplace_back(reason);
+    table.rows.push_back(std::move(row));
+}
+
+/// The ledger of one touch: the first, which stands for the record, or a further one.
+template <class Contact>
+void add_contact_energy(TidyTable& table, const LoopLabels& labels, std::size_t number, const Contact& contact) {
+    auto row = energies_beginning(labels, number, undefined);
+    if (!contact.ledger) {
+        add_reason(table, std::move(row), contact.ledger.reason);
+        return;
+    }
+    const auto& ledger = *contact.ledger;
+    const auto estimate = ledger.loop.estimate();
+    const auto& budget = ledger.loop.standard_error;
+    const auto part = [](const std::optional<experiment::WorkEntry>& entry) { return entry ? entry->energy : undefined; };
+    const auto& loading = contact.loading.primary().work_of_adhesion;
+    const Estimate unloading = contact.unloading ? contact.unloading->primary().work_of_adhesion : Estimate{undefined};
+    for (const double value : {estimate.value, estimate.standard_error, estimate.interval ? estimate.interval->lower : undefined, estimate.interval ? estimate.interval->upper : undefined,
+                               budget.noise, budget.drift, budget.compliance, budget.sampling, budget.discretisation,
+                               part(ledger.jump_in), ledger.approach.energy, ledger.retraction.energy, part(ledger.jump_out), ledger.ideal_fixed_grips, ledger.ideal_this_machine,
+                               ledger.largest_contact_area, ledger.largest_true_area(), ledger.loss_per_apparent_area, ledger.loss_per_true_area,
+                               loading.value, loading.standard_error, unloading.value, unloading.standard_error, contact.pull_off ? contact.pull_off->force.value : undefined})
+        row.emplace_back(value);
+    add_reason(table, std::move(row), "");
+}
+
 }  // namespace
 
 LoopLabels labels_stated_in(const Table& loop, const std::string& file) {
@@ -93,6 +127,35 @@ void add_fits(TidyTable& table, const LoopLabels& labels, const experiment::Loop
         const auto contact = static_cast<double>(cycle.cycle.contact + 1), number = static_cast<double>(i + 1);
         add_branch(table, {labels, contact, number, "loading"}, cycle.loading);
         add_branch(table, {labels, contact, number, "unloading"}, cycle.unloading);
+    }
+}
+
+TidyTable energies_table() {
+    return {"energies",
+            {"file", "surface", "elastomer", "lens", "spot", "contact", "cycle", "E_loss [J]", "E_loss_standard_error [J]", "E_loss_low [J]", "E_loss_high [J]",
+             "se_noise [J]", "se_drift [J]", "se_compliance [J]", "se_sampling [J]", "se_discretisation [J]",
+             "jump_in [J]", "approach [J]", "retraction [J]", "jump_out [J]", "ideal_fixed_grips [J]", "ideal_this_machine [J]",
+             "contact_area [m2]", "true_area [m2]", "E_loss_per_contact_area [J/m2]", "E_loss_per_true_area [J/m2]",
+             "W_loading [J/m2]", "W_loading_standard_error [J/m2]", "W_unloading [J/m2]", "W_unloading_standard_error [J/m2]", "F_pull_off [N]", "reason"},
+            {}};
+}
+
+void add_energies(TidyTable& table, const LoopLabels& labels, const experiment::LoopAnalysis& analysis) {
+    add_contact_energy(table, labels, 1, analysis);
+    for (std::size_t i = 0; i < analysis.further_contacts.size(); ++i) {
+        const auto& contact = analysis.further_contacts[i];
+        if (contact) add_contact_energy(table, labels, i + 2, *contact);
+        else add_reason(table, energies_beginning(labels, i + 2, undefined), contact.reason);
+    }
+    if (analysis.cycles.size() < 2) return;
+    for (std::size_t i = 0; i < analysis.cycles.size(); ++i) {
+        const auto& cycle = analysis.cycles[i];
+        auto row = energies_beginning(labels, static_cast<std::size_t>(cycle.cycle.contact) + 1, static_cast<double>(i + 1));
+        if (cycle.energy) {
+            row.emplace_back(*cycle.energy);
+            row.emplace_back(cycle.energy_standard_error);
+        }
+        add_reason(table, std::move(row), cycle.energy.reason);
     }
 }
 

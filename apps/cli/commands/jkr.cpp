@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "jkr_energy.hpp"
 #include "jkr_fit.hpp"
 #include "jkr_import.hpp"
 #include "verbs.hpp"
@@ -10,6 +11,7 @@ void add_jkr(CLI::App& program, Action& action) {
     group->require_subcommand(1);
     add_jkr_import(*group, action);
     add_jkr_fit(*group, action);
+    add_jkr_energy(*group, action);
 }
 
 }  // namespace setae::cli

@@ -37,7 +37,7 @@ void CurveArguments::add_to(CLI::App& verb) {
     verb.add_option("--half-angle", half_angle, "of a cone, or inclination of a pyramid's faces, degrees");
     verb.add_option("--curve-model", model, "of a force curve: hertz, dmt, jkr, maugis_dugdale, large_strain")->capture_default_str();
     verb.add_option("--fit-range", range, "of a force curve: \"0 nm:500 nm\", \"1 nN:20 nN\", or shares of the largest indentation; default -1:1");
-    verb.add_option("--contact-point", contact_point, "of a force curve: fit, found (where the force leaves the baseline), or a length")->capture_default_str();
+    verb.add_option("--curve-contact-point", contact_point, "of a force curve: fit, found (where the force leaves the baseline), or a length")->capture_default_str();
     verb.add_flag("--keep-baseline-slope", keep_baseline_slope, "of a force curve: take off the mean of free flight, not its line");
 }
 

@@ -23,4 +23,8 @@ struct LoopLabels {
 /// Adds every fit of a loop; one that could not be made has its reason in the last column.
 void add_fits(TidyTable& table, const LoopLabels& labels, const experiment::LoopAnalysis& analysis);
 
+/// A table of energies without rows: one row for each contact of a loop, with its ledger, and one for each cycle.
+[[nodiscard]] TidyTable energies_table();
+void add_energies(TidyTable& table, const LoopLabels& labels, const experiment::LoopAnalysis& analysis);
+
 }  // namespace setae::workflow
