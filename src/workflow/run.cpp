@@ -93,7 +93,7 @@ std::string surface_key(const Run& run, const SurfaceInput& input, const Analysi
 
 std::string experiment_key(const Run& run, const ExperimentInput& input, const experiment::LensAndCounterBody& bodies) {
     cache::KeyBuilder key("experiment");
-    key.add("input", bytes_of<LoopSource>(input)).add("bodies", bytes_of(bodies));
+    key.add("input", bytes_of<LoopSource>(input)).add("bodies", bytes_of(bodies)).add("options", bytes_of(input.options));
     return add_content(key, run, input.files()) ? key.key() : std::string();
 }
 

@@ -79,7 +79,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
         result.analysis = run.find<experiment::LoopAnalysis>(key);
         cached = result.analysis.has_value();
         if (!cached) {
-            result.analysis = analyse_loop(input, bodies);
+            result.analysis = analyse_loop(input, bodies, input.options);
             run.keep(key, *result.analysis);
         }
         result.alerts = result.analysis->alerts;

@@ -6,6 +6,7 @@
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
+#include <cereal/types/variant.hpp>
 #include <cereal/types/vector.hpp>
 
 #include <optional>
@@ -121,6 +122,16 @@ void serialize(Archive& archive, Outcome<T>& of) {
 SETAE_KEEP(Loop, time, force, displacement, contact_radius)
 SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height, layer_thickness)
 SETAE_KEEP(IndexRange, first, last)
+SETAE_KEEP(TimeRange, first, last)
+SETAE_KEEP(ContactEdits, jump_in, loading, hold, unloading, pull_off, cuts)
+SETAE_KEEP(IgnoredSamples, range, reason)
+SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
+SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
+SETAE_KEEP(ContactPointChoice, mode, estimator, value)
+SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter, relative_residual, contact_point_share, loop_sampling_share,
+           stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift, extrapolate_force_drift, displacement_drift_rate, leave_pinned_out,
+           contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free, interaction_range, limits)
 SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance, force_scatter, force_slope, force_slope_standard_error)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "loop_options.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/toml_reader.hpp"
@@ -112,7 +113,7 @@ CameraInput read_camera(TomlReader reader, const std::string& study_path) {
     return camera;
 }
 
-ExperimentInput read_experiment(TomlReader reader, const std::string& study_path) {
+ExperimentInput read_experiment(TomlReader reader, const std::string& study_path, const experiment::AnalysisOptions& defaults) {
     ExperimentInput experiment;
     experiment.file = beside(study_path, reader.required_text("file"));
     experiment.mapping = file_beside(reader, "mapping", study_path);
@@ -125,6 +126,7 @@ ExperimentInput read_experiment(TomlReader reader, const std::string& study_path
             reader.fail("sensitivity", error.what());
         }
     }
+    experiment.options = read_loop_options_of_record(reader, defaults);
     experiment.reference = reader.choice<bool>("role", {{"rough", false}, {"reference", true}}).value_or(false);
     experiment.surface = reader.text("surface").value_or("");
     experiment.elastomer = reader.required_text("elastomer");
@@ -282,7 +284,12 @@ Study read_study(const std::string& path) {
     study.work_of_adhesion = reader.uncertain("work_of_adhesion", dimension::surface_energy);
     reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) { study.surfaces.push_back(read_surface(name, std::move(inner), path)); });
     reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) { study.elastomers.push_back(read_elastomer(name, std::move(inner))); });
-    reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path)); });
+    experiment::AnalysisOptions loop_options;
+    reader.table("loops", [&](TomlReader inner) {
+        loop_options = read_loop_options(inner, loop_options);
+        inner.finish();
+    });
+    reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path, loop_options)); });
     reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
     reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {
         const auto values = read_reported(fit, std::move(inner));

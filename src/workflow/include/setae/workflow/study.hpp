@@ -8,6 +8,7 @@
 
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/core/units.hpp"
+#include "setae/experiment/analysis.hpp"
 #include "setae/inference/likelihood_spectrum.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/combination.hpp"
@@ -63,6 +64,7 @@ struct ElastomerInput {
 
 /// A loop on file.
 struct ExperimentInput : LoopSource {
+    experiment::AnalysisOptions options;  ///< how this loop is analysed
     std::string surface;                  ///< empty for a reference
     std::string elastomer;
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
