@@ -43,7 +43,10 @@ public:
     /// Motion from sample to sample in free flight up to a sample, or behind it [m].
     [[nodiscard]] double free_step(Index at, Index direction) const {
         constexpr Index most = 40, fewest = 3;
-        const Index end = direction < 0 ? std::max(at - most, contact.extent.first) : std::min(at + most, contact.extent.last);
+        const auto next = static_cast<std::size_t>(in.contact) + 1;
+        const auto& contacts = in.segments.contacts;
+        const Index last = next < contacts.size() ? (contacts[next].jump_in ? contacts[next].jump_in->first : contacts[next].loading.first) : in.loop.force.size() - 1;
+        const Index end = direction < 0 ? std::max(at - most, contact.extent.first) : std::min(at + most, last);
         const Index n = std::abs(end - at);
         if (n < fewest) throw UndefinedDataError("too little free flight beside the jump to know the motion from sample to sample");
         return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
@@ -184,11 +187,11 @@ IndexRange around_zero(const BranchData& data, double noise) {
     return range;
 }
 
-/// a²/(3R) at F = 0 from W/E*, a³ = 6πWR²/E*.
+/// a²/(3R) at F = 0 from W/E*, a³ = 9πWR²/(2E*).
 Estimate zero_load_depth(const JkrFit& fit, double radius) {
     const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
     if (!(W > 0.0)) throw UndefinedDataError("the loading fit has no adhesion, so that F = 0 is first touch itself");
-    const double a = std::cbrt(6.0 * pi * W * radius * radius / E), depth = a * a / (3.0 * radius);
+    const double a = std::cbrt(4.5 * pi * W * radius * radius / E), depth = a * a / (3.0 * radius);
     const double relative = fit.covariance(1, 1) / (W * W) + fit.covariance(0, 0) / (E * E) - 2.0 * fit.covariance(0, 1) / (W * E);
     return measured(depth, 2.0 / 3.0 * depth * std::sqrt(std::max(relative, 0.0)), "jkr");
 }

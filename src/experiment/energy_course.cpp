@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "jump.hpp"
@@ -16,7 +17,7 @@ IndexRange touching(const Loop& loop, const ContactSegments& contact) {
     if (contact.pull_off) range.last = largest_step(loop.force, *contact.pull_off);
     if (loop.contact_radius.size() == 0) return range;
     // the frames know better where contact ends
-    for (Index i = contact.unloading ? contact.unloading->last : range.last; i >= range.first; --i)
+    for (Index i = contact.pull_off ? contact.pull_off->last : range.last; i >= range.first; --i)
         if (loop.contact_radius[i] > 0.0) return {range.first, std::max(i, contact.loading.last)};
     return range;
 }

@@ -19,7 +19,7 @@ enum class ContactPointMethod {
     jump_in,             ///< first sample behind the jump, along the machine's line: δ + F/k
     force_displacement,  ///< fitted with E* and W to F(δ) of loading
     pointwise,           ///< from F, δ and a, free of W: F = 2aE* (δ − δ0 − a²/(3R))
-    zero_force,          ///< δ0 = δ(F=0) − a²/(3R), a(F=0) measured or JKR's (6πWR²/E*)^(1/3)
+    zero_force,          ///< δ0 = δ(F=0) − a²/(3R), a(F=0) measured or JKR's (9πWR²/(2E*))^(1/3)
     pull_off,            ///< where the contact parts, with the instability of the machine's stiffness
 };
 
