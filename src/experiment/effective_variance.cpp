@@ -9,9 +9,9 @@ namespace setae::experiment {
 
 JkrFit fit_with_both_errors(const BranchData& data, const LensAndCounterBody& bodies) {
     const latent::Points points = latent::points(data, bodies, {.contact_radius = true});
-    const latent::Solution solution = latent::solve_from(points, latent::linear_start(points));
-    const latent::Across noise = latent::across(points, solution);
-    JkrFit fit = latent::finished(points, solution, noise, "radius_force_effective_variance");
+    const latent::Fitted fitted = latent::fit(points, latent::linear_start(points));
+    const latent::Across noise = latent::across(points, latent::projected(points, fitted.solution));
+    JkrFit fit = latent::finished(fitted, noise, "radius_force_effective_variance");
     fit.residuals = noise.force;
     fit.residual_unit = "N";
     complete(fit, bodies, data.force.maxCoeff() - data.force.minCoeff());

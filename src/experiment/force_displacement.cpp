@@ -128,8 +128,8 @@ JkrFit with_both_errors(const BranchData& data, const LensAndCounterBody& bodies
     const JkrFit first = in_depth(means, bodies);
     const latent::Points points = latent::points(data, bodies, {.displacement = true});
     const auto start = latent::reduced_parameters(points, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value);
-    const latent::Solution solution = latent::solve_from(points, start);
-    JkrFit fit = latent::finished(points, solution, latent::across(points, solution), first.method);
+    const latent::Fitted fitted = latent::fit(points, start);
+    JkrFit fit = latent::finished(fitted, latent::across(points, latent::projected(points, fitted.solution)), first.method);
     fit.residuals = depth_residuals(data, fit, bodies.radius);
     fit.residual_unit = first.residual_unit;
     complete(fit, bodies, data.displacement.maxCoeff() - data.displacement.minCoeff());

@@ -7,9 +7,9 @@ namespace setae::experiment {
 
 JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies) {
     const latent::Points points = latent::points(data, bodies, {.displacement = true, .contact_radius = true});
-    const latent::Solution solution = latent::solve_from(points, latent::linear_start(points));
-    const latent::Across noise = latent::across(points, solution);
-    JkrFit fit = latent::finished(points, solution, noise, "joint");
+    const latent::Fitted fitted = latent::fit(points, latent::linear_start(points));
+    const latent::Across noise = latent::across(points, latent::projected(points, fitted.solution));
+    JkrFit fit = latent::finished(fitted, noise, "joint");
     fit.residuals = noise.force;
     fit.depth_residuals = noise.depth;
     fit.residual_unit = "N";
