@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "fit_support.hpp"
-#include "latent_fit.hpp"
-#include "latent_start.hpp"
+#include "latent_routes.hpp"
 #include "reduced_jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -118,30 +117,28 @@ Array1D depth_residuals(const BranchData& data, const JkrFit& fit, double radius
     return residuals;
 }
 
-/// Errors in both channels: each sample has a contact radius of its own, so that the fold at pull-off, where δ(F) is
-/// vertical, is a point like others.
-JkrFit with_both_errors(const BranchData& data, const LensAndCounterBody& bodies) {
+}  // namespace
+
+// the fold at pull-off, where δ(F) is vertical, is a point of the curve like others
+latent::Route latent::force_displacement_route(const BranchData& data, const LensAndCounterBody& bodies) {
+    const Points all = points(data, bodies, {.displacement = true});
     BranchData means = data;
     const Index neighbours = neighbours_of_a_first_solution(data.force.size());
     means.force = block_means(data.force, neighbours);
     means.displacement = block_means(data.displacement, neighbours);
     const JkrFit first = in_depth(means, bodies);
-    const latent::Points points = latent::points(data, bodies, {.displacement = true});
-    const auto start = latent::reduced_parameters(points, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value);
-    const latent::Fitted fitted = latent::fit(points, start);
-    JkrFit fit = latent::finished(fitted, latent::across(points, latent::projected(points, fitted.solution)), first.method);
-    fit.residuals = depth_residuals(data, fit, bodies.radius);
-    fit.residual_unit = first.residual_unit;
-    complete(fit, bodies, data.displacement.maxCoeff() - data.displacement.minCoeff());
-    return fit;
+    Route route{.fitted = latent::fit(all, reduced_parameters(all, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value))};
+    route.fit = finished(route.fitted, across(all, projected(all, route.fitted.solution)), first.method);
+    route.fit.residuals = depth_residuals(data, route.fit, bodies.radius);
+    route.fit.residual_unit = first.residual_unit;
+    complete(route.fit, bodies, data.displacement.maxCoeff() - data.displacement.minCoeff());
+    return route;
 }
-
-}  // namespace
 
 JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
     require_data(data, bodies, {.displacement = true, .fewest = 4});
     if (errors == DepthErrors::depth_only || !(data.force_noise > 0.0 && data.displacement_noise > 0.0)) return in_depth(data, bodies);
-    return with_both_errors(data, bodies);
+    return latent::force_displacement_route(data, bodies).fit;
 }
 
 }  // namespace setae::experiment

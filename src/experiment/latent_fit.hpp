@@ -98,4 +98,7 @@ struct Across {
 };
 [[nodiscard]] Across across(const Points& points, const Solution& solution);
 
+/// JᵀJ of all directions.
+[[nodiscard]] Eigen::MatrixXd across_information(const Across& noise);
+
 }  // namespace setae::experiment::latent

@@ -167,4 +167,10 @@ Across across(const Points& points, const Solution& solution) {
     return result;
 }
 
+Eigen::MatrixXd across_information(const Across& noise) {
+    Eigen::MatrixXd sum = noise.jacobians.front().transpose() * noise.jacobians.front();
+    for (std::size_t s = 1; s < noise.jacobians.size(); ++s) sum += noise.jacobians[s].transpose() * noise.jacobians[s];
+    return sum;
+}
+
 }  // namespace setae::experiment::latent

@@ -22,7 +22,4 @@ struct Fitted {
 /// so many neighbours that theirs does not, 24 means at least. Samples therefore come in the order they were taken.
 [[nodiscard]] Fitted fit(const Points& points, const Parameters& start);
 
-/// The fit's numbers in SI units: everything but its residuals, and what `complete` adds. `noise`: of all samples.
-[[nodiscard]] JkrFit finished(const Fitted& fitted, const Across& noise, std::string method);
-
 }  // namespace setae::experiment::latent

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "effective_variance.hpp"
+#include "latent_routes.hpp"
 #include "fit_support.hpp"
 #include "reduced_jkr.hpp"
 #include "setae/core/constants.hpp"
@@ -70,7 +70,7 @@ struct RadiusProblem {
 
 JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies, RadiusErrors errors) {
     require_data(data, bodies, {.contact_radius = true});
-    if (errors == RadiusErrors::effective_variance) return fit_with_both_errors(data, bodies);
+    if (errors == RadiusErrors::effective_variance) return latent::effective_variance_route(data, bodies).fit;
     const double force_unit = force_scale(data);
     const double length_unit = data.contact_radius.maxCoeff();
     const RadiusProblem problem{.force = data.force / force_unit, .radius = data.contact_radius / length_unit};
