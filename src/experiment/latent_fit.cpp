@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "latent_curve.hpp"
+#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -137,8 +138,8 @@ void move(Solution& solution, const Round& round, const Vector3d& step, Held hel
 
 /// Whether a step is far below the standard errors, or nothing at all.
 bool small(const Vector3d& step, const Parameters& at, const Round& round, double freedom) {
-    constexpr double of_standard_error = 1e-6, of_value = 1e-13;
-    return step.dot(round.normal * step) <= of_standard_error * of_standard_error * round.squares / freedom || change(at, step) <= of_value;
+    constexpr double of_value = 1e-13;
+    return far_below_errors(step, round.normal, round.squares, freedom) || change(at, step) <= of_value;
 }
 
 double degrees_of_freedom(const Points& points) {

@@ -101,8 +101,10 @@ Points straightened(const Points& bent, const Solution& solution) {
 AlongTheCurve along_the_curve(const Points& points, const Solution& solution) {
     const Index parameters = points.channels.displacement ? 3 : 2;
     AlongTheCurve result{.pretended = Eigen::MatrixXd::Zero(parameters, parameters)};
+    constexpr Index enough = 128;  // the sum is smooth along the curve
+    const Index n = solution.x.size(), every = std::max<Index>(1, n / enough), taken = (n + every - 1) / every;
     with_channels(points.channels, [&]<bool depth, bool radius>() {
-        for (Index i = 0; i < solution.x.size(); ++i) {
+        for (Index i = 0; i < n; i += every) {
             const auto curve = curve_at<depth, radius, Single, true>(points, solution.parameters, Single(solution.x[i]), i);
             const auto dot = [&](const auto& left, const auto& right) { return curve.dot(left, right)[0]; };
             const auto& tangent = curve.tangent;
@@ -121,6 +123,7 @@ AlongTheCurve along_the_curve(const Points& points, const Solution& solution) {
                     result.pretended(p, q) += dot(change[static_cast<std::size_t>(p)], change[static_cast<std::size_t>(q)]) / length;
         }
     });
+    result.pretended *= static_cast<double>(n) / static_cast<double>(taken);
     return result;
 }
 
@@ -168,8 +171,11 @@ Across across(const Points& points, const Solution& solution) {
 }
 
 Eigen::MatrixXd across_information(const Across& noise) {
-    Eigen::MatrixXd sum = noise.jacobians.front().transpose() * noise.jacobians.front();
-    for (std::size_t s = 1; s < noise.jacobians.size(); ++s) sum += noise.jacobians[s].transpose() * noise.jacobians[s];
+    const Index parameters = noise.jacobians.front().cols();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(parameters, parameters);
+    for (const Eigen::MatrixXd& jacobian : noise.jacobians)
+        for (Index p = 0; p < parameters; ++p)
+            for (Index q = 0; q < parameters; ++q) sum(p, q) += jacobian.col(p).dot(jacobian.col(q));
     return sum;
 }
 

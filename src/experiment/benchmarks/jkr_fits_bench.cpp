@@ -84,14 +84,14 @@ void all_routes(benchmark::State& state) {
     });
 }
 
-BENCHMARK(memory_pass)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(model_pass)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, least_squares, least_squares)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, effective_variance, effective_variance)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, linear_form, linear_form)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, force_displacement, depth)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, joint, joint)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(route, energy_release_rates, rates)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(all_routes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(memory_pass)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(model_pass)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, least_squares, least_squares)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, effective_variance, effective_variance)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, linear_form, linear_form)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, force_displacement, depth)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, joint, joint)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, energy_release_rates, rates)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(all_routes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
