@@ -2,6 +2,7 @@
 #include "correlated_residuals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -50,27 +51,59 @@ Autoregression autoregression(const VectorXd& covariances, Index samples) {
     return best;
 }
 
-/// Σ_(j <= i) ρ_(i−j) x_j as a recursive filter: ρ follows the process's own recursion beyond its order.
-VectorXd from_the_past(const Autoregression& process, const VectorXd& values) {
-    const Index order = process.coefficients.size();
+/// Ω x of every column: Σ_(j <= i) ρ_(i−j) x_j as a recursive filter from both ends, ρ following the process's own recursion
+/// beyond its order. All columns and both directions run side by side: each waits for its last value.
+template <int columns>
+MatrixXd correlated(const Autoregression& process, const MatrixXd& values) {
+    const Index order = process.coefficients.size(), n = values.rows();
     VectorXd gains = process.correlation;
     for (Index k = 1; k <= order; ++k)
         for (Index j = 1; j <= k; ++j) gains[k] -= process.coefficients[j - 1] * process.correlation[k - j];
-    VectorXd sums(values.size());
-    for (Index i = 0; i < values.size(); ++i) {
-        double sum = gains[0] * values[i];
-        for (Index k = 1; k <= std::min(order, i); ++k) sum += gains[k] * values[i - k] + process.coefficients[k - 1] * sums[i - k];
-        sums[i] = sum;
+    MatrixXd forward(n, columns), backward(n, columns);
+    for (Index i = 0; i < n; ++i) {
+        const Index known = std::min(order, i), last = n - 1 - i;
+        std::array<double, columns> ahead, behind;
+        for (int c = 0; c < columns; ++c) {
+            ahead[c] = gains[0] * values(i, c);
+            behind[c] = gains[0] * values(last, c);
+        }
+        for (Index k = 1; k <= known; ++k) {
+            const double gain = gains[k], coefficient = process.coefficients[k - 1];
+            for (int c = 0; c < columns; ++c) {
+                ahead[c] += gain * values(i - k, c) + coefficient * forward(i - k, c);
+                behind[c] += gain * values(last + k, c) + coefficient * backward(last + k, c);
+            }
+        }
+        for (int c = 0; c < columns; ++c) {
+            forward(i, c) = ahead[c];
+            backward(last, c) = behind[c];
+        }
     }
-    return sums;
+    return forward + backward - values;
 }
 
-/// Ω x of every column.
-MatrixXd correlated(const Autoregression& process, const MatrixXd& columns) {
-    MatrixXd result(columns.rows(), columns.cols());
-    for (Index c = 0; c < columns.cols(); ++c) {
-        const VectorXd values = columns.col(c);
-        result.col(c) = from_the_past(process, values) + from_the_past(process, values.reverse()).reverse() - values;
+MatrixXd correlated(const Autoregression& process, const MatrixXd& values) {
+    if (values.cols() == 3) return correlated<3>(process, values);
+    if (values.cols() == 2) return correlated<2>(process, values);
+    MatrixXd result(values.rows(), values.cols());
+    for (Index c = 0; c < values.cols(); ++c) result.col(c) = correlated<1>(process, values.col(c));
+    return result;
+}
+
+/// Products of two or three long columns each, without the packing of large matrices.
+MatrixXd gram(const MatrixXd& left, const MatrixXd& right) {
+    MatrixXd result(left.cols(), right.cols());
+    for (Index i = 0; i < left.cols(); ++i)
+        for (Index j = 0; j < right.cols(); ++j) result(i, j) = left.col(i).dot(right.col(j));
+    return result;
+}
+
+/// Long columns turned by a small matrix.
+MatrixXd turned(const MatrixXd& columns, const MatrixXd& by) {
+    MatrixXd result(columns.rows(), by.cols());
+    for (Index j = 0; j < by.cols(); ++j) {
+        result.col(j) = columns.col(0) * by(0, j);
+        for (Index i = 1; i < by.rows(); ++i) result.col(j) += columns.col(i) * by(i, j);
     }
     return result;
 }
@@ -113,14 +146,14 @@ struct Series {
 
     void spread_basis() {
         spread = process.coefficients.size() > 0 ? correlated(process, basis) : basis;
-        projected = basis.transpose() * spread;
+        projected = gram(basis, spread);
     }
 
     /// Autocovariances that residuals of a process of unit variance have on average, (1 − H)Ω(1 − H) along its diagonals;
     /// `all` is BᵀΩB of all series.
     [[nodiscard]] VectorXd expected(const VectorXd& correlation, const MatrixXd& all) const {
         const Index n = basis.rows(), p = basis.cols();
-        const MatrixXd left = spread - basis * all;
+        const MatrixXd left = spread - turned(basis, all);
         VectorXd result(correlation.size());
         for (Index k = 0; k < result.size(); ++k) {
             double taken = 0.0;
@@ -184,7 +217,7 @@ FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::sp
     MatrixXd normal = MatrixXd::Zero(p, p);
     double squares = 0.0;
     for (std::size_t s = 0; s < jacobians.size(); ++s) {
-        normal += jacobians[s].transpose() * jacobians[s];
+        normal += gram(jacobians[s], jacobians[s]);
         squares += residuals[s].squaredNorm();
     }
     // columns of unit length keep the inverse well conditioned
@@ -199,8 +232,8 @@ FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::sp
     std::vector<Series> series(jacobians.size());
     for (std::size_t s = 0; s < series.size(); ++s) {
         series[s].residuals = &residuals[s];
-        series[s].basis = jacobians[s] * back;
-        series[s].shared = series[s].basis.transpose() * series[s].basis;
+        series[s].basis = turned(jacobians[s], back);
+        series[s].shared = gram(series[s].basis, series[s].basis);
     }
     find_processes(series);
     const MatrixXd all = sum_of(series, &Series::projected);
@@ -218,7 +251,7 @@ FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::sp
             const double lengths = residuals[s].norm() * residuals[t].norm();
             if (!(lengths > 0.0)) continue;
             const double shared = residuals[s].dot(residuals[t]) / lengths * std::sqrt(series[s].variance * series[t].variance);
-            const MatrixXd mean = 0.5 * (series[s].basis.transpose() * series[t].spread + series[s].spread.transpose() * series[t].basis);
+            const MatrixXd mean = 0.5 * (gram(series[s].basis, series[t].spread) + gram(series[s].spread, series[t].basis));
             middle += shared * (mean + mean.transpose());
         }
     result.correlated_samples = static_cast<double>(count * n) / independent;

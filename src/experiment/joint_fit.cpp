@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fit_support.hpp"
-#include "latent_fit.hpp"
-#include "latent_start.hpp"
+#include "latent_routes.hpp"
 
 namespace setae::experiment {
 
-JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies) {
-    const latent::Points points = latent::points(data, bodies, {.displacement = true, .contact_radius = true});
-    const latent::Solution solution = latent::solve_from(points, latent::linear_start(points));
-    const latent::Across noise = latent::across(points, solution);
-    JkrFit fit = latent::finished(points, solution, noise, "joint");
-    fit.residuals = noise.force;
-    fit.depth_residuals = noise.depth;
-    fit.residual_unit = "N";
-    complete(fit, bodies, data.force.maxCoeff() - data.force.minCoeff());
-    return fit;
-}
+JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies) { return latent::joint_route(data, bodies).fit; }
 
 }  // namespace setae::experiment

@@ -15,6 +15,7 @@ struct Curve {
     Vector tangent;   ///< by x
     Vector second;    ///< by x twice
     std::array<Vector, parameters> by_parameter;
+    std::array<Vector, parameters> mixed;  ///< by x and parameter; left open unless asked for
 
     [[nodiscard]] static Lane dot(const Vector& left, const Vector& right) {
         Lane sum = left[0] * right[0];
@@ -23,7 +24,7 @@ struct Curve {
     }
 };
 
-template <bool depth, bool radius, class Lane>
+template <bool depth, bool radius, class Lane, bool with_mixed = false>
 [[nodiscard]] auto curve_at(const Points& points, const Parameters& at, const Lane& x, Index first) {
     constexpr Index width = Lane::SizeAtCompileTime;
     constexpr std::size_t depth_channel = 1, radius_channel = depth ? 2 : 1;
@@ -37,6 +38,10 @@ template <bool depth, bool radius, class Lane>
     curve.second[0] = wf * (6.0 * modulus * x - 0.75 * root * inverse_root);
     curve.by_parameter[0][0] = wf * cube;
     curve.by_parameter[1][0] = -wf * three_halves;
+    if constexpr (with_mixed) {
+        curve.mixed[0][0] = 3.0 * wf * square;
+        curve.mixed[1][0] = -1.5 * wf * square_root;
+    }
     if constexpr (depth) {
         const double wd = points.depth_weight, pull = 2.0 / 3.0 * root / modulus;
         const double shared = points.shared * wd / wf;  // of the force in units of its noise
@@ -47,6 +52,11 @@ template <bool depth, bool radius, class Lane>
         curve.by_parameter[0][depth_channel] = wd * pull / modulus * square_root - shared * curve.by_parameter[0][0];
         curve.by_parameter[1][depth_channel] = -wd * (2.0 / 3.0) / modulus * square_root - shared * curve.by_parameter[1][0];
         curve.by_parameter[2][depth_channel].setConstant(wd);
+        if constexpr (with_mixed) {
+            curve.mixed[0][depth_channel] = 0.5 * wd * pull / modulus * inverse_root - shared * curve.mixed[0][0];
+            curve.mixed[1][depth_channel] = -wd / (3.0 * modulus) * inverse_root - shared * curve.mixed[1][0];
+            for (Lane& part : curve.mixed[2]) part.setZero();
+        }
     }
     if constexpr (radius) {
         const double wx = points.radius_weight;
@@ -54,6 +64,8 @@ template <bool depth, bool radius, class Lane>
         curve.tangent[radius_channel].setConstant(wx);
         curve.second[radius_channel].setZero();
         for (auto& slope : curve.by_parameter) slope[radius_channel].setZero();
+        if constexpr (with_mixed)
+            for (auto& slope : curve.mixed) slope[radius_channel].setZero();
     }
     return curve;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "latent_curve.hpp"
+#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -25,6 +26,8 @@ struct Round {
     double squares = 0.0;
     Array1D along;                        ///< T·z/H, H the second derivative by the radius
     std::array<Array1D, 3> by_parameter;  ///< T·J/H
+
+    explicit Round(Index samples) : along(samples), by_parameter{Array1D(samples), Array1D(samples), Array1D(samples)} {}
 };
 
 /// Sums of two neighbouring samples at a time: the compiler may not reorder them by itself.
@@ -101,12 +104,59 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> free_directions(const Points& points, c
     return directions;
 }
 
-/// Solution of the normal equations in the free directions; NaN where they are singular.
-Vector3d step_of(const Round& round, const Eigen::Matrix<double, 3, Eigen::Dynamic>& free) {
+/// Solution of the normal equations, damped after Marquardt, in the free directions; NaN where they are singular.
+Vector3d step_of(const Round& round, const Eigen::Matrix<double, 3, Eigen::Dynamic>& free, double damping = 0.0) {
     const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> normal = free.transpose() * round.normal * free;
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gradient = free.transpose() * round.gradient;
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-    return free * (scale.asDiagonal() * (scale.asDiagonal() * normal * scale.asDiagonal()).eval().ldlt().solve(scale.cwiseProduct(gradient)));
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    scaled.diagonal().array() += damping;
+    return free * (scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(gradient)));
+}
+
+/// The larger relative change of e and g.
+double change(const Parameters& at, const Vector3d& step) {
+    return std::max(std::abs(step[0]) / at[0], std::abs(step[1]) / (std::abs(at[1]) + at[0]));
+}
+
+/// The step, shortened where it goes far: E* stays positive.
+Vector3d within_reach(const Parameters& at, const Vector3d& step) {
+    constexpr double furthest = 0.5;
+    const double reach = change(at, step);
+    return reach > furthest ? Vector3d(step * (furthest / reach)) : step;
+}
+
+/// Parameters by a step, W kept exactly where it is held, and the radii with them.
+void move(Solution& solution, const Round& round, const Vector3d& step, Held held) {
+    const Parameters before = solution.parameters;
+    solution.parameters += step;
+    if (held == Held::work) solution.parameters[1] = before[1] * std::sqrt(solution.parameters[0] / before[0]);
+    Array1D moved = solution.x + round.along - step[0] * round.by_parameter[0] - step[1] * round.by_parameter[1];
+    if (step[2] != 0.0) moved -= step[2] * round.by_parameter[2];
+    solution.x = moved.max(closest * solution.x);
+}
+
+/// Whether a step is far below the standard errors, or nothing at all.
+bool small(const Vector3d& step, const Parameters& at, const Round& round, double freedom) {
+    constexpr double of_value = 1e-13;
+    return far_below_errors(step, round.normal, round.squares, freedom) || change(at, step) <= of_value;
+}
+
+double degrees_of_freedom(const Points& points) {
+    const double directions = points.channels.displacement && points.channels.contact_radius ? 2.0 : 1.0;
+    return std::max(1.0, directions * static_cast<double>(points.force.size()) - (points.channels.displacement ? 3.0 : 2.0));
+}
+
+/// The nearest points for the parameters as they are.
+void settle_radii(const Points& points, Solution& solution, Round& round) {
+    constexpr int most = 12;
+    constexpr double near = 1e-7;
+    for (int i = 0; i < most; ++i) {
+        evaluate(points, solution.parameters, solution.x, false, round);
+        if (!(round.along.abs() > near * solution.x).any()) break;
+        move(solution, round, Vector3d::Zero(), Held::none);
+    }
+    solution.squares = round.squares;
 }
 
 }  // namespace
@@ -128,34 +178,63 @@ Array1D first_radii(const Points& points, const Parameters& parameters) {
 }
 
 Solution solve(const Points& points, const Parameters& start, Array1D radii, const Options& options) {
-    constexpr double of_standard_error = 1e-6, of_value = 1e-13;
     Solution solution{.parameters = start, .x = std::move(radii)};
-    const Index n = solution.x.size();
-    const double directions = points.channels.displacement && points.channels.contact_radius ? 2.0 : 1.0;
-    const double freedom = std::max(1.0, directions * static_cast<double>(n) - 3.0);
-    Round round{.along = Array1D(n), .by_parameter = {Array1D(n), Array1D(n), Array1D(n)}};
+    const double freedom = degrees_of_freedom(points);
+    Round round(points.force.size());
     bool settled = false;
     for (;; ++solution.rounds) {
         evaluate(points, solution.parameters, solution.x, options.curvature, round);
         solution.squares = round.squares;
         if (settled || solution.rounds >= options.most_rounds) break;
-        const auto free = free_directions(points, solution.parameters, options.held);
-        Vector3d step = step_of(round, free);
+        const Vector3d step = within_reach(solution.parameters, step_of(round, free_directions(points, solution.parameters, options.held)));
         if (!step.allFinite()) return solution;
-        // E* stays positive, and parameters far off come nearer in several rounds
-        const double furthest = std::max(std::abs(step[0]) / solution.parameters[0], std::abs(step[1]) / (std::abs(solution.parameters[1]) + solution.parameters[0]));
-        if (furthest > 0.5) step *= 0.5 / furthest;
-        Parameters next = solution.parameters + step;
-        if (options.held == Held::work) next[1] = solution.parameters[1] * std::sqrt(next[0] / solution.parameters[0]);
-        solution.parameters = next;
-        Array1D moved = solution.x + round.along - step[0] * round.by_parameter[0] - step[1] * round.by_parameter[1];
-        if (points.channels.displacement) moved -= step[2] * round.by_parameter[2];
-        solution.x = moved.max(closest * solution.x);
-        const double squared = step.dot(round.normal * step);
-        settled = solution.rounds >= 2 && (squared <= of_standard_error * of_standard_error * round.squares / freedom || furthest <= of_value);
+        move(solution, round, step, options.held);
+        settled = solution.rounds >= 2 && small(step, solution.parameters, round, freedom);
     }
     solution.converged = settled && std::isfinite(solution.squares);
     return solution;
+}
+
+Solution solve_carefully(const Points& points, const Parameters& start, Array1D radii, const Options& options) {
+    Solution solution{.parameters = start, .x = std::move(radii)};
+    const double freedom = degrees_of_freedom(points);
+    Round round(points.force.size());
+    settle_radii(points, solution, round);
+    double damping = 1e-3;
+    constexpr double most_damping = 1e9;
+    for (; solution.rounds < options.most_rounds && damping < most_damping; ++solution.rounds) {
+        const auto free = free_directions(points, solution.parameters, options.held);
+        const Vector3d step = within_reach(solution.parameters, step_of(round, free, damping));
+        if (!step.allFinite()) return solution;
+        Solution trial = solution;
+        Round there = round;
+        move(trial, round, step, options.held);
+        settle_radii(points, trial, there);
+        solution.converged = small(step, solution.parameters, round, freedom);
+        if (!(trial.squares <= solution.squares)) {
+            if (solution.converged) break;
+            damping *= 8.0;
+            continue;
+        }
+        const bool done = solution.converged;
+        const int rounds = solution.rounds;
+        solution = std::move(trial);
+        solution.rounds = rounds;
+        solution.converged = done;
+        round = std::move(there);
+        if (done) break;
+        damping *= 0.2;
+    }
+    return solution;
+}
+
+Solution projected(const Points& points, const Solution& solution) {
+    if (points.force.size() == solution.x.size()) return solution;
+    Solution result = solution;
+    result.x = first_radii(points, solution.parameters);
+    Round round(points.force.size());
+    settle_radii(points, result, round);
+    return result;
 }
 
 }  // namespace setae::experiment::latent

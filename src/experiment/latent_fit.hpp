@@ -71,8 +71,24 @@ struct Solution {
 
 [[nodiscard]] Solution solve(const Points& points, const Parameters& start, Array1D radii, const Options& options = {});
 
+/// The same by Levenberg and Marquardt's method, the nearest points found in every step, without the offset of curvature:
+/// slower, from a start far off.
+[[nodiscard]] Solution solve_carefully(const Points& points, const Parameters& start, Array1D radii, const Options& options = {});
+
+/// All samples with their nearest points on the curve of a solution for means of them.
+[[nodiscard]] Solution projected(const Points& points, const Solution& solution);
+
 /// The samples with the mean offset that the curvature makes taken off, for a sum of squares that is least at the solution.
 [[nodiscard]] Points straightened(const Points& points, const Solution& solution);
+
+/// What noise along the curve does at a solution, in units of the noise.
+struct AlongTheCurve {
+    double curvature = 0.0;   ///< the largest: |γ''⊥|/|γ'|²
+    Eigen::MatrixXd pretended;  ///< Σ j'j'ᵀ/|γ'|², j' the change along the curve of the derivatives across it
+};
+/// Nearest points scatter along the curve by 1/|γ'|, and the derivatives taken there with them: JᵀJ is too large by
+/// `pretended` on average, and the information is JᵀJ less that.
+[[nodiscard]] AlongTheCurve along_the_curve(const Points& points, const Solution& solution);
 
 /// Residuals in the directions across the curve, of unit variance where the noise is as given, with their derivatives.
 struct Across {
@@ -82,7 +98,7 @@ struct Across {
 };
 [[nodiscard]] Across across(const Points& points, const Solution& solution);
 
-/// The fit's numbers in SI units: everything but its residuals, and what `complete` adds.
-[[nodiscard]] JkrFit finished(const Points& points, const Solution& solution, const Across& noise, std::string method);
+/// JᵀJ of all directions.
+[[nodiscard]] Eigen::MatrixXd across_information(const Across& noise);
 
 }  // namespace setae::experiment::latent

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -97,6 +98,35 @@ Points straightened(const Points& bent, const Solution& solution) {
     return straight;
 }
 
+AlongTheCurve along_the_curve(const Points& points, const Solution& solution) {
+    const Index parameters = points.channels.displacement ? 3 : 2;
+    AlongTheCurve result{.pretended = Eigen::MatrixXd::Zero(parameters, parameters)};
+    constexpr Index enough = 128;  // the sum is smooth along the curve
+    const Index n = solution.x.size(), every = std::max<Index>(1, n / enough), taken = (n + every - 1) / every;
+    with_channels(points.channels, [&]<bool depth, bool radius>() {
+        for (Index i = 0; i < n; i += every) {
+            const auto curve = curve_at<depth, radius, Single, true>(points, solution.parameters, Single(solution.x[i]), i);
+            const auto dot = [&](const auto& left, const auto& right) { return curve.dot(left, right)[0]; };
+            const auto& tangent = curve.tangent;
+            const double length = dot(tangent, tangent), bend = dot(tangent, curve.second) / length;
+            const double across = std::max(dot(curve.second, curve.second) - bend * bend * length, 0.0);
+            result.curvature = std::max(result.curvature, std::sqrt(across) / length);
+            auto change = curve.mixed;
+            for (std::size_t p = 0; p < change.size(); ++p) {
+                const double turned = dot(tangent, curve.by_parameter[p]) / length;
+                for (std::size_t c = 0; c < tangent.size(); ++c) change[p][c] -= turned * curve.second[c];
+                const double along = dot(tangent, change[p]) / length;
+                for (std::size_t c = 0; c < tangent.size(); ++c) change[p][c] -= along * tangent[c];
+            }
+            for (Index p = 0; p < parameters; ++p)
+                for (Index q = 0; q < parameters; ++q)
+                    result.pretended(p, q) += dot(change[static_cast<std::size_t>(p)], change[static_cast<std::size_t>(q)]) / length;
+        }
+    });
+    result.pretended *= static_cast<double>(n) / static_cast<double>(taken);
+    return result;
+}
+
 Across across(const Points& points, const Solution& solution) {
     const Index n = solution.x.size();
     const Index directions = points.channels.displacement && points.channels.contact_radius ? 2 : 1;
@@ -140,30 +170,13 @@ Across across(const Points& points, const Solution& solution) {
     return result;
 }
 
-JkrFit finished(const Points& points, const Solution& solution, const Across& noise, std::string method) {
-    JkrFit fit{.method = std::move(method), .converged = solution.converged, .iterations = solution.rounds, .contact_point = {undefined}};
+Eigen::MatrixXd across_information(const Across& noise) {
     const Index parameters = noise.jacobians.front().cols();
-    const FitCovariance found = correlated_covariance(noise.jacobians, noise.residuals);
-    const double cubed = points.length * points.length * points.length;
-    const double modulus_unit = 0.75 * points.radius * points.force_unit / cubed, root_unit = points.force_unit / std::sqrt(8.0 * pi * cubed);
-    const Eigen::VectorXd units = Eigen::Vector3d(modulus_unit, root_unit, points.depth_unit).head(parameters);
-    const Eigen::MatrixXd covariance = units.asDiagonal() * found.covariance * units.asDiagonal();
-    const double modulus = solution.parameters[0] * modulus_unit;
-    require_modulus(modulus);
-    const WorkFromRoot work = work_from_root({modulus, solution.parameters[1] * root_unit}, covariance);
-    const auto estimate = [&](double value, double standard_error) -> Estimate {
-        return {.value = value, .standard_error = standard_error, .method = "fit covariance, correlated residuals", .degrees_of_freedom = found.degrees_of_freedom};
-    };
-    fit.covariance = work.covariance;
-    fit.contact_modulus = estimate(modulus, std::sqrt(work.covariance(0, 0)));
-    fit.work_of_adhesion = estimate(work.work_of_adhesion, work.standard_error);
-    if (points.channels.displacement) fit.contact_point = estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
-    double squares = 0.0;
-    for (const auto& residuals : noise.residuals) squares += residuals.squaredNorm();
-    const Index freedom = solution.x.size() * static_cast<Index>(noise.residuals.size()) - parameters;
-    fit.chi2_reduced = freedom > 0 ? squares / static_cast<double>(freedom) : undefined;
-    fit.correlated_samples = found.correlated_samples;
-    return fit;
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(parameters, parameters);
+    for (const Eigen::MatrixXd& jacobian : noise.jacobians)
+        for (Index p = 0; p < parameters; ++p)
+            for (Index q = 0; q < parameters; ++q) sum(p, q) += jacobian.col(p).dot(jacobian.col(q));
+    return sum;
 }
 
 }  // namespace setae::experiment::latent
