@@ -81,14 +81,24 @@ ReducedState reduced(double s, double lambda) {
 }
 
 /// s at reduced radius A > 0. What bounds A from above at each s, pA² < 1 with p < λ π s²/4 or p < 2λs³/3 and
-/// 2qA < 1 with q < λ²s²/3, starts the search for a bracket.
+/// 2qA < 1 with q < λ²s²/3, starts the search: Newton's steps on ln A(ln s), which bends little, within brackets where they fail.
 double zone_at_radius(double radius, double lambda) {
-    const auto excess = [&](double s) { return point_at(s, lambda).radius - radius; };
     double lower = std::min(std::sqrt(1.5 / radius) / lambda, std::sqrt(4.0 / (pi * lambda)) / radius);
-    while (!(excess(lower) >= 0.0)) lower *= 0.5;
+    double s = lower;
+    for (int round = 0; round < 30; ++round) {
+        const Point point = point_at(s, lambda);
+        const double excess = std::log(point.radius / radius);
+        if (std::abs(excess) < 1e-15) return s;
+        const double step = excess * point.radius / (point.radius_slope * s);
+        if (!(std::abs(step) < 3.0)) break;
+        s *= std::exp(-step);
+        if (std::abs(step) < 1e-15) return s;
+    }
+    const auto difference = [&](double zone) { return point_at(zone, lambda).radius - radius; };
+    while (!(difference(lower) >= 0.0)) lower *= 0.5;
     double upper = lower;
-    while (excess(upper) > 0.0) upper *= 2.0;
-    return bracketed_root(excess, std::max(lower, 0.5 * upper), upper);
+    while (difference(upper) > 0.0) upper *= 2.0;
+    return bracketed_root(difference, std::max(lower, 0.5 * upper), upper);
 }
 
 /// s where the force is least; contacts have radii between λ (or 1/2) and 2 there.

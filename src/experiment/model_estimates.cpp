@@ -136,6 +136,11 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
 
 }  // namespace
 
+Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance) {
+    const Eigen::VectorXd inverse = covariance.diagonal().cwiseSqrt().cwiseInverse();
+    return inverse.asDiagonal() * covariance * inverse.asDiagonal();
+}
+
 Eigen::Vector4d physical_slopes(const BranchProblem& problem, const FitParameters& at) {
     const ModelCurve& curve = problem.curve();
     double work = 2.0 * std::abs(at[1]);
@@ -195,8 +200,7 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
         }
     }
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
-    const Eigen::VectorXd errors = fit.covariance.diagonal().cwiseSqrt();
-    fit.correlations = errors.cwiseInverse().asDiagonal() * fit.covariance * errors.cwiseInverse().asDiagonal();
+    fit.correlations = correlations(fit.covariance);
 }
 
 }  // namespace setae::experiment

@@ -15,4 +15,17 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 [[nodiscard]] Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolution& solution, const FitParameters& at,
                                               double slot_standard_error);
 
+/// A fit with what a further fit of the same branch starts from.
+struct SolvedFit {
+    ModelFit fit;
+    PreparedFit prepared;
+    FitSolution solution;
+};
+
+/// fit_model, nothing forgotten.
+[[nodiscard]] SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options);
+
+/// Covariance over the product of its errors.
+[[nodiscard]] Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance);
+
 }  // namespace setae::experiment

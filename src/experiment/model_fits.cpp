@@ -61,8 +61,7 @@ void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterB
                                &ModelFit::transition_share, &ModelFit::zero_load_radius, &ModelFit::pull_off_force})
         if (fit.*outcome && shifted.*outcome) widen(*(fit.*outcome).value, (shifted.*outcome)->value);
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
-    const Eigen::VectorXd errors = fit.covariance.diagonal().cwiseSqrt();
-    fit.correlations = errors.cwiseInverse().asDiagonal() * fit.covariance * errors.cwiseInverse().asDiagonal();
+    fit.correlations = correlations(fit.covariance);
 }
 
 ChannelResiduals channel(Array1D residuals) {
@@ -145,6 +144,10 @@ Channels channels_of(const BranchData& data) {
 }
 
 ModelFit fit_model(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options) {
+    return solved_fit(data, bodies, options).fit;
+}
+
+SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options) {
     PreparedFit prepared = prepare(data, bodies, options);
     FitSolution solution = solve(prepared, find_start(prepared, data));
     const ModelCurve& curve = prepared.problem.curve();
@@ -174,7 +177,7 @@ ModelFit fit_model(const BranchData& data, const LensAndCounterBody& bodies, con
     fill_residuals(fit, prepared, solution);
     if (data.force_zero_standard_error > 0.0) add_force_zero(fit, data, bodies, options, solution);
     fit.verdict = verdict(fit, data, curve.radius(), options.interaction_range);
-    return fit;
+    return {.fit = std::move(fit), .prepared = std::move(reported), .solution = std::move(solution)};
 }
 
 }  // namespace setae::experiment

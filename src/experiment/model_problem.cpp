@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <limits>
+
 #include <Eigen/Dense>
+
+#include "setae/core/constants.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -68,6 +72,9 @@ BranchProblem::BranchProblem(ModelCurve curve, const BranchData& data, Channels 
         radius_ = data.contact_radius;
         whitening_(2, 2) = 1.0 / noise.contact_radius;
     }
+    const auto largest = [](const Array1D& series) { return series.size() > 0 ? series.abs().maxCoeff() : 0.0; };
+    const Vector scale = whitening_.cwiseAbs() * Vector(largest(force_), largest(displacement_), largest(radius_));
+    rounding_ = 4e-16 * scale.sum();
     weights_.assign(static_cast<std::size_t>(samples()), Eigen::Matrix2d::Identity());
 }
 
@@ -148,26 +155,30 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
         }
     }
     move(std::clamp(start, lowest, highest));
-    double before_t = 0.0, before_slope = 0.0;
-    for (int round = 0; round < 60; ++round) {
-        const double slope = foot.tangent.dot(foot.error), square = foot.tangent.squaredNorm();
-        // Gauss and Newton's step first, the secant's then
-        double fall = square;
-        if (round > 0 && foot.t != before_t) {
-            const double secant = (before_slope - slope) / (foot.t - before_t);
-            if (secant > 0.1 * square && secant < 10.0 * square) fall = secant;
+    // the distance falls while tangent · error, here the pull, points along t; where it turns round lies the foot
+    double below = lowest, above = highest;           // of the foot
+    double pull_below = undefined, pull_above = undefined;
+    double last_pull = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 100; ++round) {
+        const double pull = foot.tangent.dot(foot.error), square = foot.tangent.squaredNorm(), t = foot.t;
+        // a shorter step would not show in the distance
+        if (std::abs(pull) <= std::sqrt(square) * (1e-8 * foot.error.norm() + rounding_)) break;
+        (pull > 0.0 ? below : above) = t;
+        (pull > 0.0 ? pull_below : pull_above) = pull;
+        if (!(above - below > 1e-15 * std::abs(t))) {
+            foot.at_bound = t == lowest || t == highest;
+            break;
         }
-        const double from = foot.t, cost = foot.error.squaredNorm();
-        double step = slope / fall;
-        const double target = std::clamp(from + step, lowest, highest);
-        foot.at_bound = target != from + step && (target == from);
-        if (foot.at_bound) break;
-        step = target - from;
-        const double tolerance = 1e-10 + 1e-13 * foot.error.norm();
-        if (std::abs(step) * std::sqrt(square) <= tolerance || std::abs(step) <= 4e-16 * std::abs(from)) break;
-        before_t = from, before_slope = slope;
-        int halvings = 0;
-        for (move(target); foot.error.squaredNorm() > cost * (1.0 + 1e-14) && halvings < 40; ++halvings) move(from + (step *= 0.5));
+        double target = t + pull / square;  // Gauss and Newton's step, good where the curve bends little within the error
+        if (std::abs(pull) > 0.3 * last_pull) {
+            const double secant = below + (above - below) * pull_below / (pull_below - pull_above);
+            target = std::isfinite(secant) && round % 3 != 2 ? secant : target;
+            if (std::isfinite(secant) && round % 3 == 2) target = 0.5 * (below + above);
+        }
+        last_pull = std::abs(pull);
+        if (target >= above) target = pull_above < 0.0 ? 0.5 * (t + above) : above;
+        if (target <= below) target = pull_below > 0.0 ? 0.5 * (t + below) : below;
+        move(target);
     }
     return foot;
 }

@@ -93,6 +93,7 @@ private:
     ChannelNoise noise_;
     Array1D force_, displacement_, radius_;
     double origin_ = 0.0, depth_unit_ = 1.0;
+    double rounding_ = 0.0;  ///< of whitened errors
     Eigen::Matrix3d whitening_ = Eigen::Matrix3d::Zero();
     std::vector<Eigen::Matrix2d> weights_;  ///< of effective variance, a sample each
 };

@@ -19,12 +19,12 @@ constexpr Index samples_of_trial = 100;
 
 double range(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }
 
-/// Noise as given, else from second differences; never below a billionth of the range, so that exact channels can be weighed.
+/// Noise as given, else from second differences; never below a millionth of the range, so that exact channels can be weighed.
 double noise_of(const Array1D& series, double given, const char* name) {
     const double spread = range(series);
     if (!(spread > 0.0))
         throw UndefinedDataError(fmt::format("the {} does not change along the branch; a fit needs one that does", name));
-    return std::max(given > 0.0 ? given : white_noise(series), 1e-9 * spread);
+    return std::max(given > 0.0 ? given : white_noise(series), 1e-6 * spread);
 }
 
 ChannelNoise channel_noise(const BranchData& data, Channels channels) {
@@ -114,31 +114,97 @@ Grid grid(const PreparedFit& fit, const BranchData& data) {
     return values;
 }
 
-LeastSquaresSolution least_squares(const PreparedFit& fit, const BranchProblem& problem, const FitParameters& start) {
-    const auto free = static_cast<Index>(fit.free.size());
-    FitParameters at = start;
-    Eigen::VectorXd moved(free);
-    for (Index i = 0; i < free; ++i) moved[i] = start[fit.free[static_cast<std::size_t>(i)]];
-    const ResidualFunction function{
-        .residuals = problem.residuals(),
-        .parameters = free,
-        .evaluate = [&](const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-            for (Index i = 0; i < free; ++i) at[fit.free[static_cast<std::size_t>(i)]] = parameters[i];
-            if (!drawable(at)) {
-                residuals.setConstant(undefined);
-                return;
-            }
-            Eigen::MatrixXd all;
-            problem.evaluate(at, residuals, jacobian ? &all : nullptr);
-            for (Index i = 0; i < free && jacobian; ++i) jacobian->col(i) = all.col(fit.free[static_cast<std::size_t>(i)]);
-        }};
-    return minimise(function, moved);
+/// Coordinates in which a model is closest to linear: E* and √(E*W) for the models with an edge, E* and W for DMT, in units of
+/// the start; the slots themselves for the others and where one of the two is held.
+class Coordinates {
+public:
+    Coordinates(const PreparedFit& fit, const FitParameters& start)
+        : model_(fit.problem.curve().model()), start_(start),
+          linear_(fit.problem.curve().parameters() == 2 && fit.is_free(0) && fit.is_free(1)),
+          edge_unit_(std::max(std::abs(start[1]), least_unit)) {}
+
+    [[nodiscard]] FitParameters from_slots(const FitParameters& slots) const {
+        FitParameters at = slots;
+        if (!linear_) return at;
+        at[0] = std::exp(slots[0] - start_[0]);
+        at[1] = slots[1] * (has_edge() ? std::sqrt(at[0]) : 1.0) / edge_unit_;
+        return at;
+    }
+    [[nodiscard]] FitParameters to_slots(const FitParameters& at) const {
+        FitParameters slots = at;
+        if (!linear_) return slots;
+        slots[0] = start_[0] + std::log(at[0]);
+        slots[1] = edge_unit_ * at[1] / (has_edge() ? std::sqrt(at[0]) : 1.0);
+        return slots;
+    }
+    /// Turns derivatives by the slots into those by the coordinates.
+    void turn(const FitParameters& at, Eigen::MatrixXd& jacobian) const {
+        if (!linear_) return;
+        const double slot = to_slots(at)[1];
+        jacobian.col(0) = (jacobian.col(0) - (has_edge() ? 0.5 * slot : 0.0) * jacobian.col(1)).eval() / at[0];
+        jacobian.col(1) *= edge_unit_ / (has_edge() ? std::sqrt(at[0]) : 1.0);
+    }
+
+private:
+    [[nodiscard]] bool has_edge() const { return model_ != ContactModel::dmt; }
+
+    static constexpr double least_unit = 1e-3;  // starts without adhesion have no unit of their own
+
+    ContactModel model_;
+    FitParameters start_;
+    bool linear_;
+    double edge_unit_;
+};
+
+Eigen::VectorXd picked(const PreparedFit& fit, const FitParameters& at) {
+    Eigen::VectorXd moved(static_cast<Index>(fit.free.size()));
+    for (std::size_t i = 0; i < fit.free.size(); ++i) moved[static_cast<Index>(i)] = at[fit.free[i]];
+    return moved;
 }
 
 FitParameters merged(const PreparedFit& fit, const FitParameters& start, const Eigen::VectorXd& moved) {
     FitParameters at = start;
     for (std::size_t i = 0; i < fit.free.size(); ++i) at[fit.free[i]] = moved[static_cast<Index>(i)];
     return at;
+}
+
+Eigen::MatrixXd picked_columns(const PreparedFit& fit, const Eigen::MatrixXd& all) {
+    Eigen::MatrixXd columns(all.rows(), static_cast<Index>(fit.free.size()));
+    for (std::size_t i = 0; i < fit.free.size(); ++i) columns.col(static_cast<Index>(i)) = all.col(fit.free[i]);
+    return columns;
+}
+
+struct Refined {
+    FitParameters at;
+    LeastSquaresSolution least_squares;  ///< of the free slots
+};
+
+Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, const FitParameters& start, int most_iterations) {
+    const Coordinates coordinates(fit, start);
+    const FitParameters begin = coordinates.from_slots(start);
+    const ResidualFunction function{
+        .residuals = problem.residuals(),
+        .parameters = static_cast<Index>(fit.free.size()),
+        .evaluate = [&](const Eigen::VectorXd& moved, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+            const FitParameters at = merged(fit, begin, moved), slots = coordinates.to_slots(at);
+            if (!drawable(slots)) {
+                residuals.setConstant(undefined);
+                return;
+            }
+            Eigen::MatrixXd all;
+            problem.evaluate(slots, residuals, jacobian ? &all : nullptr);
+            if (!jacobian) return;
+            coordinates.turn(at, all);
+            *jacobian = picked_columns(fit, all);
+        }};
+    Refined refined{.at = start, .least_squares = minimise(function, picked(fit, begin), most_iterations)};
+    refined.at = coordinates.to_slots(merged(fit, begin, refined.least_squares.parameters));
+    if (!drawable(refined.at)) return refined;
+    Eigen::MatrixXd all;
+    problem.evaluate(refined.at, refined.least_squares.residuals, &all);
+    refined.least_squares.parameters = picked(fit, refined.at);
+    refined.least_squares.uncertainty = correlated_covariance(picked_columns(fit, all), refined.least_squares.residuals);
+    return refined;
 }
 
 }  // namespace
@@ -162,9 +228,13 @@ PreparedFit prepare(const BranchData& data, const LensAndCounterBody& bodies, co
     require_data(data, bodies, {.contact_radius = radius, .displacement = displacement, .fewest = std::max<Index>(fewest, 3)});
     if (radius) require_radii(data, curve);
     const ChannelNoise noise = channel_noise(data, channels);
+    // equal shares of the ranges: weights of exact channels would make the way to the least squares a narrow, bent valley
+    ChannelNoise coarse{.force = 0.01 * range(data.force)};
+    if (displacement) coarse.displacement = 0.01 * range(data.displacement);
+    if (radius) coarse.contact_radius = 0.01 * range(data.contact_radius);
     const FitErrors trial_errors = options.errors == FitErrors::force_only ? options.errors : FitErrors::orthogonal_distance;
     PreparedFit fit{.problem = BranchProblem(curve, data, channels, options.errors, noise),
-                    .trial = BranchProblem(curve, data, channels, trial_errors, noise).thinned(samples_of_trial),
+                    .trial = BranchProblem(curve, data, channels, trial_errors, coarse).thinned(samples_of_trial),
                     .noise = noise};
     for (Index slot = 0; slot < curve.parameters(); ++slot) fit.free.push_back(slot);
     if (displacement) fit.free.push_back(contact_point_slot);
@@ -189,9 +259,9 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
     const BranchProblem coarse = fit.trial.thinned(40);
     const bool point_given = fit.problem.has_displacement() && !fit.is_free(contact_point_slot);
     const auto refined = [&](const PreparedFit& moving, const FitParameters& from) {
-        const LeastSquaresSolution solution = least_squares(moving, fit.trial, from);
-        const double cost = solution.residuals.squaredNorm();
-        return Candidate{merged(moving, from, solution.parameters), std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity()};
+        const Refined solution = least_squares(moving, fit.trial, from, 50);
+        const double cost = solution.least_squares.residuals.squaredNorm();
+        return Candidate{solution.at, std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity()};
     };
     const auto by_distance = [](const Candidate& one, const Candidate& other) { return one.distance < other.distance; };
     // the third slot is held at each of its values first: with all free, far from the solution, it runs off to where nothing
@@ -229,8 +299,8 @@ FitSolution solve(PreparedFit& fit, const FitParameters& start) {
     for (int round = 0; round < most_rounds && !settled; ++round) {
         const double change = fit.problem.renew_weights(solution.at);
         if (round > 0 && change < 1e-9) break;
-        solution.least_squares = least_squares(fit, fit.problem, solution.at);
-        solution.at = merged(fit, solution.at, solution.least_squares.parameters);
+        Refined refined = least_squares(fit, fit.problem, solution.at, 200);
+        solution = {.at = refined.at, .least_squares = std::move(refined.least_squares)};
         iterations += solution.least_squares.iterations;
         settled = !fit.problem.weights_change() || !solution.least_squares.converged;
     }

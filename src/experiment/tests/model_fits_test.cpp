@@ -118,7 +118,7 @@ TEST(ModelFits, RecoverLayerFromNoiseFreeData) {
     bodies.layer_thickness = 30e-6;
     const contact::layer::Layer layer(30e-6, bodies.lens_poisson_ratio);
     const BranchData data = branch(
-        1.1 * contact::layer::pull_off_at_fixed_load(lens, layer).contact_radius, 60e-6,
+        1.1 * contact::layer::pull_off_at_fixed_load(lens, layer).contact_radius, 130e-6,
         [&](double a) { return contact::layer::force(a, lens, layer); },
         [&](double a) { return contact::layer::displacement(a, lens, layer); });
     expect_recovered_by_all(data, bodies, ContactModel::layer, lens);
