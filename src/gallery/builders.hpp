@@ -26,4 +26,7 @@ void measured_spectra(const Sitting& sitting, const workflow::SurfaceResult& sur
 void scales_of_cost(const Sitting& sitting, StudyFigure& drawn);                // scales
 void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn);      // agreement
 
+void loop_of(const workflow::ExperimentResult& experiment, StudyFigure& drawn);                              // loop:NAME
+void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn);               // ranges
+
 }  // namespace setae::gallery

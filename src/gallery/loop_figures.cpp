@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/display_unit.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::gallery {
 namespace {
@@ -167,11 +170,13 @@ std::string works_of(const LoopAnalysis& analysis) {
     return text;
 }
 
-}  // namespace
+std::string closed_loop(const experiment::LoopEnergy& loop) {
+    const auto unit = display_unit(loop.energy, "J");
+    return fmt::format(" Shaded: the closed loop, {}.", with_error(loop.estimate(), 1.0 / unit.factor, unit.name));
+}
 
-std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command) {
-    const auto units = units_of(loop);
-    StudyFigure drawn{.identifier = "loop", .name = loop.name + "_loop", .title = fmt::format("{}: force, contact radius and energy release rate", loop.name), .command = command};
+/// Fills figure and caption.
+void draw_loop(const DrawnLoop& loop, const Units& units, StudyFigure& drawn) {
     if (loop.analysis.corrected.displacement.size() > 0) drawn.figure.panels.push_back(force_panel(loop, units));
     drawn.figure.panels.push_back(radius_panel(loop, units));
     drawn.figure.panels.push_back(release_rate_panel(loop, units));
@@ -182,7 +187,42 @@ std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& 
                                 loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first touch; " : "",
                                 loop.analysis.context.radius_measured ? "measured" : "implied by force, displacement and E*",
                                 " " + works_of(loop.analysis) + ".");
-    if (loop.analysis.loop) drawn.caption += fmt::format(" Shaded: the closed loop, {}.", with_error(loop.analysis.loop->estimate(), 1e12, "pJ"));
+    if (loop.analysis.loop) drawn.caption += closed_loop(*loop.analysis.loop);
+}
+
+}  // namespace
+
+void loop_of(const workflow::ExperimentResult& experiment, StudyFigure& drawn) {
+    const DrawnLoop loop{.name = std::filesystem::path(experiment.input.file).stem().string(), .analysis = *experiment.analysis, .bodies = experiment.bodies, .options = experiment.input.options};
+    draw_loop(loop, units_of(loop), drawn);
+}
+
+void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn) {
+    constexpr std::size_t most = 7;  // colours that can be told apart
+    const auto& experiments = sitting.result.experiments;
+    if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(), [](const auto& e) { return e.analysis.has_value(); })) > most) {
+        drawn.reason = fmt::format("more than {} loops; `setae jkr fit --figures` draws those you choose", most);
+        return;
+    }
+    std::vector<NamedScan> scans;
+    for (const auto& e : experiments) {
+        if (!e.analysis) continue;
+        try {
+            scans.push_back({std::filesystem::path(e.input.file).stem().string(), experiment::scan_ranges(*e.analysis, e.bodies, e.input.options)});
+        } catch (const UndefinedDataError&) {
+            // its loading has too few samples for a fit of its parts
+        }
+    }
+    auto ranges = range_figure(scans, {});
+    drawn.figure = std::move(ranges.figure);
+    drawn.caption = std::move(ranges.caption);
+    drawn.reason = std::move(ranges.reason);
+}
+
+std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command) {
+    const auto units = units_of(loop);
+    StudyFigure drawn{.identifier = "loop", .name = loop.name + "_loop", .title = fmt::format("{}: force, contact radius and energy release rate", loop.name), .command = command};
+    draw_loop(loop, units, drawn);
 
     StudyFigure residuals{.identifier = "residuals", .name = loop.name + "_residuals", .title = fmt::format("{}: residuals of every fit", loop.name), .command = command};
     const char* titles[] = {"A", "B"};

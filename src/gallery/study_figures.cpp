@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/gallery/study_figures.hpp"
 
+#include <filesystem>
 #include <functional>
 
 #include <fmt/format.h>
@@ -21,6 +22,25 @@ struct Entry {
     Build build;
 };
 
+/// A stem no other figure has.
+std::string free_stem(std::string stem, std::size_t place, const std::vector<Entry>& entries) {
+    // names that differ in other letters alone
+    for (const auto& other : entries)
+        if (other.name == stem) return stem + fmt::format("_{}", place + 1);
+    return stem;
+}
+
+/// "loop:NAME" of every loop that was analysed, and how all of them depend on the range of their fit.
+void add_loops(const workflow::StudyResult& result, std::vector<Entry>& entries) {
+    for (std::size_t i = 0; i < result.experiments.size(); ++i) {
+        if (!result.experiments[i].analysis) continue;
+        const auto name = std::filesystem::path(result.experiments[i].input.file).stem().string();
+        entries.push_back({"loop:" + name, free_stem("loop_" + workflow::as_file_name(name), i, entries), "Force, contact radius and energy release rate of " + name,
+                           [i](const Sitting& sitting, StudyFigure& drawn) { loop_of(sitting.result.experiments[i], drawn); }});
+    }
+    entries.push_back({"ranges", "ranges", "E* and W of loading against the range of the fit", ranges_of_loops});
+}
+
 std::vector<Entry> entries_of(const workflow::StudyResult& result) {
     std::vector<Entry> entries{
         {"1", "figure_1", "Power spectral density of every surface", combined_spectra},
@@ -37,15 +57,12 @@ std::vector<Entry> entries_of(const workflow::StudyResult& result) {
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         if (result.surfaces[i].measurements.empty()) continue;
         const auto& name = result.surfaces[i].name;
-        auto stem = "spectra_" + workflow::as_file_name(name);
-        // names that differ in other letters alone
-        for (const auto& other : entries)
-            if (other.name == stem) stem += fmt::format("_{}", i + 1);
-        entries.push_back({"spectra:" + name, stem, "Every measurement of " + name,
+        entries.push_back({"spectra:" + name, free_stem("spectra_" + workflow::as_file_name(name), i, entries), "Every measurement of " + name,
                            [i](const Sitting& sitting, StudyFigure& drawn) { measured_spectra(sitting, sitting.result.surfaces[i], drawn); }});
     }
     entries.push_back({"scales", "scales", "Which scales cost the energy", scales_of_cost});
     entries.push_back({"agreement", "agreement", "Measured over expected periodograms", agreement_of_instruments});
+    add_loops(result, entries);
     return entries;
 }
 

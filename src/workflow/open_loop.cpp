@@ -67,8 +67,9 @@ void align(OpenedLoop& opened, const LoopSource& source) {
 
 OpenedLoop on_one_clock(const LoopSource& source, Table table) {
     OpenedLoop opened{.table = std::move(table)};
+    if (!source.camera) return opened;
     io::require_one_clock(opened.table, source.file);
-    if (source.camera) align(opened, source);
+    align(opened, source);
     return opened;
 }
 

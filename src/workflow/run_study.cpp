@@ -74,7 +74,8 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
     bool cached = false;
     run.step_begins("experiment", input.file);
     try {
-        const auto bodies = bodies_of(input, study);
+        result.bodies = bodies_of(input, study);
+        const auto& bodies = result.bodies;
         const auto key = experiment_key(run, input, bodies);
         result.analysis = run.find<experiment::LoopAnalysis>(key);
         cached = result.analysis.has_value();

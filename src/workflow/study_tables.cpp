@@ -5,6 +5,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/workflow/json.hpp"
+#include "setae/workflow/loop_tables.hpp"
 #include "table_support.hpp"
 
 namespace setae::workflow {
@@ -206,6 +207,28 @@ TidyTable cumulative_table(const StudyResult& result) {
                 table.rows.push_back({surface.name, method, c.wavevector[i], c.rms_height[i], c.rms_slope[i], c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
         }
     }
+    return table;
+}
+
+namespace {
+
+LoopLabels labels_of(const ExperimentInput& input) {
+    return {input.file, input.reference ? "reference" : input.surface, input.elastomer, input.lens, input.spot};
+}
+
+}  // namespace
+
+TidyTable loop_fit_table(const StudyResult& result) {
+    auto table = fits_table();
+    for (const auto& e : result.experiments)
+        if (e.analysis) add_fits(table, labels_of(e.input), *e.analysis);
+    return table;
+}
+
+TidyTable loop_energy_table(const StudyResult& result) {
+    auto table = energies_table();
+    for (const auto& e : result.experiments)
+        if (e.analysis) add_energies(table, labels_of(e.input), *e.analysis);
     return table;
 }
 

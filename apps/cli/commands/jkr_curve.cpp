@@ -49,8 +49,8 @@ bool CurveArguments::concerns(const std::string& file) const {
     }
 }
 
-experiment::ForceCurveOptions CurveArguments::options() const {
-    experiment::ForceCurveOptions options{.shape = experiment::tip_shape_named(tip), .half_angle = half_angle * pi / 180.0, .model = experiment::model_named(model)};
+experiment::ForceCurveFitOptions CurveArguments::options() const {
+    experiment::ForceCurveFitOptions options{.shape = experiment::tip_shape_named(tip), .half_angle = half_angle * pi / 180.0, .model = experiment::model_named(model)};
     if (!range.empty()) options.range = range_of(range);
     options.fit_contact_point = contact_point == "fit";
     if (contact_point != "fit" && contact_point != "found") options.contact_point = parse_quantity(contact_point, dimension::length);

@@ -21,7 +21,7 @@ struct CurveArguments {
     void add_to(CLI::App& verb);
     /// Whether a file is treated as one: asked for, or a force curve by its format.
     [[nodiscard]] bool concerns(const std::string& file) const;
-    [[nodiscard]] experiment::ForceCurveOptions options() const;
+    [[nodiscard]] experiment::ForceCurveFitOptions options() const;
 };
 
 /// Every segment of a curve with its fit.

@@ -23,7 +23,7 @@ struct OpenedLoop {
 /// Reads a loop: through a mapping where one is given; else setae's own format, a force curve, or a table whose columns are
 /// named as a loop's. Radii of a camera are put on the force's clock.
 /// @throws FileError, FormatError, InvalidArgument as reading does; FormatError for columns that make no loop, naming
-/// `setae jkr import`; InvalidArgument for a time that runs backwards.
+/// `setae jkr import`; InvalidArgument for a camera where a time runs backwards.
 [[nodiscard]] OpenedLoop open_loop(const LoopSource& source);
 
 /// The same through a mapping in memory, in place of the source's. @throws as above.

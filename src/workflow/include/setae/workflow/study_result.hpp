@@ -21,6 +21,7 @@ namespace setae::workflow {
 /// One loop file of a study, or why it failed.
 struct ExperimentResult {
     ExperimentInput input;
+    experiment::LensAndCounterBody bodies;
     std::string error;
     std::optional<experiment::LoopAnalysis> analysis;
     std::vector<Alert> alerts;

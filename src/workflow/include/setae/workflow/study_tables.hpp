@@ -22,6 +22,10 @@ namespace setae::workflow {
 [[nodiscard]] TidyTable alert_table(const StudyResult& result);
 /// One row a surface and wavevector: cumulative rms parameters and stored energy.
 [[nodiscard]] TidyTable cumulative_table(const StudyResult& result);
+/// One row a loop, cycle, branch and method: every fit.
+[[nodiscard]] TidyTable loop_fit_table(const StudyResult& result);
+/// One row a loop and contact: its energy ledger; and one a cycle.
+[[nodiscard]] TidyTable loop_energy_table(const StudyResult& result);
 /// W_int against the short cutoff.
 [[nodiscard]] TidyTable cutoff_table(const StudyResult& result);
 
