@@ -84,12 +84,13 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
             segments.push_back(std::move(segment));
             continue;
         }
+        const double rounding = 1e-12 * segment.force.abs().maxCoeff();
         segment.baseline = baseline_of(segment, approach, options);
         const Index middle = segment.baseline.range.first - range.first;
         const double zero = segment.displacement.segment(middle, segment.baseline.range.count()).mean();
         segment.force -= segment.baseline.force + segment.baseline.slope * (segment.displacement - zero);
         // from the turning point outwards, the first sample that does not stand out of the noise
-        const double level = std::max(3.0 * segment.baseline.force_noise, 1e-6 * segment.force.abs().maxCoeff());
+        const double level = std::max({3.0 * segment.baseline.force_noise, 1e-6 * segment.force.abs().maxCoeff(), rounding});
         Index at = approach ? n - 1 : 0;
         while (at >= 0 && at < n && segment.force[at] > level) at += approach ? -1 : 1;
         const bool touches = segment.force.maxCoeff() > 2.0 * level;

@@ -78,7 +78,7 @@ TEST(ForceCurve, HertzIsRecoveredFromNoiseFreeApproach) {
     EXPECT_NEAR(fit.contact_modulus.value / gel.contact_modulus, 1.0, 1e-8);
     EXPECT_NEAR(fit.youngs_modulus.value / (0.75 * gel.contact_modulus), 1.0, 1e-8);
     EXPECT_NEAR(fit.contact_point.value / first_touch, 1.0, 1e-8);
-    EXPECT_EQ(fit.n, 600);
+    EXPECT_NEAR(static_cast<double>(fit.n), 600.0 * 1.6 / 2.1, 2.0);  // as far before contact as into it
     const ForceCurveFit held = fit_force_curve(segment, tip_on_gel(), {.contact_point = first_touch, .fit_contact_point = false});
     EXPECT_NEAR(held.contact_modulus.value / gel.contact_modulus, 1.0, 1e-8);
     EXPECT_EQ(held.contact_point.standard_error, 0.0);
