@@ -112,12 +112,13 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
     for (Index i = 1; i <= entries; ++i) table.t.push_back(highest * static_cast<double>(i) / static_cast<double>(entries));
     for (const double t : table.t) table.points.push_back(curve_.at(t, at.head<3>()));
     if (!curve_.goes_on_apart()) {
+        // the table's first entry may lie above the fold
+        table.t.insert(table.t.begin(), 1e-6 * highest);
+        table.points.insert(table.points.begin(), curve_.at(table.t.front(), at.head<3>()));
         std::size_t fold = table.t.size() - 1;
         while (fold > 0 && table.points[fold].displacement_slope > 0.0) --fold;
-        if (table.points[fold].displacement_slope < 0.0 && fold + 1 < table.t.size())
-            table.least_t = fold_between(curve_, at, table.t[fold], table.t[fold + 1]);
-        else
-            table.least_t = 1e-6 * highest;  // no fold, or one below the table's first entry
+        const bool folds = table.points[fold].displacement_slope < 0.0 && fold + 1 < table.t.size();
+        table.least_t = folds ? fold_between(curve_, at, table.t[fold], table.t[fold + 1]) : table.t.front();
         table.t.erase(table.t.begin(), table.t.begin() + static_cast<std::ptrdiff_t>(fold));
         table.points.erase(table.points.begin(), table.points.begin() + static_cast<std::ptrdiff_t>(fold));
         table.t.front() = table.least_t;

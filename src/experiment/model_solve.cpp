@@ -103,7 +103,7 @@ Grid grid(const PreparedFit& fit, const BranchData& data) {
     }
     const double dry = fit.problem.has_radius() ? 0.75 * force * radius / std::pow(data.contact_radius.maxCoeff(), 3)
                                                 : 0.75 * force / (std::sqrt(radius) * std::pow(range(data.displacement), 1.5));
-    for (const double factor : powers_of_ten(bounded ? -3.0 : -1.5, 1.5, 0.25)) values.first.push_back(std::log(factor * dry));
+    for (const double factor : powers_of_ten(bounded ? -3.0 : -1.5, 1.5, bounded ? 0.5 : 0.25)) values.first.push_back(std::log(factor * dry));
     if (curve.model() != ContactModel::maugis_dugdale) values.second.push_back(0.0);
     if (curve.parameters() > 1)
         for (const double share : powers_of_ten(-2.5, 1.5, 0.5)) values.second.push_back(curve.work_slot(share * force / (1.5 * pi * radius)));
@@ -283,7 +283,7 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
     }
     std::sort(nearest.begin(), nearest.end(), by_distance);
     if (fit.is_free(2)) {
-        nearest.resize(std::min<std::size_t>(nearest.size(), 2));
+        // of all: force and displacement have two least squares in λ, about 0.4 and 0.75, as good to 1e-5 of the range
         for (Candidate& candidate : nearest) candidate = refined(fit, candidate.at);
         std::sort(nearest.begin(), nearest.end(), by_distance);
     }

@@ -46,8 +46,8 @@ enum class FitErrors {
     /// Σ (F − F(x))², x = a or δ + δ0 taken for exact: two channels only.
     force_only,
     /// Linear propagation at the measured radius: Σ rᵀC⁻¹r, r = (F − F(a), δ − δ(a) − δ0), C = TΣTᵀ, T = [1 0 −F'; 0 1 −δ'],
-    /// C renewed until the solution settles. Without a measured radius the nearest point of the curve takes its place, and the
-    /// result is that of orthogonal distance.
+    /// C renewed until the solution settles. Biased by F'' σ_a²/2, which shows where σ_a is some percent of the range. Without a
+    /// measured radius the nearest point of the curve takes its place, and the result is that of orthogonal distance.
     effective_variance,
     /// Σ (F − F(t))²/σ_F² + (δ − δ(t) − δ0)²/σ_δ² + (a − t)²/σ_a², least over the parameters and all t.
     orthogonal_distance,
@@ -57,7 +57,7 @@ enum class FitErrors {
 struct ModelFitOptions {
     ContactModel model = ContactModel::jkr;
     std::optional<Channels> channels;             ///< else channels_of
-    FitErrors errors = FitErrors::effective_variance;
+    FitErrors errors = FitErrors::orthogonal_distance;
     std::optional<double> contact_point;          ///< δ0 [m] where known; else fitted
     std::optional<double> contact_modulus;        ///< E* [Pa] where known; not of the transition equation
     std::optional<double> work_of_adhesion;       ///< W [J/m²] where known; not of the transition equation
@@ -118,7 +118,7 @@ struct ModelFit {
 
 /// Fits one model to one branch.
 ///
-/// Starts are searched for over the decades a branch can mean, the best ones refined on few samples first; bounds are kept by
+/// Without known noise each channel is weighed by its second differences. Starts are searched for over the decades a branch can mean, the best ones refined on few samples first; bounds are kept by
 /// the parameters' scale (ln E*, ln λ, the signed root of W), so that no sample and no start needs help.
 /// @throws UndefinedDataError for too few samples, a missing channel or data that are no elastic contact; InvalidArgument for
 /// options a model or channel set does not have, a layer without thickness, radii beyond the model's domain.
