@@ -48,7 +48,9 @@ JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const
 
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
 
-bool can_join(const BranchData& data) { return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0; }
+bool can_join(const BranchData& data) {
+    return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0;
+}
 
 const char* why_not_joined(const BranchData& data) {
     if (data.contact_radius.size() == 0) return "the joint fit needs the contact radius, which was not measured";

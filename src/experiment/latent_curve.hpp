@@ -17,6 +17,17 @@ struct Curve {
     std::array<Vector, parameters> by_parameter;
     std::array<Vector, parameters> mixed;  ///< by x and parameter; left open unless asked for
 
+    /// Residual without the offset that noise along the bent curve makes on average, −γ''/(2|γ'|²) across it. Where the noise
+    /// is as large as the bend's radius, as where a contact without adhesion begins, that series means nothing: it fades.
+    /// inverse: 1/|γ'|².
+    [[nodiscard]] Vector straightened(const Lane& inverse) const {
+        const Lane bend = dot(second, second) * inverse.square();
+        const Lane share = 0.5 * inverse / (1.0 + bend.square());
+        Vector result = residual;
+        for (std::size_t c = 0; c < channels; ++c) result[c] += share * second[c];
+        return result;
+    }
+
     [[nodiscard]] static Lane dot(const Vector& left, const Vector& right) {
         Lane sum = left[0] * right[0];
         for (std::size_t c = 1; c < channels; ++c) sum += left[c] * right[c];

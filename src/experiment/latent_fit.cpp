@@ -51,9 +51,7 @@ void evaluate(const Points& points, const Parameters& at, const Array1D& x, bool
             // Newton's step where the sample lies outside the bend, at most twice that of Gauss inside it
             const Lane newton = Lane::Ones() / (length - curve.dot(curve.residual, curve.second).min(0.5 * length));
             round.along.segment<width>(i) = newton * curve.dot(curve.tangent, curve.residual);
-            auto offset = curve.residual;
-            if (curvature)
-                for (std::size_t c = 0; c < offset.size(); ++c) offset[c] += 0.5 * inverse * curve.second[c];
+            const auto offset = curvature ? curve.straightened(inverse) : curve.residual;
             const Lane offset_along = inverse * curve.dot(curve.tangent, offset);
             sum_of_squares += curve.dot(offset, offset) - offset_along * curve.dot(curve.tangent, offset);
             std::array<Lane, parameters> along;

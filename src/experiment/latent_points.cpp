@@ -15,21 +15,23 @@ namespace setae::experiment::latent {
 namespace {
 
 void require_noise(double noise, const char* channel) {
-    if (!(noise > 0.0)) throw InvalidArgument(fmt::format("this fit needs the noise of the {}, which is not known; give it or fit without effective variance", channel));
+    if (noise > 0.0) return;
+    throw InvalidArgument(fmt::format("this fit needs the noise of the {}, which is not known; give it or fit without effective variance", channel));
 }
 
 double range_of(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }
 
 using Single = Eigen::Array<double, 1, 1>;
 
-/// What noise along the curve adds to the residual across it on average, with the sign turned: half the curvature.
+/// What `straightened` changes of the residual across the curve.
 template <class Curve>
-auto half_curvature(const Curve& curve) {
+auto change_across(const Curve& curve) {
     const Single inverse = Single::Ones() / curve.dot(curve.tangent, curve.tangent);
-    const Single along = inverse * curve.dot(curve.tangent, curve.second);
-    auto result = curve.second;
-    for (std::size_t c = 0; c < result.size(); ++c) result[c] = 0.5 * inverse * (curve.second[c] - along * curve.tangent[c]);
-    return result;
+    auto change = curve.straightened(inverse);
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] -= curve.residual[c];
+    const Single along = inverse * curve.dot(curve.tangent, change);
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] -= along * curve.tangent[c];
+    return change;
 }
 
 /// Calls a function template for the channels there are.
@@ -89,7 +91,7 @@ Points straightened(const Points& bent, const Solution& solution) {
     with_channels(bent.channels, [&]<bool depth, bool radius>() {
         for (Index i = 0; i < solution.x.size(); ++i) {
             const auto curve = curve_at<depth, radius, Single>(bent, solution.parameters, Single(solution.x[i]), i);
-            const auto offset = half_curvature(curve);
+            const auto offset = change_across(curve);
             straight.force[i] += offset[0][0] / bent.force_weight;
             if constexpr (depth) straight.depth[i] += offset[1][0] / bent.depth_weight + bent.shared * offset[0][0] / bent.force_weight;
             if constexpr (radius) straight.contact_radius[i] += offset.back()[0] / bent.radius_weight;
@@ -141,8 +143,7 @@ Across across(const Points& points, const Solution& solution) {
             const auto curve = curve_at<depth, radius, Single>(points, solution.parameters, Single(solution.x[i]), i);
             const auto& tangent = curve.tangent;
             const Single inverse = Single::Ones() / curve.dot(tangent, tangent);
-            auto offset = curve.residual;
-            for (std::size_t c = 0; c < offset.size(); ++c) offset[c] += 0.5 * inverse * curve.second[c];
+            const auto offset = curve.straightened(inverse);
             const auto along_direction = [&](std::size_t d, const auto& direction) {
                 result.residuals[d][i] = curve.dot(direction, offset)[0];
                 for (Index p = 0; p < parameters; ++p) result.jacobians[d](i, p) = curve.dot(direction, curve.by_parameter[static_cast<std::size_t>(p)])[0];

@@ -52,7 +52,8 @@ Route joint_route(const BranchData& data, const LensAndCounterBody& bodies) {
 Eigen::MatrixXd independent_covariance(const Fitted& fitted) {
     const Eigen::MatrixXd reduced = inverse_information(fitted, across(fitted.points, fitted.solution));
     const Eigen::VectorXd units = units_of(fitted.points).head(reduced.rows());
-    return work_from_root(units.head<2>().cwiseProduct(fitted.solution.parameters.head<2>()), units.asDiagonal() * reduced * units.asDiagonal()).covariance;
+    const Eigen::MatrixXd covariance = units.asDiagonal() * reduced * units.asDiagonal();
+    return work_from_root(units.head<2>().cwiseProduct(fitted.solution.parameters.head<2>()), covariance).covariance;
 }
 
 JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
@@ -77,7 +78,8 @@ JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
     fit.covariance = work.covariance;
     fit.contact_modulus = estimate(modulus, std::sqrt(work.covariance(0, 0)));
     fit.work_of_adhesion = estimate(work.work_of_adhesion, work.standard_error);
-    if (points.channels.displacement) fit.contact_point = estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
+    if (points.channels.displacement)
+        fit.contact_point = estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
     double squares = 0.0;
     for (const auto& residuals : noise.residuals) squares += residuals.squaredNorm();
     const Index freedom = samples * static_cast<Index>(noise.residuals.size()) - parameters;

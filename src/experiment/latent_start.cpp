@@ -31,6 +31,21 @@ Solution solve_from(const Points& points, const Parameters& start) {
     return solution;
 }
 
+/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is taken unless
+/// the other is better by three standard deviations.
+Parameters on_the_better_side(const Points& points, const Parameters& start) {
+    constexpr double least_share = 0.05, deviations = 3.0;
+    const double root = std::max(std::abs(start[1]), least_share * start[0]);
+    const auto from = [&](double signed_root) {
+        const Parameters at(start[0], signed_root, start[2]);
+        return solve_carefully(points, at, first_radii(points, at));
+    };
+    const Solution above = from(root), below = from(-root);
+    if (!above.converged || !below.converged) return above.converged ? above.parameters : below.converged ? below.parameters : start;
+    const double variance = below.squares / std::max(1.0, static_cast<double>(points.force.size()) - 3.0);
+    return below.squares < above.squares - deviations * deviations * variance ? below.parameters : above.parameters;
+}
+
 /// By how much the variance of the noise exceeds what the fit's corrections bear.
 double excess(const Fitted& fitted) {
     constexpr double curvature = 0.1, pretended = 0.05;
@@ -58,11 +73,11 @@ Fitted fit(const Points& points, const Parameters& start) {
     constexpr Index fewest_means = 24;
     const Index samples = points.force.size(), first_neighbours = neighbours_of_a_first_solution(samples);
     const Index most = std::max<Index>(1, samples / fewest_means);
-    Parameters near = start;
+    Fitted first{.points = first_neighbours > 1 ? averaged(points, first_neighbours) : points};
+    Parameters near = points.channels.contact_radius ? start : on_the_better_side(first.points, start);
     Index neighbours = 1;
     if (first_neighbours > 1) {
-        Fitted first{.points = averaged(points, first_neighbours)};
-        first.solution = solve_with_offsets_held(first.points, {.parameters = start, .x = first_radii(first.points, start)});
+        first.solution = solve_with_offsets_held(first.points, {.parameters = near, .x = first_radii(first.points, near)});
         neighbours = most;
         if (first.solution.converged) {
             near = first.solution.parameters;

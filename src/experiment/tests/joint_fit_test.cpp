@@ -52,7 +52,8 @@ TEST(JointFit, IsMoreCertainThanItsParts) {
     std::mt19937_64 generator(1);
     const BranchData data = tests::noisy(branch_of(lens, BranchShape::loading, 200), 50.0, generator);
     const JkrFit joint = fit_joint(data, rubber_on_diamond());
-    for (const JkrFit& part : {fit_radius_force(data, rubber_on_diamond(), RadiusErrors::effective_variance), fit_force_displacement(data, rubber_on_diamond())}) {
+    for (const JkrFit& part : {fit_radius_force(data, rubber_on_diamond(), RadiusErrors::effective_variance),
+                               fit_force_displacement(data, rubber_on_diamond())}) {
         EXPECT_LT(joint.contact_modulus.standard_error, part.contact_modulus.standard_error) << part.method;
         EXPECT_LT(joint.work_of_adhesion.standard_error, part.work_of_adhesion.standard_error) << part.method;
     }

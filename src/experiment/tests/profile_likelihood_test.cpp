@@ -72,7 +72,8 @@ TEST(ProfileLikelihood, CoversTheTruth) {
     constexpr int seeds = 40;
     int modulus = 0, work = 0;
     for (int seed = 0; seed < seeds; ++seed) {
-        const ProfileLikelihood found = profile_likelihood(branch(20.0, static_cast<std::uint64_t>(seed)), rubber_on_diamond(), {.fit = ProfiledFit::joint, .points = 3});
+        const BranchData data = branch(20.0, static_cast<std::uint64_t>(seed));
+        const ProfileLikelihood found = profile_likelihood(data, rubber_on_diamond(), {.fit = ProfiledFit::joint, .points = 3});
         modulus += tests::covers(found.contact_modulus.estimate, lens.contact_modulus);
         work += tests::covers(found.work_of_adhesion.estimate, lens.work_of_adhesion);
     }

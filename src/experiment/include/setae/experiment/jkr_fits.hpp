@@ -9,7 +9,7 @@
 
 namespace setae::experiment {
 
-/// Samples of one branch, force counted from the baseline, and how noisy they are (0 = unknown).
+/// Samples of one branch in the order they were taken, force counted from the baseline, and how noisy they are (0 = unknown).
 struct BranchData {
     Array1D force;           ///< [N]
     Array1D displacement;    ///< [m], empty where not measured
@@ -51,7 +51,7 @@ struct JkrFit {
 /// Which errors the fit of a(F) allows for.
 enum class RadiusErrors {
     radius_only,         ///< ordinary least squares in a
-    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a²: a(F) is vertical at pull-off
+    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a², slopes at the fitted radius
 };
 
 /// Eq. (1): contact radius against force, nonlinear least squares in a; unknown E* and W.
@@ -59,7 +59,11 @@ enum class RadiusErrors {
 ///   a³ = (3R/4E*) [F + 3πRW + √(6πRWF + (3πRW)²)]
 ///
 /// Forces below the fitted pull-off keep the radius at pull-off. With W near 0 and noise of force, least squares in a alone
-/// is biased and too sure of itself; effective variance is not.
+/// is biased and too sure of itself; effective variance is not. With errors in both, each sample has a true radius that is
+/// fitted too, see fit_joint; where the noise is large against the curve's bend, neighbours are averaged first.
+///
+/// Measured, 200 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force over
+/// σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 92–97 %.
 /// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
 /// effective variance without the noise of both.
 /// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.
@@ -77,15 +81,19 @@ enum class RadiusErrors {
 /// Which errors the fit of δ(F) allows for.
 enum class DepthErrors {
     depth_only,          ///< ordinary least squares in δ
-    effective_variance,  ///< each residual weighed by σ_δ² + (dδ/dF)² σ_F², where the noise is known
+    effective_variance,  ///< distances from the curve in units of the noise of both, σ_Fδ included, where it is known
 };
 
 /// Displacement against force, nonlinear least squares in depth; unknown E*, W and the contact point.
 ///
 ///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by (1)
 ///
-/// Forces below the fitted pull-off keep the depth at pull-off. Starts are found by a scan over W, in which E* and δ0 are
-/// linear.
+/// In `depth_only`, forces below the fitted pull-off keep the depth at pull-off, and starts are found by a scan over W, in
+/// which E* and δ0 are linear. Effective variance, taken where the noise of both is known, goes on through the fold, see
+/// fit_joint; of its two minima, which lie on either side of W = 0 where W is hardly known, that of W > 0 is preferred.
+///
+/// Measured as for fit_radius_force: intervals cover 90–97 %. They are too short where W is not told from 0 (its error
+/// larger than itself): those of E* then cover 73–92 %; take the joint fit, or the profile likelihood.
 /// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that falls as the force
 /// rises; InvalidArgument for R <= 0.
 [[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies,
@@ -99,7 +107,8 @@ enum class DepthErrors {
 /// in units of the noise is least. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighed by the inverse of
 /// its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured a for the
 /// true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is taken off.
-/// Residuals are those of the pair; their covariance has an autoregressive process for each of the two series.
+/// Residuals are those of the pair; their covariance has an autoregressive process for each of the two series and their
+/// correlation at the same sample. Measured as for fit_radius_force: intervals cover 93–99 %.
 /// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0 and
 /// where the noise of a channel is unknown.
 /// Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller, Ann. Stat. 16 (1988) 147.
