@@ -18,33 +18,45 @@ struct Point {
     double by_depth = 0.0;  ///< in δ
 };
 
-/// The stable root: the polynomial is convex, so that Newton's steps from above it never pass it.
-double root_of_radius(double depth, double shape, double radius) {
-    const double fold = shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0;
-    if (depth <= fold * (fold * fold * fold / radius - shape)) return fold;
-    const double by_depth = depth > 0.0 ? std::sqrt(std::sqrt(2.0 * radius * depth)) : 0.0;
-    double s = std::max(by_depth, shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0);
-    constexpr int most = 60;
-    for (int i = 0; i < most; ++i) {
-        const double cubed = s * s * s / radius;
-        const double step = (s * (cubed - shape) - depth) / (4.0 * cubed - shape);
-        s -= step;
-        if (!(step > 1e-15 * s)) break;
-    }
-    return std::max(s, fold);
-}
+/// F/E* against depth for one shape.
+class Curve {
+public:
+    Curve(double shape, double radius)
+        : shape_(shape), radius_(radius), fold_(shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0), by_shape_(shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0) {}
 
-Point force_over_modulus(double depth, double shape, double radius) {
-    const double s = root_of_radius(depth, shape, radius), cubed = s * s * s;
-    Point point{.value = cubed * (4.0 / 3.0 * cubed / radius - 2.0 * shape), .by_shape = -2.0 * cubed};
-    const double slope = 4.0 * cubed / radius - shape;  // 0 at the fold, where the contact parts and the force stays
-    constexpr double off_fold = 1e-9;
-    if (!(slope > off_fold * std::abs(shape)) || slope == 0.0) return point;
-    const double by_root = s * s * (8.0 * cubed / radius - 6.0 * shape);
-    point.by_shape += by_root * s / slope;
-    point.by_depth = by_root / slope;
-    return point;
-}
+    [[nodiscard]] Point at(double depth) const {
+        const double s = root(depth), cubed = s * s * s;
+        Point point{.value = cubed * (4.0 / 3.0 * cubed / radius_ - 2.0 * shape_), .by_shape = -2.0 * cubed};
+        const double slope = 4.0 * cubed / radius_ - shape_;  // 0 at the fold, where the contact parts and the force stays
+        constexpr double off_fold = 1e-9;
+        if (!(slope > off_fold * std::abs(shape_)) || slope == 0.0) return point;
+        const double by_root = s * s * (8.0 * cubed / radius_ - 6.0 * shape_);
+        point.by_shape += by_root * s / slope;
+        point.by_depth = by_root / slope;
+        return point;
+    }
+
+private:
+    double shape_, radius_;
+    double fold_;      ///< √a where the contact parts
+    double by_shape_;  ///< not below √a at depth 0
+
+    /// The stable root: the polynomial is convex, so that Newton's steps from above it never pass it.
+    [[nodiscard]] double root(double depth) const {
+        if (depth <= fold_ * (fold_ * fold_ * fold_ / radius_ - shape_)) return fold_;
+        const double by_depth = depth > 0.0 ? std::sqrt(std::sqrt(2.0 * radius_ * depth)) : 0.0;
+        double s = std::max(by_depth, by_shape_);
+        constexpr int most = 60;
+        constexpr double close = 1e-9;  // the next step, of the order of its square, would be lost in rounding
+        for (int i = 0; i < most; ++i) {
+            const double cubed = s * s * s / radius_;
+            const double step = (s * (cubed - shape_) - depth) / (4.0 * cubed - shape_);
+            s -= step;
+            if (!(step > close * s)) break;
+        }
+        return std::max(s, fold_);
+    }
+};
 
 struct HeldProblem {
     Array1D depth;   ///< δ − δ0 [m]
@@ -61,9 +73,10 @@ struct HeldProblem {
         Eigen::Vector2d best(1.0, 0.0);
         double least = std::numeric_limits<double>::infinity();
         const auto consider = [&](double shape) {
+            const Curve curve(shape * shape_unit, radius);
             double xx = 0.0, xy = 0.0, yy = 0.0;
             for (Index i = 0; i < depth.size(); i += stride) {
-                const double model = force_over_modulus(depth[i], shape * shape_unit, radius).value * modulus_unit;
+                const double model = curve.at(depth[i]).value * modulus_unit;
                 xx += model * model;
                 xy += model * force[i];
                 yy += force[i] * force[i];
@@ -84,8 +97,9 @@ struct HeldProblem {
                          .parameters = 2,
                          .evaluate =
                              [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                                 const Curve curve(at[1] * shape_unit, radius);
                                  for (Index i = 0; i < force.size(); ++i) {
-                                     const Point point = force_over_modulus(depth[i], at[1] * shape_unit, radius);
+                                     const Point point = curve.at(depth[i]);
                                      residuals[i] = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
                                      if (jacobian) jacobian->row(i) << -weight[i] * modulus_unit * point.value, -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
                                  }
@@ -95,9 +109,10 @@ struct HeldProblem {
 
     /// Variance of F − F(δ) [N²].
     [[nodiscard]] Array1D variances(const BranchData& data, const Eigen::VectorXd& at) const {
+        const Curve curve(at[1] * shape_unit, radius);
         Array1D result(force.size());
         for (Index i = 0; i < result.size(); ++i) {
-            const double slope = at[0] * modulus_unit * force_over_modulus(depth[i], at[1] * shape_unit, radius).by_depth;
+            const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_depth;
             result[i] = data.force_noise * data.force_noise + slope * slope * data.displacement_noise * data.displacement_noise -
                         2.0 * slope * data.force_displacement_covariance;
         }
