@@ -47,7 +47,7 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
     if (choice.mode == Mode::value) return std::nullopt;
     if (choice.mode == Mode::estimator) return must(choice.estimator);
     if (choice.mode == Mode::fit) return must(ContactPointMethod::force_displacement);
-    constexpr double determined = 0.05;  // of the penetration
+    constexpr double determined = 0.5;  // of the penetration: beyond, the fit knows as good as nothing of it
     const auto& fitted = points.of(ContactPointMethod::force_displacement).contact_point;
     if (fitted && fitted->standard_error < determined * penetration) return ContactPointMethod::force_displacement;
     std::optional<ContactPointMethod> best;
