@@ -81,14 +81,24 @@ ReducedState reduced(double s, double lambda) {
 }
 
 /// s at reduced radius A > 0. What bounds A from above at each s, pA² < 1 with p < λ π s²/4 or p < 2λs³/3 and
-/// 2qA < 1 with q < λ²s²/3, starts the search for a bracket.
+/// 2qA < 1 with q < λ²s²/3, starts the search: Newton's steps on ln A(ln s), which bends little, within brackets where they fail.
 double zone_at_radius(double radius, double lambda) {
-    const auto excess = [&](double s) { return point_at(s, lambda).radius - radius; };
     double lower = std::min(std::sqrt(1.5 / radius) / lambda, std::sqrt(4.0 / (pi * lambda)) / radius);
-    while (!(excess(lower) >= 0.0)) lower *= 0.5;
+    double s = lower;
+    for (int round = 0; round < 30; ++round) {
+        const Point point = point_at(s, lambda);
+        const double excess = std::log(point.radius / radius);
+        if (std::abs(excess) < 1e-15) return s;
+        const double step = excess * point.radius / (point.radius_slope * s);
+        if (!(std::abs(step) < 3.0)) break;
+        s *= std::exp(-step);
+        if (std::abs(step) < 1e-15) return s;
+    }
+    const auto difference = [&](double zone) { return point_at(zone, lambda).radius - radius; };
+    while (!(difference(lower) >= 0.0)) lower *= 0.5;
     double upper = lower;
-    while (excess(upper) > 0.0) upper *= 2.0;
-    return bracketed_root(excess, std::max(lower, 0.5 * upper), upper);
+    while (difference(upper) > 0.0) upper *= 2.0;
+    return bracketed_root(difference, std::max(lower, 0.5 * upper), upper);
 }
 
 /// s where the force is least; contacts have radii between λ (or 1/2) and 2 there.
@@ -202,6 +212,31 @@ ReducedState reduced_state(double reduced_radius, double transition_parameter) {
     if (reduced_radius < 1e-12 * std::min(1.0, zone_of_vanished_contact(transition_parameter)))
         return vanished_contact(transition_parameter);
     return reduced(zone_at_radius(reduced_radius, transition_parameter), transition_parameter);
+}
+
+ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter) {
+    require_transition_parameter(transition_parameter);
+    if (!(reduced_radius >= 1e-9) || std::isinf(reduced_radius))
+        throw InvalidArgument(fmt::format("reduced contact radius must be >= 1e-9 and finite, got {}", reduced_radius));
+    const double lambda = transition_parameter;
+    const double s = zone_at_radius(reduced_radius, lambda);
+    const Point point = point_at(s, lambda);
+    const double a = point.radius, arc = std::atan(s), s2 = s * s;
+    // p ∝ λ and q ∝ λ² in p A² + 2q A = 1, which gives A's derivative by λ at given s, and that of s at given A
+    const double q = 2.0 / 3.0 * lambda * lambda * (s * (arc - s / (1.0 + std::sqrt(1.0 + s2))));
+    const double p = (1.0 - 2.0 * q * a) / (a * a);
+    const double a_by_lambda = -0.5 * a * (p * a + 4.0 * q) / (lambda * (p * a + q));
+    const double s_by_lambda = -a_by_lambda / point.radius_slope;
+    const double g = s + (1.0 + s2) * arc;
+    return {.state = {.force = point.force,
+                      .displacement = point.displacement,
+                      .contact_radius = a,
+                      .zone_ratio = std::hypot(1.0, s)},
+            .force_by_radius = point.force_slope / point.radius_slope,
+            .force_by_transition = -a * a * g + (a_by_lambda * (3.0 * a - 2.0 * lambda * g) * a) + point.force_slope * s_by_lambda,
+            .displacement_by_radius = point.displacement_slope / point.radius_slope,
+            .displacement_by_transition = -4.0 / 3.0 * a * s + a_by_lambda * (2.0 * a - 4.0 / 3.0 * lambda * s) +
+                                          point.displacement_slope * s_by_lambda};
 }
 
 ReducedState reduced_pull_off_at_fixed_load(double transition_parameter) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
@@ -32,6 +33,12 @@ double student_t_quantile(double probability, double degrees_of_freedom) {
     if (!(degrees_of_freedom > 0.0)) throw InvalidArgument(fmt::format("{} degrees of freedom; expected more than 0", degrees_of_freedom));
     if (std::isinf(degrees_of_freedom)) return normal_quantile(probability);
     return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
+}
+
+double chi_squared_exceedance(double x, double degrees_of_freedom) {
+    if (!(x >= 0.0 && degrees_of_freedom > 0.0))
+        throw InvalidArgument(fmt::format("chi-squared of {} at {} degrees of freedom; expected one >= 0 at more than 0", x, degrees_of_freedom));
+    return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
 }
 
 double satterthwaite_degrees_of_freedom(std::span<const VarianceTerm> terms) {

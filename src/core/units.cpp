@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/display_unit.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
@@ -294,18 +295,22 @@ std::vector<Scale> display_scales(std::string_view si) {
 
 }  // namespace
 
+DisplayUnit display_unit(double value, std::string_view si_unit) {
+    const auto scales = display_scales(si_unit);
+    if (scales.empty()) return {1.0, std::string(si_unit)};
+    const bool plain = value == 0.0 || !std::isfinite(value);
+    auto chosen = scales.front();
+    for (const auto& scale : scales)
+        if (plain ? scale.factor == 1.0 : std::abs(value) >= scale.factor) chosen = scale;
+    return {chosen.factor, std::string(chosen.name)};
+}
+
 std::string format_value(double value, std::string_view si_unit, int significant_digits) {
     if (std::isnan(value)) return "–";
     if (std::isinf(value)) return value > 0 ? "infinite" : "−infinite";
-    const auto scales = display_scales(si_unit);
-    if (scales.empty()) {
-        const auto number = with_digits(value, significant_digits);
-        return si_unit == "1" ? number : fmt::format("{} {}", number, si_unit);
-    }
-    auto chosen = scales.front();
-    for (const auto& scale : scales)
-        if (value == 0.0 ? scale.factor == 1.0 : std::abs(value) >= scale.factor) chosen = scale;
-    return fmt::format("{} {}", with_digits(value / chosen.factor, significant_digits), chosen.name);
+    const auto unit = display_unit(value, si_unit);
+    const auto number = with_digits(value / unit.factor, significant_digits);
+    return unit.name == "1" ? number : fmt::format("{} {}", number, unit.name);
 }
 
 }  // namespace setae

@@ -48,6 +48,14 @@ JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const
 
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
 
+bool can_join(const BranchData& data) { return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0; }
+
+const char* why_not_joined(const BranchData& data) {
+    if (data.contact_radius.size() == 0) return "the joint fit needs the contact radius, which was not measured";
+    if (data.displacement.size() == 0) return "the joint fit needs the displacement, which was not measured";
+    return "the noise of force, displacement or contact radius is not known";
+}
+
 }  // namespace
 
 Selection range_selection(const IndexRange& range, std::string name) {
@@ -114,6 +122,8 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
     branch.linear_form =
         fitted(data, bodies, [&](const BranchData& samples) { return fit_linear_form(samples, bodies); });
     branch.force_displacement = fitted(data, bodies, [&](const BranchData& samples) { return depth_fit(samples, bodies, options); });
+    branch.joint = can_join(data) ? fitted(data, bodies, [&](const BranchData& samples) { return fit_joint(samples, bodies); })
+                                  : Outcome<JkrFit>::missing(why_not_joined(data));
     branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });
     if (!branch.radius_force && !branch.force_displacement)
         throw UndefinedDataError(
@@ -127,9 +137,8 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                     .force_first = data.force[0],
                     .force_last = data.force[data.force.size() - 1]};
     const JkrFit& fit = branch.primary();
-    const double contact_point = branch.force_displacement ? branch.force_displacement->contact_point.value : 0.0;
-    branch.energy_release_rate =
-        energy_release_rates(data, bodies.radius, fit.contact_modulus.value, contact_point);
+    const Estimate contact_point = branch.force_displacement ? branch.force_displacement->contact_point : Estimate{.value = 0.0};
+    branch.energy_release_rate = energy_release_rates(data, bodies.radius, fit.contact_modulus, contact_point);
     return branch;
 }
 

@@ -2,7 +2,9 @@
 #include "correlated_residuals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -49,27 +51,59 @@ Autoregression autoregression(const VectorXd& covariances, Index samples) {
     return best;
 }
 
-/// Σ_(j <= i) ρ_(i−j) x_j as a recursive filter: ρ follows the process's own recursion beyond its order.
-VectorXd from_the_past(const Autoregression& process, const VectorXd& values) {
-    const Index order = process.coefficients.size();
+/// Ω x of every column: Σ_(j <= i) ρ_(i−j) x_j as a recursive filter from both ends, ρ following the process's own recursion
+/// beyond its order. All columns and both directions run side by side: each waits for its last value.
+template <int columns>
+MatrixXd correlated(const Autoregression& process, const MatrixXd& values) {
+    const Index order = process.coefficients.size(), n = values.rows();
     VectorXd gains = process.correlation;
     for (Index k = 1; k <= order; ++k)
         for (Index j = 1; j <= k; ++j) gains[k] -= process.coefficients[j - 1] * process.correlation[k - j];
-    VectorXd sums(values.size());
-    for (Index i = 0; i < values.size(); ++i) {
-        double sum = gains[0] * values[i];
-        for (Index k = 1; k <= std::min(order, i); ++k) sum += gains[k] * values[i - k] + process.coefficients[k - 1] * sums[i - k];
-        sums[i] = sum;
+    MatrixXd forward(n, columns), backward(n, columns);
+    for (Index i = 0; i < n; ++i) {
+        const Index known = std::min(order, i), last = n - 1 - i;
+        std::array<double, columns> ahead, behind;
+        for (int c = 0; c < columns; ++c) {
+            ahead[c] = gains[0] * values(i, c);
+            behind[c] = gains[0] * values(last, c);
+        }
+        for (Index k = 1; k <= known; ++k) {
+            const double gain = gains[k], coefficient = process.coefficients[k - 1];
+            for (int c = 0; c < columns; ++c) {
+                ahead[c] += gain * values(i - k, c) + coefficient * forward(i - k, c);
+                behind[c] += gain * values(last + k, c) + coefficient * backward(last + k, c);
+            }
+        }
+        for (int c = 0; c < columns; ++c) {
+            forward(i, c) = ahead[c];
+            backward(last, c) = behind[c];
+        }
     }
-    return sums;
+    return forward + backward - values;
 }
 
-/// Ω x of every column.
-MatrixXd correlated(const Autoregression& process, const MatrixXd& columns) {
-    MatrixXd result(columns.rows(), columns.cols());
-    for (Index c = 0; c < columns.cols(); ++c) {
-        const VectorXd values = columns.col(c);
-        result.col(c) = from_the_past(process, values) + from_the_past(process, values.reverse()).reverse() - values;
+MatrixXd correlated(const Autoregression& process, const MatrixXd& values) {
+    if (values.cols() == 3) return correlated<3>(process, values);
+    if (values.cols() == 2) return correlated<2>(process, values);
+    MatrixXd result(values.rows(), values.cols());
+    for (Index c = 0; c < values.cols(); ++c) result.col(c) = correlated<1>(process, values.col(c));
+    return result;
+}
+
+/// Products of two or three long columns each, without the packing of large matrices.
+MatrixXd gram(const MatrixXd& left, const MatrixXd& right) {
+    MatrixXd result(left.cols(), right.cols());
+    for (Index i = 0; i < left.cols(); ++i)
+        for (Index j = 0; j < right.cols(); ++j) result(i, j) = left.col(i).dot(right.col(j));
+    return result;
+}
+
+/// Long columns turned by a small matrix.
+MatrixXd turned(const MatrixXd& columns, const MatrixXd& by) {
+    MatrixXd result(columns.rows(), by.cols());
+    for (Index j = 0; j < by.cols(); ++j) {
+        result.col(j) = columns.col(0) * by(0, j);
+        for (Index i = 1; i < by.rows(); ++i) result.col(j) += columns.col(i) * by(i, j);
     }
     return result;
 }
@@ -92,36 +126,6 @@ VectorXd correlations(const Autoregression& process, Index most) {
     return result;
 }
 
-/// Autocovariances that residuals of a process of unit variance have on average, (1 − H)Ω(1 − H) along its diagonals.
-VectorXd expected_autocovariances(const MatrixXd& basis, const MatrixXd& spread, const VectorXd& correlation) {
-    const Index n = basis.rows();
-    const MatrixXd twice = basis * (basis.transpose() * spread);
-    VectorXd result(correlation.size());
-    for (Index k = 0; k < result.size(); ++k) {
-        const auto along = [&](const MatrixXd& left, const MatrixXd& right) { return left.topRows(n - k).cwiseProduct(right.bottomRows(n - k)).sum(); };
-        const double taken = along(basis, spread) + along(spread, basis) - along(twice, basis);
-        result[k] = (static_cast<double>(n - k) * correlation[k] - taken) / static_cast<double>(n);
-    }
-    return result;
-}
-
-/// The process behind residuals of a fit with the orthonormal basis of its Jacobian.
-Autoregression process_of(const VectorXd& residuals, const MatrixXd& basis) {
-    const Index n = residuals.size(), most = std::min<Index>(10, n / 8);
-    const VectorXd found = autocovariances(residuals, most);
-    const VectorXd shares = VectorXd::LinSpaced(most + 1, static_cast<double>(n), static_cast<double>(n - most)) / static_cast<double>(n);
-    auto process = autoregression(found, n);
-    constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round) {
-        const VectorXd correlation = correlations(process, most);
-        const VectorXd expected = expected_autocovariances(basis, correlated(process, basis), correlation);
-        const double variance = found[0] / expected[0];
-        const VectorXd corrected = found + variance * (correlation.cwiseProduct(shares) - expected);
-        process = autoregression(corrected, n);
-    }
-    return process;
-}
-
 double correlated_samples(const Autoregression& process, Index samples) {
     const VectorXd correlation = correlations(process, samples - 1);
     double sum = 1.0;
@@ -129,35 +133,130 @@ double correlated_samples(const Autoregression& process, Index samples) {
     return std::max(1.0, sum);
 }
 
+/// One series of residuals, its part of the Jacobian's orthonormal basis B and the process found behind it.
+struct Series {
+    const VectorXd* residuals = nullptr;
+    MatrixXd basis;
+    VectorXd found;      ///< autocovariances
+    Autoregression process;
+    MatrixXd spread;     ///< ΩB
+    MatrixXd projected;  ///< BᵀΩB
+    MatrixXd shared;     ///< BᵀB
+    double variance = 0.0;
+
+    void spread_basis() {
+        spread = process.coefficients.size() > 0 ? correlated(process, basis) : basis;
+        projected = gram(basis, spread);
+    }
+
+    /// Autocovariances that residuals of a process of unit variance have on average, (1 − H)Ω(1 − H) along its diagonals;
+    /// `all` is BᵀΩB of all series.
+    [[nodiscard]] VectorXd expected(const VectorXd& correlation, const MatrixXd& all) const {
+        const Index n = basis.rows(), p = basis.cols();
+        const MatrixXd left = spread - turned(basis, all);
+        VectorXd result(correlation.size());
+        for (Index k = 0; k < result.size(); ++k) {
+            double taken = 0.0;
+            for (Index c = 0; c < p; ++c)
+                taken += basis.col(c).head(n - k).dot(spread.col(c).tail(n - k)) + left.col(c).head(n - k).dot(basis.col(c).tail(n - k));
+            result[k] = (static_cast<double>(n - k) * correlation[k] - taken) / static_cast<double>(n);
+        }
+        return result;
+    }
+
+    /// tr (1 − H)Ω(1 − H)
+    [[nodiscard]] double left(const MatrixXd& all) const {
+        return static_cast<double>(basis.rows()) - 2.0 * projected.trace() + all.cwiseProduct(shared).sum();
+    }
+};
+
+MatrixXd sum_of(const std::vector<Series>& series, MatrixXd Series::*part) {
+    MatrixXd sum = series.front().*part;
+    for (std::size_t s = 1; s < series.size(); ++s) sum += series[s].*part;
+    return sum;
+}
+
+/// Finds the processes behind the residuals, corrected for what the fit takes from them.
+void find_processes(std::vector<Series>& series) {
+    const Index n = series.front().basis.rows(), most = std::min<Index>(10, n / 8);
+    const VectorXd shares = VectorXd::LinSpaced(most + 1, static_cast<double>(n), static_cast<double>(n - most)) / static_cast<double>(n);
+    for (Series& one : series) {
+        one.found = autocovariances(*one.residuals, most);
+        if (one.found[0] > 0.0) one.process = autoregression(one.found, n);
+        one.spread_basis();
+    }
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+        const MatrixXd all = sum_of(series, &Series::projected);
+        bool changed = false;
+        for (Series& one : series) {
+            if (!(one.found[0] > 0.0)) continue;
+            const bool independent = one.process.coefficients.size() == 0;
+            const VectorXd correlation = correlations(one.process, most);
+            const VectorXd expected = one.expected(correlation, all);
+            const double variance = one.found[0] / expected[0];
+            one.process = autoregression(one.found + variance * (correlation.cwiseProduct(shares) - expected), n);
+            changed = changed || !independent || one.process.coefficients.size() > 0;
+        }
+        if (!changed) return;  // independent residuals stay so
+        for (Series& one : series) one.spread_basis();
+    }
+}
+
 }  // namespace
 
 FitCovariance correlated_covariance(const MatrixXd& jacobian, const VectorXd& residuals) {
-    const Index n = jacobian.rows(), p = jacobian.cols();
+    return correlated_covariance(std::span(&jacobian, 1), std::span(&residuals, 1));
+}
+
+FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::span<const VectorXd> residuals) {
+    const Index n = jacobians.front().rows(), p = jacobians.front().cols();
+    const auto count = static_cast<Index>(jacobians.size());
     FitCovariance result{.covariance = MatrixXd::Constant(p, p, undefined)};
-    if (n <= p) return result;
-    // columns of unit length keep the inverse well conditioned
-    const VectorXd inverse_lengths = jacobian.colwise().norm().cwiseInverse();
-    if (!inverse_lengths.allFinite() || !residuals.allFinite()) return result;
-    const MatrixXd unit = jacobian * inverse_lengths.asDiagonal();
-    const Eigen::FullPivLU<MatrixXd> normal(unit.transpose() * unit);
-    if (!normal.isInvertible()) return result;
-    const MatrixXd inverse = normal.inverse();
-    const double squares = residuals.squaredNorm();
-    MatrixXd middle = unit.transpose() * unit;
-    double left = static_cast<double>(n - p);
-    if (squares > 0.0) {
-        const Eigen::HouseholderQR<MatrixXd> decomposition(unit);
-        const MatrixXd basis = decomposition.householderQ() * MatrixXd::Identity(n, p);
-        const auto process = process_of(residuals, basis);
-        if (process.coefficients.size() > 0) {
-            middle = unit.transpose() * correlated(process, unit);
-            left = static_cast<double>(n) - (inverse * middle).trace();
-            result.correlated_samples = correlated_samples(process, n);
-        }
+    if (count * n <= p) return result;
+    MatrixXd normal = MatrixXd::Zero(p, p);
+    double squares = 0.0;
+    for (std::size_t s = 0; s < jacobians.size(); ++s) {
+        normal += gram(jacobians[s], jacobians[s]);
+        squares += residuals[s].squaredNorm();
     }
-    if (!(left > 0.0)) return result;
-    result.degrees_of_freedom = std::max(1.0, static_cast<double>(n) / result.correlated_samples - static_cast<double>(p));
-    result.covariance = inverse_lengths.asDiagonal() * (squares / left * inverse * middle * inverse) * inverse_lengths.asDiagonal();
+    // columns of unit length keep the inverse well conditioned
+    const VectorXd inverse_lengths = normal.diagonal().cwiseSqrt().cwiseInverse();
+    if (!normal.allFinite() || !inverse_lengths.allFinite() || !std::isfinite(squares)) return result;
+    normal = (inverse_lengths.asDiagonal() * normal * inverse_lengths.asDiagonal()).eval();
+    if (!Eigen::FullPivLU<MatrixXd>(normal).isInvertible()) return result;
+    // J = B Lᵀ of the scaled columns: the covariance in the basis B is turned back by L⁻ᵀ
+    const Eigen::LLT<MatrixXd> cholesky(normal);
+    if (cholesky.info() != Eigen::Success) return result;
+    const MatrixXd back = inverse_lengths.asDiagonal() * MatrixXd(cholesky.matrixU()).inverse();
+    std::vector<Series> series(jacobians.size());
+    for (std::size_t s = 0; s < series.size(); ++s) {
+        series[s].residuals = &residuals[s];
+        series[s].basis = turned(jacobians[s], back);
+        series[s].shared = gram(series[s].basis, series[s].basis);
+    }
+    find_processes(series);
+    const MatrixXd all = sum_of(series, &Series::projected);
+    MatrixXd middle = MatrixXd::Zero(p, p);
+    double independent = 0.0;
+    for (Series& one : series) {
+        const double left = one.left(all);
+        if (!(left > 0.0)) return result;
+        one.variance = one.residuals->squaredNorm() / left;
+        middle += one.variance * one.projected;
+        independent += static_cast<double>(n) / (one.process.coefficients.size() > 0 ? correlated_samples(one.process, n) : 1.0);
+    }
+    for (std::size_t s = 0; s < series.size(); ++s)
+        for (std::size_t t = 0; t < s; ++t) {
+            const double lengths = residuals[s].norm() * residuals[t].norm();
+            if (!(lengths > 0.0)) continue;
+            const double shared = residuals[s].dot(residuals[t]) / lengths * std::sqrt(series[s].variance * series[t].variance);
+            const MatrixXd mean = 0.5 * (gram(series[s].basis, series[t].spread) + gram(series[s].spread, series[t].basis));
+            middle += shared * (mean + mean.transpose());
+        }
+    result.correlated_samples = static_cast<double>(count * n) / independent;
+    result.degrees_of_freedom = std::max(1.0, independent - static_cast<double>(p));
+    result.covariance = back * middle * back.transpose();
     return result;
 }
 

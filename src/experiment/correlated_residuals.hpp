@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 
 namespace setae::experiment {
@@ -26,5 +28,13 @@ struct FitCovariance {
 /// jacobian: n × p. Source: Newey, West, Econometrica 55 (1987) 703 (the sandwich); Hurvich, Tsai, Biometrika 76 (1989) 297.
 /// Cost: O(n) for each round and order.
 [[nodiscard]] FitCovariance correlated_covariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals);
+
+/// The same for several series of residuals of one fit, sample by sample beside each other, each with a variance and a
+/// process of its own; what two series share at the same sample, their correlation there, they share at all lags.
+///
+///   N⁻¹ [Σ_s s_s² J_sᵀΩ_sJ_s + Σ_(s≠t) ρ_st s_s s_t J_sᵀ(Ω_s + Ω_t)J_t/2] N⁻¹,  N = Σ_s J_sᵀJ_s
+///
+/// The degrees of freedom are those of all series together, τ their mean.
+[[nodiscard]] FitCovariance correlated_covariance(std::span<const Eigen::MatrixXd> jacobians, std::span<const Eigen::VectorXd> residuals);
 
 }  // namespace setae::experiment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fit_support.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -59,12 +60,12 @@ Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBod
     return result;
 }
 
-void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCounterBody& bodies, double fitted_range) {
+void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
     fit.converged = fit.converged && fit.covariance.allFinite();
     fit.n = fit.residuals.size();
-    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    fit.runs = runs_test(fit.residuals);
     fit.rms_residual = std::sqrt(fit.residuals.square().mean());
     fit.relative_residual = fit.rms_residual / fitted_range;
 }
@@ -81,6 +82,16 @@ void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCount
     if (change.size() > 2) fit.contact_point.standard_error = std::hypot(fit.contact_point.standard_error, change[2]);
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
+}
+
+Array1D block_means(const Array1D& series, Index neighbours) {
+    const Index blocks = series.size() / neighbours;
+    return Eigen::Map<const Array2D>(series.data(), blocks, neighbours).rowwise().mean();
+}
+
+Index neighbours_of_a_first_solution(Index samples) {
+    constexpr Index enough = 64;
+    return std::max<Index>(1, samples / enough);
 }
 
 double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters) {

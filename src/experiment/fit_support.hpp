@@ -25,12 +25,18 @@ void require_modulus(double contact_modulus);
 /// Standard error of W ∝ p|p| from that of p: sqrt((2|p| σ)² + 2σ⁴) c, which stays finite at W = 0.
 [[nodiscard]] double square_standard_error(double root, double root_standard_error, double factor);
 
-/// Fills E, correlations, rms and relative residual from the solution, covariance, residuals and E*, W.
-void complete(JkrFit& fit, const LeastSquaresSolution& solution, const LensAndCounterBody& bodies, double fitted_range);
+/// Fills E, correlation, runs, rms and relative residual from covariance, residuals and E*, W.
+void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
 
 /// Adds to the covariance of a fit what the zero of force leaves open: the square of the change to `shifted`, the same fit
 /// of the same data with all forces one standard error of their zero higher. An unusable shifted fit changes nothing.
 void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCounterBody& bodies);
+
+/// Means of so many neighbours each; a shorter rest at the end is left out.
+[[nodiscard]] Array1D block_means(const Array1D& series, Index neighbours);
+
+/// Neighbours whose means leave 64 samples or more for a first solution.
+[[nodiscard]] Index neighbours_of_a_first_solution(Index samples);
 
 /// Σ r²/variance over n − p; undefined where a variance is not > 0.
 [[nodiscard]] double reduced_chi2(const ArrayView1D& residuals, const ArrayView1D& variances, Index parameters);

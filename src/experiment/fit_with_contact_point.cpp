@@ -163,7 +163,8 @@ JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& 
     fit.work_of_adhesion = solution.estimate(modulus * work_over_modulus, std::sqrt(fit.covariance(1, 1) + 0.5 * second * second));
     fit.residuals = solution.residuals.array() * scale;
     fit.chi2_reduced = reduced_chi2(solution.residuals.array(), problem.variances(reduced, solution.parameters), 2);
-    complete(fit, solution, bodies, data.force.maxCoeff() - data.force.minCoeff());
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, data.force.maxCoeff() - data.force.minCoeff());
     return fit;
 }
 

@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "fit_support.hpp"
+#include "latent_routes.hpp"
 #include "reduced_jkr.hpp"
+#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -15,43 +17,55 @@ namespace {
 struct DepthProblem {
     Array1D force;
     Array1D depth;
-    Array1D weight;  ///< of each residual
 
     /// The best of many shapes, c and δ0 by linear regression.
-    [[nodiscard]] Eigen::VectorXd start() const {
+    [[nodiscard]] Eigen::Vector3d start() const {
+        const Index neighbours = neighbours_of_a_first_solution(force.size());
+        const DepthProblem some{.force = block_means(force, neighbours), .depth = block_means(depth, neighbours)};
+        const double mean_depth = some.depth.mean();
         Eigen::Vector3d best(1.0, 0.0, 0.0);
         double least = std::numeric_limits<double>::infinity();
         const Array1D candidates = reduced::shape_candidates();
-        Array1D model(force.size());
         for (const double shape : candidates) {
-            for (Index i = 0; i < force.size(); ++i) model[i] = reduced::depth(force[i], shape).value;
+            Array1D model = reduced::depths(some.force, shape).value;
             const double mean_model = model.mean();
-            const double mean_depth = depth.mean();
             model -= mean_model;
             const double xx = model.square().sum();
             if (!(xx > 0.0)) continue;
-            const double slope = (model * (depth - mean_depth)).sum() / xx;
-            const double cost = (depth - mean_depth - slope * model).square().sum();
+            const double slope = (model * (some.depth - mean_depth)).sum() / xx;
+            const double cost = (some.depth - mean_depth - slope * model).square().sum();
             if (cost < least) {
                 least = cost;
                 best = {slope, shape, mean_depth - slope * mean_model};
             }
         }
-        return best;
+        return some.minimum(best).parameters_found;
     }
 
-    [[nodiscard]] LeastSquaresSolution solve(const Eigen::VectorXd& from) const {
-        const ResidualFunction function{
-            .residuals = force.size(),
-            .parameters = 3,
-            .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                for (Index i = 0; i < force.size(); ++i) {
-                    const reduced::Point point = reduced::depth(force[i], at[1]);
-                    residuals[i] = weight[i] * (depth[i] - at[0] * point.value - at[2]);
-                    if (jacobian) jacobian->row(i) << -weight[i] * point.value, -weight[i] * at[0] * point.by_shape, -weight[i];
-                }
-            }};
-        return minimise(function, from);
+    [[nodiscard]] SmallMinimum<3> minimum(const Eigen::Vector3d& from) const {
+        const auto evaluate = [this](const Eigen::Vector3d& at) {
+            const reduced::Curve curve = reduced::depths(force, at[1]);
+            const Array1D residuals = depth - at[0] * curve.value - at[2], by_shape = at[0] * curve.by_shape;
+            NormalEquations<3> sums{.squares = residuals.square().sum()};
+            sums.normal << curve.value.square().sum(), (curve.value * by_shape).sum(), curve.value.sum(),  //
+                0.0, by_shape.square().sum(), by_shape.sum(),                                              //
+                0.0, 0.0, static_cast<double>(force.size());
+            sums.normal = sums.normal.selfadjointView<Eigen::Upper>();
+            sums.gradient << (curve.value * residuals).sum(), (by_shape * residuals).sum(), residuals.sum();
+            return sums;
+        };
+        return minimise_small<3>(evaluate, from, std::max(1.0, static_cast<double>(force.size() - 3)));
+    }
+
+    [[nodiscard]] LeastSquaresSolution solve() const {
+        const SmallMinimum<3> found = minimum(start());
+        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        const reduced::Curve curve = reduced::depths(force, solution.parameters[1]);
+        solution.residuals = (depth - solution.parameters[0] * curve.value - solution.parameters[2]).matrix();
+        Eigen::MatrixXd jacobian(force.size(), 3);
+        jacobian << -curve.value, -solution.parameters[0] * curve.by_shape, Array1D::Constant(force.size(), -1.0);
+        solution.uncertainty = correlated_covariance(jacobian, solution.residuals);
+        return solution;
     }
 };
 
@@ -71,35 +85,15 @@ Array1D depth_variances(const BranchData& data, const DepthProblem& problem, con
     return variances;
 }
 
-/// From the solution of ordinary least squares, rounds with each residual weighed by its own variance: near pull-off δ(F)
-/// is steep, and noise of force moves the depth most.
-LeastSquaresSolution solve_weighted(DepthProblem& problem, const BranchData& data, double force_unit, double depth_unit,
-                                    LeastSquaresSolution solution) {
-    constexpr int rounds = 3;  // the weights follow parameters that move within their errors
-    for (int round = 0; round < rounds && solution.converged; ++round) {
-        const Array1D variances = depth_variances(data, problem, solution.parameters, force_unit, depth_unit);
-        if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
-        problem.weight = (variances.mean() / variances).sqrt();
-        solution = problem.solve(solution.parameters);
-    }
-    solution.residuals.array() /= problem.weight;
-    return solution;
-}
-
-}  // namespace
-
-JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
-    require_data(data, bodies, {.displacement = true, .fewest = 4});
+/// Least squares in depth.
+JkrFit in_depth(const BranchData& data, const LensAndCounterBody& bodies) {
     const double force_unit = force_scale(data);
     const double origin = data.displacement[0];
     const double depth_unit = data.displacement.maxCoeff() - data.displacement.minCoeff();
     if (!(depth_unit > 0.0))
         throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
-    DepthProblem problem{.force = data.force / force_unit,
-                         .depth = (data.displacement - origin) / depth_unit,
-                         .weight = Array1D::Ones(data.force.size())};
-    LeastSquaresSolution solution = problem.solve(problem.start());
-    if (errors == DepthErrors::effective_variance) solution = solve_weighted(problem, data, force_unit, depth_unit, solution);
+    const DepthProblem problem{.force = data.force / force_unit, .depth = (data.displacement - origin) / depth_unit};
+    const LeastSquaresSolution solution = problem.solve();
     const double scale = solution.parameters[0];
 
     const double length = std::sqrt(scale * depth_unit * bodies.radius);
@@ -121,8 +115,44 @@ JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& 
     fit.residuals = solution.residuals.array() * depth_unit;
     fit.chi2_reduced =
         reduced_chi2(fit.residuals, depth_variances(data, problem, solution.parameters, force_unit, depth_unit), 3);
-    complete(fit, solution, bodies, depth_unit);
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, depth_unit);
     return fit;
+}
+
+/// δ − δ(F) − δ0, the depth kept at its value at pull-off for forces below it.
+Array1D depth_residuals(const BranchData& data, const JkrFit& fit, double radius) {
+    const double modulus = fit.contact_modulus.value, work = fit.work_of_adhesion.value;
+    const double force_unit = force_scale(data);
+    const double shape = std::copysign(std::sqrt(1.5 * pi * radius * std::abs(work) / force_unit), work);
+    const double length = std::cbrt(0.75 * radius * force_unit / modulus);
+    Array1D residuals = data.displacement - fit.contact_point.value;
+    for (Index i = 0; i < residuals.size(); ++i) residuals[i] -= length * length / radius * reduced::depth(data.force[i] / force_unit, shape).value;
+    return residuals;
+}
+
+}  // namespace
+
+// the fold at pull-off, where δ(F) is vertical, is a point of the curve like others
+latent::Route latent::force_displacement_route(const BranchData& data, const LensAndCounterBody& bodies) {
+    const Points all = points(data, bodies, {.displacement = true});
+    BranchData means = data;
+    const Index neighbours = neighbours_of_a_first_solution(data.force.size());
+    means.force = block_means(data.force, neighbours);
+    means.displacement = block_means(data.displacement, neighbours);
+    const JkrFit first = in_depth(means, bodies);
+    Route route{.fitted = latent::fit(all, reduced_parameters(all, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value))};
+    route.fit = finished(route.fitted, across(all, projected(all, route.fitted.solution)), first.method);
+    route.fit.residuals = depth_residuals(data, route.fit, bodies.radius);
+    route.fit.residual_unit = first.residual_unit;
+    complete(route.fit, bodies, data.displacement.maxCoeff() - data.displacement.minCoeff());
+    return route;
+}
+
+JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
+    require_data(data, bodies, {.displacement = true, .fewest = 4});
+    if (errors == DepthErrors::depth_only || !(data.force_noise > 0.0 && data.displacement_noise > 0.0)) return in_depth(data, bodies);
+    return latent::force_displacement_route(data, bodies).fit;
 }
 
 }  // namespace setae::experiment

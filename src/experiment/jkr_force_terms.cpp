@@ -12,12 +12,12 @@ ForceTerms force_terms(const Array1D& contact_radius, double radius) {
     return {.hertz = 4.0 / 3.0 * cubed / radius, .adhesion = (8.0 * pi * cubed).sqrt()};
 }
 
-WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::Matrix2d& covariance) {
+WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::MatrixXd& covariance) {
     const double modulus = modulus_and_root[0], root = modulus_and_root[1];
     const double work = root * std::abs(root) / modulus;
-    Eigen::Matrix2d slopes;
-    slopes << 1.0, 0.0,  //
-        -work / modulus, 2.0 * std::abs(root) / modulus;
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+    slopes(1, 0) = -work / modulus;
+    slopes(1, 1) = 2.0 * std::abs(root) / modulus;
     WorkFromRoot result{.work_of_adhesion = work, .covariance = slopes * covariance * slopes.transpose()};
     // the second-order term keeps the error finite at W = 0
     const double second = covariance(1, 1) / modulus;

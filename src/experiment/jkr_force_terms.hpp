@@ -14,12 +14,13 @@ struct ForceTerms {
 };
 [[nodiscard]] ForceTerms force_terms(const Array1D& contact_radius, double radius);
 
-/// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of (E*, W).
+/// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of E*, W and what else was fitted.
 struct WorkFromRoot {
     double work_of_adhesion = 0.0;
     double standard_error = 0.0;
-    Eigen::Matrix2d covariance;
+    Eigen::MatrixXd covariance;
 };
-[[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::Matrix2d& covariance);
+/// covariance: of E*, c and any others.
+[[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::MatrixXd& covariance);
 
 }  // namespace setae::experiment

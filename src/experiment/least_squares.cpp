@@ -42,14 +42,14 @@ Estimate LeastSquaresSolution::estimate(double value, double standard_error) con
             .degrees_of_freedom = uncertainty.degrees_of_freedom};
 }
 
-LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::VectorXd& start) {
+LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::VectorXd& start, int most_iterations) {
     LeastSquaresSolution solution{.parameters = start};
     ceres::Problem problem;
     problem.AddResidualBlock(new Residuals(function), nullptr, solution.parameters.data());  // the problem owns it
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = 200;
+    options.max_num_iterations = most_iterations;
     // noise-free data are to be recovered to 1e-8 and better
     options.function_tolerance = 1e-15;
     options.parameter_tolerance = 1e-14;

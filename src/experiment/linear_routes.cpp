@@ -3,7 +3,6 @@
 
 #include "fit_support.hpp"
 #include "jkr_force_terms.hpp"
-#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::experiment {
@@ -36,7 +35,8 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
     const Array1D by_force = (std::sqrt(6.0 * pi) * root).inverse();
     fit.chi2_reduced = reduced_chi2(fit.residuals, (by_radius * data.contact_radius_noise).square() +
                                                        (by_force * data.force_noise).square(), 2);
-    complete(fit, solution, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
     return fit;
 }
 
@@ -61,26 +61,6 @@ PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCoun
     result.n = approach.size();
     result.rms_residual = std::sqrt(solution.residuals.array().square().mean());
     result.relative_residual = result.rms_residual / (ordinate.maxCoeff() - ordinate.minCoeff());
-    return result;
-}
-
-EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
-                                       double contact_point) {
-    const contact::SphereOnFlat sphere{.radius = radius, .contact_modulus = contact_modulus};
-    EnergyReleaseRate result{.contact_radius = data.contact_radius, .radius_measured = data.contact_radius.size() > 0};
-    const Index n = data.force.size();
-    if (!result.radius_measured) {
-        result.contact_radius.resize(n);
-        for (Index i = 0; i < n; ++i)
-            result.contact_radius[i] =
-                contact::jkr::contact_radius_at(data.force[i], data.displacement[i] - contact_point, sphere);
-    }
-    result.energy_release_rate.resize(n);
-    for (Index i = 0; i < n; ++i) {
-        const double a = result.contact_radius[i];
-        result.energy_release_rate[i] =
-            a > 0.0 ? contact::jkr::energy_release_rate_at_force(a, data.force[i], sphere) : undefined;
-    }
     return result;
 }
 

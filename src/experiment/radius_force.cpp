@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "effective_variance.hpp"
 #include "fit_support.hpp"
+#include "latent_routes.hpp"
 #include "reduced_jkr.hpp"
+#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::experiment {
@@ -15,53 +17,54 @@ struct RadiusProblem {
     Array1D force;
     Array1D radius;
 
-    [[nodiscard]] Eigen::VectorXd start() const {
+    [[nodiscard]] Eigen::Vector2d start() const {
+        const Index neighbours = neighbours_of_a_first_solution(force.size());
+        const Array1D some_forces = block_means(force, neighbours), some_radii = block_means(radius, neighbours);
         Eigen::Vector2d best(1.0, 0.0);
         double least = std::numeric_limits<double>::infinity();
         const Array1D candidates = reduced::shape_candidates();
         for (const double shape : candidates) {
-            double xy = 0.0, xx = 0.0, yy = 0.0;
-            for (Index i = 0; i < force.size(); ++i) {
-                const double x = reduced::radius(force[i], shape).value;
-                const double y = radius[i];
-                xy += x * y;
-                xx += x * x;
-                yy += y * y;
-            }
-            const double cost = yy - xy * xy / xx;
+            const Array1D model = reduced::radii(some_forces, shape).value;
+            const double xy = (model * some_radii).sum(), xx = model.square().sum();
+            const double cost = some_radii.square().sum() - xy * xy / xx;
             if (cost < least) {
                 least = cost;
                 best = {xy / xx, shape};
             }
         }
-        return best;
+        return RadiusProblem{.force = some_forces, .radius = some_radii}.minimum(best).parameters_found;
+    }
+
+    [[nodiscard]] SmallMinimum<2> minimum(const Eigen::Vector2d& from) const {
+        const auto evaluate = [this](const Eigen::Vector2d& at) {
+            const reduced::Curve curve = reduced::radii(force, at[1]);
+            const Array1D residuals = radius - at[0] * curve.value, by_shape = at[0] * curve.by_shape;
+            NormalEquations<2> sums{.squares = residuals.square().sum()};
+            sums.normal << curve.value.square().sum(), (curve.value * by_shape).sum(), 0.0, by_shape.square().sum();
+            sums.normal(1, 0) = sums.normal(0, 1);
+            sums.gradient << (curve.value * residuals).sum(), (by_shape * residuals).sum();
+            return sums;
+        };
+        return minimise_small<2>(evaluate, from, std::max(1.0, static_cast<double>(force.size() - 2)));
     }
 
     [[nodiscard]] LeastSquaresSolution solve() const {
-        const ResidualFunction function{
-            .residuals = force.size(),
-            .parameters = 2,
-            .evaluate = [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                for (Index i = 0; i < force.size(); ++i) {
-                    const reduced::Point point = reduced::radius(force[i], at[1]);
-                    residuals[i] = radius[i] - at[0] * point.value;
-                    if (!jacobian) continue;
-                    (*jacobian)(i, 0) = -point.value;
-                    (*jacobian)(i, 1) = -at[0] * point.by_shape;
-                }
-            }};
-        return minimise(function, start());
+        const SmallMinimum<2> found = minimum(start());
+        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        const reduced::Curve curve = reduced::radii(force, solution.parameters[1]);
+        solution.residuals = (radius - solution.parameters[0] * curve.value).matrix();
+        Eigen::MatrixXd jacobian(force.size(), 2);
+        jacobian << -curve.value, -solution.parameters[0] * curve.by_shape;
+        solution.uncertainty = correlated_covariance(jacobian, solution.residuals);
+        return solution;
     }
 
     /// (da/dF)² σ_F² in the problem's units: the slope as a secant over ±σ_F, finite where a(F) is vertical.
     [[nodiscard]] Array1D force_variances(const Eigen::VectorXd& at, double force_noise) const {
         Array1D variances = Array1D::Zero(force.size());
         if (!(force_noise > 0.0)) return variances;
-        for (Index i = 0; i < force.size(); ++i) {
-            const double rise = reduced::radius(force[i] + force_noise, at[1]).value -
-                                reduced::radius(force[i] - force_noise, at[1]).value;
-            variances[i] = std::pow(0.5 * at[0] * rise, 2);
-        }
+        const Array1D rise = reduced::radii(force + force_noise, at[1]).value - reduced::radii(force - force_noise, at[1]).value;
+        variances = (0.5 * at[0] * rise).square();
         return variances;
     }
 };
@@ -70,7 +73,7 @@ struct RadiusProblem {
 
 JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies, RadiusErrors errors) {
     require_data(data, bodies, {.contact_radius = true});
-    if (errors == RadiusErrors::effective_variance) return fit_with_both_errors(data, bodies);
+    if (errors == RadiusErrors::effective_variance) return latent::effective_variance_route(data, bodies).fit;
     const double force_unit = force_scale(data);
     const double length_unit = data.contact_radius.maxCoeff();
     const RadiusProblem problem{.force = data.force / force_unit, .radius = data.contact_radius / length_unit};
@@ -97,7 +100,8 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
                                   length_unit +
                               data.contact_radius_noise * data.contact_radius_noise;
     fit.chi2_reduced = reduced_chi2(fit.residuals, variances, 2);
-    complete(fit, solution, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
+    fit.correlated_samples = solution.uncertainty.correlated_samples;
+    complete(fit, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());
     return fit;
 }
 

@@ -24,6 +24,14 @@ struct Point {
 [[nodiscard]] Point radius(double force, double shape);
 [[nodiscard]] Point depth(double force, double shape);
 
+/// Values along a branch, with their derivatives in p.
+struct Curve {
+    Array1D value;
+    Array1D by_shape;
+};
+[[nodiscard]] Curve radii(const Array1D& force, double shape);
+[[nodiscard]] Curve depths(const Array1D& force, double shape);
+
 /// Values of the shape parameter that a search for the best one tries: 0 and logarithmic steps to 10, so that W from
 /// far below to a hundred times what the force scale stands for is met.
 [[nodiscard]] Array1D shape_candidates();

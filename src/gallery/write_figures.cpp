@@ -27,6 +27,7 @@ std::string on_one_line(std::string text) {
 }  // namespace
 
 std::string command_of(const StudyFigure& figure, const std::string& study, FigureWidth width) {
+    if (!figure.command.empty()) return figure.command;
     return fmt::format("setae plot {} --figure {}{} -o {}.svg", shell_word(study), shell_word(figure.identifier),
                        width == FigureWidth::single_column ? " --width single" : "", shell_word(figure.name));
 }

@@ -8,6 +8,7 @@
 
 #include "force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::io {
 namespace {
@@ -110,6 +111,15 @@ const std::vector<ForceCurveFormat>& force_curve_formats() {
         {"nt-mdt", "NT-MDT force curve", ".txt", "text that Nova exports: height, deflection of approach and of retraction, no header; nm and nA are assumed, constant padding is cut off",
          "files of NT-MDT Nova", true}};
     return formats;
+}
+
+double parse_sensitivity(std::string_view text) {
+    const auto volt = parse_unit("V").dimension, ampere = parse_unit("A").dimension;
+    try {
+        return parse_quantity(text, dimension::length / volt);
+    } catch (const InvalidArgument&) {
+        return parse_quantity(text, dimension::length / ampere);
+    }
 }
 
 std::optional<std::string> force_curve_format(const Source& source) {

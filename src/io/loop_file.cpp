@@ -197,6 +197,20 @@ void write_loop(const std::string& path, const Table& table, const std::map<std:
     write_whole_file(path, as_loop_file(table, metadata));
 }
 
+std::map<std::string, std::string> loop_metadata(const Table& table) {
+    std::map<std::string, std::string> kept;
+    for (const auto& [key, value] : table.metadata) {
+        if (is_own_key(key)) continue;
+        try {
+            require_entry(key, value);
+        } catch (const InvalidArgument&) {
+            continue;
+        }
+        kept.emplace(key, value);
+    }
+    return kept;
+}
+
 bool is_loop_file(std::string_view head) {
     const auto line = head.substr(0, head.find('\n'));
     return trimmed(line) == format_line;

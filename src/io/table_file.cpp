@@ -205,13 +205,13 @@ std::string column_list(const Table& table) {
 
 }  // namespace
 
-void require_loop_columns(const Table& table, const std::string& path) {
+void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted) {
     const auto missing = [&](const char* what) {
         throw FormatError(path, {}, fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
-                                                "name the columns by a mapping file", what, column_list(table)));
+                                                "name the columns by a mapping file, which `setae jkr import` makes", what, column_list(table)));
     };
     if (!table.find("force")) missing("'force'");
-    if (!table.find("displacement") && !table.find("contact_radius")) missing("'displacement' or 'contact_radius'");
+    if (wanted == LoopColumns::complete && !table.find("displacement") && !table.find("contact_radius")) missing("'displacement' or 'contact_radius'");
     for (const auto& [name, unit] : loop_columns) {
         const auto* column = table.find(name);
         if (column && column->unit != unit)
@@ -221,12 +221,12 @@ void require_loop_columns(const Table& table, const std::string& path) {
     }
 }
 
-Table read_loop_table(const std::string& path) {
+Table read_loop_table(const std::string& path, LoopColumns wanted) {
     auto table = read_table(path);
     for (auto& column : table.columns)
         for (const auto& known : loop_columns)
             if (lowered(column.name) == known.name) column.name = known.name;
-    require_loop_columns(table, path);
+    require_loop_columns(table, path, wanted);
     return table;
 }
 

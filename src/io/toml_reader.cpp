@@ -54,6 +54,13 @@ std::string TomlReader::required_text(const char* key) {
 
 std::optional<double> TomlReader::number(const char* key) { return quantity(key, dimension::none); }
 
+std::optional<bool> TomlReader::boolean(const char* key) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    if (const auto value = node->value_exact<bool>()) return value;
+    fail(key, "expected true or false");
+}
+
 std::optional<std::int64_t> TomlReader::integer(const char* key) {
     const auto* node = find(key);
     if (!node) return std::nullopt;

@@ -30,6 +30,8 @@ Json fit_json(const JkrFit& fit) {
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);
     json["residuals"] = numbers(fit.residuals);
+    if (fit.depth_residuals.size() > 0) json["depth_residuals"] = numbers(fit.depth_residuals);
+    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
     return json;
 }
 
@@ -62,11 +64,14 @@ Json branch_json(const experiment::BranchAnalysis& branch) {
     add_outcome(fits, "radius_force_effective_variance", branch.radius_force_effective_variance, fit_json);
     add_outcome(fits, "linear_form", branch.linear_form, fit_json);
     add_outcome(fits, "force_displacement", branch.force_displacement, fit_json);
+    add_outcome(fits, "joint", branch.joint, fit_json);
     add_outcome(fits, "pointwise", branch.pointwise, pointwise_json);
     json["fits"] = fits;
     json["energy_release_rate"] = {{"contact_radius", numbers(branch.energy_release_rate.contact_radius)},
                                    {"contact_radius_unit", "m"},
                                    {"energy_release_rate", numbers(branch.energy_release_rate.energy_release_rate)},
+                                   {"standard_error", numbers(branch.energy_release_rate.standard_error)},
+                                   {"systematic", numbers(branch.energy_release_rate.systematic)},
                                    {"energy_release_rate_unit", "J/m2"},
                                    {"contact_radius_measured", branch.energy_release_rate.radius_measured}};
     Json sensitivity = Json::array();
@@ -205,16 +210,27 @@ Json segments_json(const experiment::Segments& segments) {
     return json;
 }
 
+template <class Contact>
+void add_energies(Json& json, const Contact& analysis) {
+    add_outcome(json, "loop", analysis.loop, [&](const experiment::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_outcome(json, "ledger", analysis.ledger, ledger_json);
+}
+
+Json cycle_energy_json(const experiment::CycleAnalysis& cycle) {
+    Json json{{"contact", cycle.cycle.contact}};
+    add_outcome(json, "energy", cycle.energy, [&](double energy) {
+        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
+    });
+    return json;
+}
+
 Json cycle_json(const experiment::CycleAnalysis& cycle) {
     Json json;
     add_outcome(json, "loading", cycle.loading, branch_json);
     add_outcome(json, "unloading", cycle.unloading, branch_json);
-    json["contact"] = cycle.cycle.contact;
     json["loading_samples"] = range_of(cycle.cycle.loading);
     json["unloading_samples"] = range_of(cycle.cycle.unloading);
-    add_outcome(json, "energy", cycle.energy, [&](double energy) {
-        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
-    });
+    json.update(cycle_energy_json(cycle));
     return json;
 }
 
@@ -226,9 +242,8 @@ Json contact_json(const Contact& analysis) {
     add_outcome(json, "unloading", analysis.unloading, branch_json);
     add_outcome(json, "retraction", analysis.retraction, retraction_json);
     add_outcome(json, "pull_off", analysis.pull_off, pull_off_json);
-    add_outcome(json, "loop", analysis.loop, [&](const experiment::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_energies(json, analysis);
     add_outcome(json, "contact_points", analysis.contact_points, contact_points_json);
-    add_outcome(json, "ledger", analysis.ledger, ledger_json);
     if (analysis.compliance) json["compliance"] = compliance_json(*analysis.compliance);
     auto radius = quantity("largest_contact_radius", "a_max", analysis.context.largest_contact_radius, "m");
     radius.source = analysis.context.radius_measured ? "measured" : "JKR at the largest force, loading fit";
@@ -239,6 +254,21 @@ Json contact_json(const Contact& analysis) {
 }
 
 }  // namespace
+
+Json energies_json(const experiment::LoopAnalysis& analysis) {
+    Json json;
+    add_energies(json, analysis);
+    json["further_contacts"] = Json::array();
+    for (const auto& contact : analysis.further_contacts) {
+        Json row = contact ? Json::object() : Json{{"reason", contact.reason}};
+        if (contact) add_energies(row, *contact);
+        json["further_contacts"].push_back(row);
+    }
+    json["cycles"] = Json::array();
+    for (const auto& cycle : analysis.cycles) json["cycles"].push_back(cycle_energy_json(cycle));
+    json["alerts"] = to_json(analysis.alerts);
+    return json;
+}
 
 Json to_json(const experiment::LoopAnalysis& analysis) {
     Json json = contact_json(analysis);

@@ -26,10 +26,8 @@ std::vector<std::string> named_files(const Study& study) {
             for (const auto& reference : measurement.references) add(reference);
         }
     }
-    for (const auto& experiment : study.experiments) {
-        add(experiment.file);
-        if (experiment.mapping) add(*experiment.mapping);
-    }
+    for (const auto& experiment : study.experiments)
+        for (const auto& file : experiment.files()) add(file);
     return files;
 }
 

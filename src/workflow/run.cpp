@@ -93,10 +93,8 @@ std::string surface_key(const Run& run, const SurfaceInput& input, const Analysi
 
 std::string experiment_key(const Run& run, const ExperimentInput& input, const experiment::LensAndCounterBody& bodies) {
     cache::KeyBuilder key("experiment");
-    key.add("file", input.file).add("bodies", bytes_of(bodies));
-    std::vector<std::string> files{input.file};
-    if (input.mapping) files.push_back(*input.mapping);
-    return add_content(key, run, files) ? key.key() : std::string();
+    key.add("input", bytes_of<LoopSource>(input)).add("bodies", bytes_of(bodies)).add("options", bytes_of(input.options));
+    return add_content(key, run, input.files()) ? key.key() : std::string();
 }
 
 }  // namespace setae::workflow

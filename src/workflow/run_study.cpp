@@ -11,7 +11,7 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/experiment/rubber.hpp"
-#include "setae/workflow/loop_file.hpp"
+#include "setae/workflow/open_loop.hpp"
 #include "setae/workflow/study_result.hpp"
 #include "statistics.hpp"
 #include "surface_run.hpp"
@@ -79,7 +79,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
         result.analysis = run.find<experiment::LoopAnalysis>(key);
         cached = result.analysis.has_value();
         if (!cached) {
-            result.analysis = analyse_loop_file(input.file, input.mapping, bodies);
+            result.analysis = analyse_loop(input, bodies, input.options);
             run.keep(key, *result.analysis);
         }
         result.alerts = result.analysis->alerts;

@@ -6,6 +6,7 @@
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
+#include <cereal/types/variant.hpp>
 #include <cereal/types/vector.hpp>
 
 #include <optional>
@@ -105,6 +106,12 @@ void serialize(Archive& archive, LikelihoodOptions& of) {
 
 }  // namespace setae::inference
 
+namespace setae::io {
+
+SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
+
+}  // namespace setae::io
+
 namespace setae::experiment {
 
 template <class Archive, class T>
@@ -115,17 +122,28 @@ void serialize(Archive& archive, Outcome<T>& of) {
 SETAE_KEEP(Loop, time, force, displacement, contact_radius)
 SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height, layer_thickness)
 SETAE_KEEP(IndexRange, first, last)
+SETAE_KEEP(TimeRange, first, last)
+SETAE_KEEP(ContactEdits, jump_in, loading, hold, unloading, pull_off, cuts)
+SETAE_KEEP(IgnoredSamples, range, reason)
+SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
+SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
+SETAE_KEEP(ContactPointChoice, mode, estimator, value)
+SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter, relative_residual, contact_point_share, loop_sampling_share,
+           stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift, extrapolate_force_drift, displacement_drift_rate, leave_pinned_out,
+           contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free, interaction_range, limits)
 SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance, force_scatter, force_slope, force_slope_standard_error)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
 SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
+SETAE_KEEP(RunsTest, runs, above, below, p_value)
 SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point, covariance, correlation, correlated_samples, n,
-           residuals, residual_unit, rms_residual, relative_residual, chi2_reduced)
+           residuals, residual_unit, depth_residuals, rms_residual, relative_residual, chi2_reduced, runs)
 SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual, n)
-SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, radius_measured)
+SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, standard_error, systematic, radius_measured)
 SETAE_KEEP(FitRange, name, first, last, n, force_first, force_last)
 SETAE_KEEP(RangeSensitivity, dropped, fit)
-SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, pointwise, energy_release_rate, sensitivity,
+SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint, pointwise, energy_release_rate, sensitivity,
            effective_variance_first)
 SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual, radius_measured)
@@ -148,6 +166,8 @@ SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_o
 
 namespace setae::workflow {
 
+SETAE_KEEP(CameraInput, file, mapping, clock_offset)
+SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)

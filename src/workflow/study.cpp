@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "loop_options.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/toml_reader.hpp"
@@ -103,10 +104,29 @@ ElastomerInput read_elastomer(const std::string& name, TomlReader reader) {
     return elastomer;
 }
 
-ExperimentInput read_experiment(TomlReader reader, const std::string& study_path) {
+CameraInput read_camera(TomlReader reader, const std::string& study_path) {
+    CameraInput camera;
+    camera.file = beside(study_path, reader.required_text("file"));
+    camera.mapping = file_beside(reader, "mapping", study_path);
+    camera.clock_offset = reader.quantity("clock_offset", dimension::time);
+    reader.finish();
+    return camera;
+}
+
+ExperimentInput read_experiment(TomlReader reader, const std::string& study_path, const experiment::AnalysisOptions& defaults) {
     ExperimentInput experiment;
     experiment.file = beside(study_path, reader.required_text("file"));
     experiment.mapping = file_beside(reader, "mapping", study_path);
+    reader.table("camera", [&](TomlReader inner) { experiment.camera = read_camera(std::move(inner), study_path); });
+    experiment.force_curve.spring_constant = reader.quantity("spring_constant", dimension::stiffness);
+    if (const auto sensitivity = reader.text("sensitivity")) {
+        try {
+            experiment.force_curve.sensitivity = io::parse_sensitivity(*sensitivity);
+        } catch (const InvalidArgument& error) {
+            reader.fail("sensitivity", error.what());
+        }
+    }
+    experiment.options = read_loop_options_of_record(reader, defaults);
     experiment.reference = reader.choice<bool>("role", {{"rough", false}, {"reference", true}}).value_or(false);
     experiment.surface = reader.text("surface").value_or("");
     experiment.elastomer = reader.required_text("elastomer");
@@ -264,7 +284,12 @@ Study read_study(const std::string& path) {
     study.work_of_adhesion = reader.uncertain("work_of_adhesion", dimension::surface_energy);
     reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) { study.surfaces.push_back(read_surface(name, std::move(inner), path)); });
     reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) { study.elastomers.push_back(read_elastomer(name, std::move(inner))); });
-    reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path)); });
+    experiment::AnalysisOptions loop_options;
+    reader.table("loops", [&](TomlReader inner) {
+        loop_options = read_loop_options(inner, loop_options);
+        inner.finish();
+    });
+    reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path, loop_options)); });
     reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
     reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {
         const auto values = read_reported(fit, std::move(inner));

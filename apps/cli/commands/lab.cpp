@@ -10,6 +10,7 @@
 #include "lab_area.hpp"
 #include "lab_causes.hpp"
 #include "lab_closure.hpp"
+#include "lab_loops.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -61,6 +62,7 @@ void add_lab(CLI::App& program, Action& action) {
     add_closure(*group, action);
     add_causes(*group, action);
     add_area(*group, action);
+    add_lab_loops(*group, action);
 }
 
 }  // namespace setae::cli

@@ -249,5 +249,23 @@ TEST(MaugisDugdale, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)cohesive_stress(0.0, lens), InvalidArgument);
 }
 
+TEST(MaugisDugdale, SlopesAreThoseOfTheStates) {
+    for (const double lambda : {0.1, 0.7, 5.0})
+        for (const double radius : {0.3, 1.0, 3.0}) {
+            const ReducedSlopes slopes = reduced_slopes(radius, lambda);
+            const double da = 1e-4 * radius, dl = 1e-4 * lambda;
+            const ReducedState right = reduced_state(radius + da, lambda), left = reduced_state(radius - da, lambda);
+            const ReducedState above = reduced_state(radius, lambda + dl), below = reduced_state(radius, lambda - dl);
+            EXPECT_DOUBLE_EQ(slopes.state.force, reduced_state(radius, lambda).force);
+            // central differences err by their step squared
+            const double scale = 1e-6 * (1.0 + radius * radius + 1.0 / lambda);
+            EXPECT_NEAR(slopes.force_by_radius, (right.force - left.force) / (2.0 * da), scale);
+            EXPECT_NEAR(slopes.displacement_by_radius, (right.displacement - left.displacement) / (2.0 * da), scale);
+            EXPECT_NEAR(slopes.force_by_transition, (above.force - below.force) / (2.0 * dl), scale);
+            EXPECT_NEAR(slopes.displacement_by_transition, (above.displacement - below.displacement) / (2.0 * dl), scale);
+        }
+    EXPECT_THROW((void)reduced_slopes(0.0, 1.0), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace setae::contact::maugis_dugdale

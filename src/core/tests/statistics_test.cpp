@@ -32,6 +32,14 @@ TEST(NormalProbability, InvertsItsQuantile) {
     for (const double p : {0.001, 0.3, 0.5, 0.975}) EXPECT_NEAR(normal_probability(normal_quantile(p)), p, 1e-14);
 }
 
+TEST(ChiSquaredExceedance, AgreesWithItsClosedForms) {
+    EXPECT_NEAR(chi_squared_exceedance(3.0, 2.0), std::exp(-1.5), 1e-14);
+    EXPECT_NEAR(chi_squared_exceedance(1.96 * 1.96, 1.0), 2.0 * normal_probability(-1.96), 1e-14);
+    EXPECT_EQ(chi_squared_exceedance(0.0, 3.0), 1.0);
+    EXPECT_THROW((void)chi_squared_exceedance(-1.0, 3.0), InvalidArgument);
+    EXPECT_THROW((void)chi_squared_exceedance(1.0, 0.0), InvalidArgument);
+}
+
 TEST(Satterthwaite, OfEqualTermsAddsTheirFreedom) {
     EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{2.0, 4.0}, VarianceTerm{2.0, 4.0}}), 8.0, 1e-12);
     EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{1.0, 3.0}, VarianceTerm{1.0}}), 12.0, 1e-12);

@@ -40,6 +40,18 @@ struct ReducedState {
 /// State at reduced contact radius A >= 0. @throws InvalidArgument for A < 0 or λ outside its domain.
 [[nodiscard]] ReducedState reduced_state(double reduced_radius, double transition_parameter);
 
+/// A state with its derivatives by A and by λ, each with the other held.
+struct ReducedSlopes {
+    ReducedState state;
+    double force_by_radius = 0.0;
+    double force_by_transition = 0.0;
+    double displacement_by_radius = 0.0;
+    double displacement_by_transition = 0.0;
+};
+
+/// State at reduced contact radius A, 1e-9 <= A, with its derivatives. @throws InvalidArgument outside the domain.
+[[nodiscard]] ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter);
+
 /// State of least force, where the contact parts under a dead load. For λ < 1e-5 its contact radius (about 2.1 λ) is not
 /// resolved, its force is. @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_load(double transition_parameter);

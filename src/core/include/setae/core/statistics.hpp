@@ -21,6 +21,10 @@ namespace setae {
 /// @throws InvalidArgument unless 0 < probability < 1 and degrees_of_freedom > 0.
 [[nodiscard]] double student_t_quantile(double probability, double degrees_of_freedom);
 
+/// P(X >= x), X distributed as χ² with so many degrees of freedom.
+/// @throws InvalidArgument unless x >= 0 and degrees_of_freedom > 0.
+[[nodiscard]] double chi_squared_exceedance(double x, double degrees_of_freedom);
+
 /// An independent contribution to a variance with the degrees of freedom it was estimated with.
 struct VarianceTerm {
     double variance = 0.0;

@@ -76,6 +76,7 @@ struct BranchAnalysis {
     Outcome<JkrFit> radius_force_effective_variance;  ///< Eq. (1), errors in both
     Outcome<JkrFit> linear_form;
     Outcome<JkrFit> force_displacement;
+    Outcome<JkrFit> joint;  ///< force, displacement and contact radius together
     Outcome<PointwiseModulus> pointwise;
     EnergyReleaseRate energy_release_rate;
     std::vector<RangeSensitivity> sensitivity;  ///< empty on unloading

@@ -5,6 +5,7 @@
 
 #include "setae/core/units.hpp"
 #include "setae/experiment/loop.hpp"
+#include "setae/experiment/runs_test.hpp"
 
 namespace setae::experiment {
 
@@ -27,7 +28,7 @@ struct BranchData {
 /// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight, so that a value far above 1 says that
 /// the model, not the noise, makes the residuals. A negative W means a contact smaller than Hertz's.
 struct JkrFit {
-    std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement"
+    std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement", "joint"
     bool converged = false;  ///< and the data determine the unknowns: covariance defined
     int iterations = 0;
     Estimate contact_modulus;   ///< E* [Pa]
@@ -40,9 +41,11 @@ struct JkrFit {
     Index n = 0;
     Array1D residuals;               ///< measured − fitted, in `residual_unit`
     std::string residual_unit;       ///< "m"; "N" with effective variance, "N/m^1.5" for the linear form
+    Array1D depth_residuals;         ///< [m], of the joint fit, beside its residuals of force; empty for the others
     double rms_residual = 0.0;       ///< in `residual_unit`
     double relative_residual = 0.0;  ///< rms residual over the range of the fitted quantity
     double chi2_reduced = 0.0;       ///< NaN where the noise is unknown
+    RunsTest runs;                   ///< of the residuals' signs
 };
 
 /// Which errors the fit of a(F) allows for.
@@ -88,6 +91,20 @@ enum class DepthErrors {
 [[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies,
                                             DepthErrors errors = DepthErrors::effective_variance);
 
+/// Force, displacement and contact radius together; unknown E*, W and the contact point.
+///
+///   F = 4E*a³/(3R) − √(8πE*W a³),  δ = a²/R − √(2πaW/E*) + δ0
+///
+/// Each sample has a true contact radius, which is fitted too: the sum of squared distances from (F, δ, a) to that curve
+/// in units of the noise is least. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighed by the inverse of
+/// its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured a for the
+/// true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is taken off.
+/// Residuals are those of the pair; their covariance has an autoregressive process for each of the two series.
+/// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0 and
+/// where the noise of a channel is unknown.
+/// Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller, Ann. Stat. 16 (1988) 147.
+[[nodiscard]] JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies);
+
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
 struct PointwiseModulus {
     Estimate contact_modulus;         ///< slope [Pa]
@@ -106,12 +123,22 @@ struct PointwiseModulus {
 struct EnergyReleaseRate {
     Array1D contact_radius;       ///< [m], measured, else implied by F, δ and E*
     Array1D energy_release_rate;  ///< G [J/m²]
+    Array1D standard_error;       ///< of G from the noise of the sample's own channels [J/m²]; NaN where that is unknown
+    Array1D systematic;           ///< of G from E* (and the contact point, where a is implied), common to all samples [J/m²]
     bool radius_measured = false;
 };
 
 /// G = (4E*a³/3R − F)²/(8πE*a³) at each sample, with E* and contact point given.
 [[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
                                                      double contact_point);
+
+/// The same with its band. With a measured, F and a carry the noise; with a implied, F and δ, σ_Fδ included.
+///
+///   σ_G² = Σ (∂G/∂x_i)(∂G/∂x_j) Cov(x_i, x_j);  systematic² = (∂G/∂E* σ_E*)² + (∂G/∂δ0 σ_δ0)²
+///
+/// The two add in quadrature for one G; of differences along the branch the systematic one largely drops out.
+[[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, const Estimate& contact_modulus,
+                                                     const Estimate& contact_point);
 
 /// Young's modulus of the soft body with its standard error, from E*; NaN where the counter-body is too soft for it.
 [[nodiscard]] Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies);

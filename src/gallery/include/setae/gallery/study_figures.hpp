@@ -17,6 +17,7 @@ struct StudyFigure {
     std::string title;       ///< one line, such as "Power spectral density of every surface"
     std::string caption;     ///< what is drawn, from what, and what of it is reconstruction
     figures::Figure figure;  ///< empty where there is a reason
+    std::string command;     ///< what makes it again; empty: `setae plot` of its study
     std::string reason;      ///< why it cannot be drawn, as a sentence's end: "no experiment has a contact radius"; empty where it can
 
     [[nodiscard]] bool drawable() const { return reason.empty(); }

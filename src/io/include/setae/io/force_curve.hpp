@@ -17,6 +17,10 @@ struct ForceCurveOptions {
     std::optional<double> sensitivity;      ///< s of the deflection: [m/V], of NT-MDT [m/A], > 0
 };
 
+/// A sensitivity in SI, [m/V] or [m/A], from text with its unit such as "55 nm/V".
+/// @throws InvalidArgument for text that is neither.
+[[nodiscard]] double parse_sensitivity(std::string_view text);
+
 /// A file format of force curves.
 struct ForceCurveFormat {
     std::string identifier;   ///< "jpk-force", "afm-workshop", "igor-force", "nt-mdt"

@@ -39,6 +39,10 @@ struct LoopKey {
 /// @throws FileError; InvalidArgument as as_loop_file.
 void write_loop(const std::string& path, const Table& table, const std::map<std::string, std::string>& metadata);
 
+/// The entries of a table's metadata that a loop file can hold: lower-case keys, values of one line, known quantities with
+/// their dimension.
+[[nodiscard]] std::map<std::string, std::string> loop_metadata(const Table& table);
+
 /// Whether bytes begin as a loop file.
 [[nodiscard]] bool is_loop_file(std::string_view head);
 

@@ -56,13 +56,19 @@ struct RawTable {
 /// lines "# key: value".
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});
 
+/// What a loop's table must hold beside the force.
+enum class LoopColumns {
+    complete,      ///< displacement or contact radius
+    force_record,  ///< nothing: the contact radius comes from elsewhere
+};
+
 /// A loop: column "force" [N] and "displacement" [m] or "contact_radius" [m], optionally "time" [s], in SI. Names are
 /// compared without regard to case.
 /// @throws FormatError that names the missing column or unit, as for a table without forces.
-[[nodiscard]] Table read_loop_table(const std::string& path);
+[[nodiscard]] Table read_loop_table(const std::string& path, LoopColumns wanted = LoopColumns::complete);
 
 /// Checks that a table has a loop's columns in their units. @throws FormatError as read_loop_table.
-void require_loop_columns(const Table& table, const std::string& path);
+void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted = LoopColumns::complete);
 
 /// A table as CSV: header cells "name [unit]", numbers with all their digits, NaN as empty cell.
 /// @throws InvalidArgument for columns of different length or names that hold a comma, quote or line break.

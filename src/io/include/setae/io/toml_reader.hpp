@@ -28,6 +28,7 @@ public:
     [[nodiscard]] std::string required_text(const char* key);
     [[nodiscard]] std::optional<double> number(const char* key);
     [[nodiscard]] std::optional<std::int64_t> integer(const char* key);
+    [[nodiscard]] std::optional<bool> boolean(const char* key);
     /// What one of a closed set of words stands for. @throws FormatError that lists the words.
     template <class Value>
     [[nodiscard]] std::optional<Value> choice(const char* key, const std::vector<std::pair<std::string, Value>>& choices) {

@@ -33,6 +33,9 @@ using Json = nlohmann::ordered_json;
 /// beside it where a part is missing.
 [[nodiscard]] Json to_json(const experiment::LoopAnalysis& analysis);
 
+/// Its energies alone: "loop", "ledger", "cycles", "further_contacts", "alerts".
+[[nodiscard]] Json energies_json(const experiment::LoopAnalysis& analysis);
+
 /// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
 /// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
 [[nodiscard]] Json to_json(const StudyResult& result);

@@ -8,11 +8,13 @@
 
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/core/units.hpp"
+#include "setae/experiment/analysis.hpp"
 #include "setae/inference/likelihood_spectrum.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/options.hpp"
 #include "setae/topography/detrend.hpp"
+#include "setae/workflow/loop_source.hpp"
 
 namespace setae::workflow {
 
@@ -61,9 +63,8 @@ struct ElastomerInput {
 };
 
 /// A loop on file.
-struct ExperimentInput {
-    std::string file;
-    std::optional<std::string> mapping;
+struct ExperimentInput : LoopSource {
+    experiment::AnalysisOptions options;  ///< how this loop is analysed
     std::string surface;                  ///< empty for a reference
     std::string elastomer;
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's

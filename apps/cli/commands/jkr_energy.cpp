@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jkr_energy.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "loop_arguments.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/gallery/loop_figures.hpp"
+#include "setae/gallery/write_figures.hpp"
+#include "setae/io/table_file.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/workflow/loop_tables.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "E_loss      closed integral of F d(delta), F counted from free flight, drift taken off\n"
+    "budget      noise of both channels; drift: the zeros at both ends; compliance; sampling: when within a step the contact jumped;\n"
+    "            discretisation: trapezoid rule against every second sample\n"
+    "parts       jump-in, approach, retraction (< 0: recovered), jump-out; with free flight they add up to E_loss\n"
+    "ideal       what a smooth sphere with W and E* of loading loses in its two jumps, under fixed grips 0.663 W pi a_0^2, and in this machine\n"
+    "course      work = elastic + surface + dissipated, U_E = E* (delta^2 a - 2/3 delta a^3/R + a^5/(5R^2)), surface -W pi a^2\n"
+    "per area    over pi a_max^2, and over r pi a_max^2, r = A_true/A_app from --area-ratio                              [D19] (10)\n";
+
+struct Arguments {
+    Common common;
+    LoopAnalysisRequest request;
+    std::string tidy, course, figures;
+};
+
+experiment::EnergyCourse course_of(const AnalysedLoop& loop) {
+    const auto& analysis = loop.analysis;
+    if (!analysis.contact_points) throw UndefinedDataError(analysis.contact_points.reason);
+    const auto& fit = analysis.loading.primary();
+    return experiment::energy_course(analysis.corrected, analysis.segments.contacts.front(),
+                                     {.contact = {loop.bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
+                                      .contact_point = analysis.contact_points->contact_point.value});
+}
+
+Table table_of(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
+    const auto& record = loop.analysis.corrected;
+    const Index first = course.range.first, n = course.work.size();
+    Table table;
+    if (record.time.size() > 0) table.columns.push_back({"time", "s", record.time.segment(first, n)});
+    table.columns.push_back({"force", "N", record.force.segment(first, n)});
+    table.columns.push_back({"displacement", "m", record.displacement.segment(first, n)});
+    for (const auto& [name, values] : {std::pair{"work", &course.work}, std::pair{"elastic", &course.elastic}, std::pair{"surface", &course.surface},
+                                       std::pair{"dissipated", &course.dissipated}, std::pair{"released", &course.released}})
+        table.columns.push_back({name, "J", *values});
+    table.columns.push_back({"contact_radius", "m", course.contact_radius});
+    return table;
+}
+
+void print_ledger(const AnalysedLoop& loop) {
+    workflow::TidyTable table{loop.file, {"part", "energy [J]", "±", "noise", "drift", "sampling", "discretisation"}, {}};
+    const auto add = [&](const std::string& part, double energy, const experiment::LoopErrorBudget& e) {
+        table.rows.push_back({part, energy, e.total, e.noise, e.drift, e.sampling, e.discretisation});
+    };
+    const auto& ledger = loop.analysis.ledger;
+    if (!ledger) {
+        print(fmt::format("{}: {}\n", loop.file, ledger.reason));
+        return;
+    }
+    add("closed loop", ledger->loop.energy, ledger->loop.standard_error);
+    add("free flight before", ledger->before_contact.energy, ledger->before_contact.standard_error);
+    if (ledger->jump_in) add("jump-in", ledger->jump_in->energy, ledger->jump_in->standard_error);
+    add("approach", ledger->approach.energy, ledger->approach.standard_error);
+    add("retraction", ledger->retraction.energy, ledger->retraction.standard_error);
+    if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
+    add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
+    std::string text = workflow::as_text(table);
+    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<34} {}\n", what, value); };
+    line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
+    line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"), format_value(ledger->machine_stiffness, "N/m")));
+    line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
+    line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
+    line("loss per true area", fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
+    for (std::size_t i = 0; i < loop.analysis.cycles.size() && loop.analysis.cycles.size() > 1; ++i) {
+        const auto& energy = loop.analysis.cycles[i].energy;
+        line(fmt::format("cycle {}", i + 1).c_str(), energy ? format_value(*energy, "J") : energy.reason);
+    }
+    print(text);
+}
+
+/// Figures of every loop's course, and of all losses.
+class EnergyFigures {
+public:
+    explicit EnergyFigures(const Arguments& arguments) : arguments_(arguments) {}
+
+    void add(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
+        const auto name = std::filesystem::path(loop.file).stem().string();
+        figures_.push_back(gallery::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
+                                                  fmt::format("setae jkr energy {} --figures {}", shell_word(loop.file), shell_word(arguments_.figures))));
+        if (const auto& ledger = loop.analysis.ledger) losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
+    }
+    void write() {
+        std::string files;
+        for (const auto& file : arguments_.request.loops.files) files += " " + shell_word(file);
+        figures_.push_back(gallery::loss_figure(losses_, fmt::format("setae jkr energy{} --figures {}", files, shell_word(arguments_.figures))));
+        for (const auto& written : gallery::write_figures(figures_, {.folder = arguments_.figures, .threads = arguments_.common.workers()}))
+            if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+    }
+
+private:
+    const Arguments& arguments_;
+    std::vector<gallery::StudyFigure> figures_;
+    std::vector<gallery::NamedLoss> losses_;
+};
+
+ExitCode run(const Arguments& arguments) {
+    workflow::Json list = workflow::Json::array();
+    auto energies = workflow::energies_table();
+    EnergyFigures figures(arguments);
+    const bool courses = !arguments.course.empty() || !arguments.figures.empty();
+    if (!arguments.course.empty()) std::filesystem::create_directories(arguments.course);
+    const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
+        workflow::add_energies(energies, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        if (arguments.common.json) {
+            auto json = workflow::energies_json(loop.analysis);
+            json["file"] = loop.file;
+            list.push_back(std::move(json));
+        } else {
+            print_ledger(loop);
+            show(loop.analysis.alerts);
+        }
+        if (!courses) return;
+        try {
+            const auto course = course_of(loop);
+            const auto name = std::filesystem::path(loop.file).stem().string() + "_course.csv";
+            if (!arguments.course.empty()) io::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
+            if (!arguments.figures.empty()) figures.add(loop, course);
+        } catch (const UndefinedDataError& error) {
+            complain(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
+        }
+    });
+    if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);
+    if (code == ExitCode::nothing_done) return code;
+    if (!arguments.figures.empty()) figures.write();
+    if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(energies));
+    return code;
+}
+
+}  // namespace
+
+void add_jkr_energy(CLI::App& group, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = group.add_subcommand("energy", "where the energy of loops goes: ledger, error budget, course along the loop");
+    arguments->request.add_to(*verb);
+    verb->add_option("--tidy", arguments->tidy, "energies of every contact and cycle of every loop as one CSV table");
+    verb->add_option("--course", arguments->course, "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
+    verb->add_option("--figures", arguments->figures, "folder of figures: the course of each loop, losses against true area");
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jkr_fit.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jkr_curve.hpp"
+#include "jkr_models.hpp"
+#include "loop_arguments.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/gallery/loop_figures.hpp"
+#include "setae/gallery/write_figures.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/workflow/fit_json.hpp"
+#include "setae/workflow/loop_tables.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "radius_force        a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))       [D19] (1)\n"
+    "linear_form         F/sqrt(6 pi a^3) = K a^(3/2)/(sqrt(6 pi) R) - sqrt(K W), K = 4E*/3\n"
+    "force_displacement  delta = a^2/R - sqrt(2 pi a W/E*) + delta_0, a(F) by (1)\n"
+    "pointwise           F = 2 a E* (delta - delta_0 - a^2/(3R)), free of W\n"
+    "pull_off            W = 2|F_po|/(3 pi R), fixed load                                      [D19] (S1)\n"
+    "retraction          (1) on the last points before pull-off, E* of loading                 [D19] (S2)\n"
+    "loop                E_loss = closed integral of F d(delta), baseline and drift removed\n";
+
+struct Arguments {
+    Common common;
+    LoopAnalysisRequest request;
+    ModelArguments models;
+    CurveArguments curve;
+    std::string tidy, figures;
+};
+
+void add_branch(workflow::TidyTable& table, const char* branch, const experiment::BranchAnalysis& analysis) {
+    const auto add = [&](const experiment::Outcome<experiment::JkrFit>& fit) {
+        if (!fit) return;
+        const auto cell = [](const Estimate& v, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
+        table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6), cell(fit->work_of_adhesion, 1e3),
+                              fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
+                              fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
+    };
+    add(analysis.radius_force);
+    add(analysis.radius_force_effective_variance);
+    add(analysis.linear_form);
+    add(analysis.force_displacement);
+    add(analysis.joint);
+}
+
+void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
+    workflow::TidyTable table{file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+    add_branch(table, "loading", a.loading);
+    if (a.unloading) add_branch(table, "unloading", *a.unloading);
+    std::string text = workflow::as_text(table);
+    text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
+    for (const auto& s : a.loading.sensitivity) text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
+    text += '\n';
+    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<28} {}\n", what, value); };
+    const auto value = [](const Estimate& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
+    line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
+    if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
+    line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
+    line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
+    line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
+    line("largest contact radius", format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
+    line("cycles", fmt::format("{}", a.cycles.size()));
+    print(text);
+}
+
+/// The figures of every loop, made as the loops come, and the one of all of them.
+class FigureFolder {
+public:
+    FigureFolder(const Arguments& arguments) : arguments_(arguments) {}
+
+    void add(const AnalysedLoop& loop) {
+        const auto name = std::filesystem::path(loop.file).stem().string();
+        const auto command = fmt::format("setae jkr fit {} --figures {}", shell_word(loop.file), shell_word(arguments_.figures));
+        const gallery::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+        for (auto& figure : gallery::loop_figures(drawn, command)) figures_.push_back(std::move(figure));
+        try {
+            scans_.push_back({name, experiment::scan_ranges(loop.analysis, loop.bodies, loop.options)});
+        } catch (const UndefinedDataError& error) {
+            complain(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
+        }
+    }
+
+    void write() {
+        std::string files;
+        for (const auto& file : arguments_.request.loops.files) files += " " + shell_word(file);
+        figures_.push_back(gallery::range_figure(scans_, fmt::format("setae jkr fit{} --figures {}", files, shell_word(arguments_.figures))));
+        for (const auto& written : gallery::write_figures(figures_, {.folder = arguments_.figures, .threads = arguments_.common.workers()}))
+            if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+    }
+
+private:
+    const Arguments& arguments_;
+    std::vector<gallery::StudyFigure> figures_;
+    std::vector<gallery::NamedScan> scans_;
+};
+
+/// Force curves among the files.
+ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, workflow::Json& list) {
+    return for_each_item(files, [&](const std::string& file) {
+        const auto segments = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
+        if (arguments.common.json) list.push_back({{"file", file}, {"segments", workflow::to_json(segments)}});
+        else print_curve(file, segments);
+    });
+}
+
+/// Loops among them, with the fit they share where one is wanted.
+ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, workflow::Json& list, std::optional<experiment::GlobalFit>& global) {
+    auto fits = workflow::fits_table();
+    FigureFolder figures(arguments);
+    SharedFit shared(arguments.models);
+    const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
+        workflow::add_fits(fits, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        if (!arguments.figures.empty()) figures.add(loop);
+        if (shared.wanted()) shared.add(loop);
+        if (arguments.common.json) {
+            auto json = workflow::to_json(loop.analysis);
+            json["file"] = loop.file;
+            if (arguments.models.wanted()) json["models"] = json_of(models_of(loop, arguments.models));
+            list.push_back(std::move(json));
+        } else {
+            print_loop(loop.file, loop.analysis);
+            if (arguments.models.wanted()) print_models(models_of(loop, arguments.models));
+            show(loop.analysis.alerts);
+        }
+    });
+    if (code == ExitCode::nothing_done) return code;
+    if (shared.wanted()) global = shared.fit();
+    if (!arguments.figures.empty()) figures.write();
+    if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(fits));
+    return code;
+}
+
+ExitCode run(const Arguments& arguments) {
+    workflow::Json list = workflow::Json::array();
+    auto loops = arguments.request;
+    std::vector<std::string> curves;
+    loops.loops.files.clear();
+    for (const auto& file : arguments.request.loops.expanded()) (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
+    std::optional<experiment::GlobalFit> global;
+    std::vector<ExitCode> codes;
+    if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
+    if (!loops.loops.files.empty()) codes.push_back(fit_loops(arguments, loops, list, global));
+    if (arguments.common.json && !list.empty()) {
+        const auto results = list.size() == 1 ? list.front() : list;
+        print_json(global ? workflow::Json{{"loops", results}, {"shared", workflow::to_json(*global)}} : results);
+    } else if (global) {
+        print_shared(*global);
+    }
+    return std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); }) ? codes.front() : ExitCode::some_failed;
+}
+
+}  // namespace
+
+void add_jkr_fit(CLI::App& group, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = group.add_subcommand("fit", "fit JKR to loops of force, displacement and contact radius");
+    arguments->request.add_to(*verb);
+    arguments->models.add_to(*verb);
+    arguments->curve.add_to(*verb);
+    verb->add_option("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
+    verb->add_option("--figures", arguments->figures, "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

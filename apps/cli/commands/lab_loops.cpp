@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab_loops.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "closure_output.hpp"
+#include "setae/closure/loop_coverage.hpp"
+#include "setae/closure/report.hpp"
+#include "setae/io/whole_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "branches   E*, W and delta_0 of each fit on samples of JKR's curves with noise in force, displacement and contact radius\n"
+    "records    whole loops through `setae jkr fit`: free flight, jumps, the pinned stretch; W differs between the branches\n"
+    "SNR        largest force over sigma_F; displacement to the largest force over sigma_delta; a_max over sigma_a\n"
+    "bias       mean of found/planted - 1, or of found - planted;  scatter, stated: standard deviation found, and claimed\n"
+    "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
+    "a(F)       least squares in a alone, (1); a(F), both: effective variance; linear: the linear form; both known to be biased where noisy\n";
+
+struct Arguments {
+    Common common;
+    closure::LoopCoverageOptions options;
+    std::string output = "loop_coverage";
+};
+
+ExitCode run(const Arguments& arguments) {
+    auto options = arguments.options;
+    options.threads = arguments.common.workers();
+    options.progress = progress_of(options.runs);
+    auto comparisons = closure::branch_coverage(options);
+    const auto records = closure::record_coverage(options);
+    comparisons.insert(comparisons.end(), records.begin(), records.end());
+    const auto rows = closure::summary(comparisons);
+    write_closure(rows, "loop_coverage", arguments.output);
+    io::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), closure::comparisons_csv(comparisons));
+    if (arguments.common.json) print_json({{"runs", options.runs}, {"first_seed", options.first_seed}, {"samples", options.samples}, {"rows", json_of(rows)}});
+    else print(closure::summary_table(rows) + fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n", options.runs, options.first_seed, options.samples, arguments.output));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_lab_loops(CLI::App& group, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = group.add_subcommand("loops", "fit many noisy loops that are known: bias and coverage of every fit");
+    verb->add_option("-o,--output", arguments->output, "folder of tables and figure")->capture_default_str();
+    verb->add_option("--runs", arguments->options.runs, "loops at each signal-to-noise ratio")->check(CLI::Range(1, 1000000))->capture_default_str();
+    verb->add_option("--seed", arguments->options.first_seed, "of the first run")->capture_default_str();
+    verb->add_option("--samples", arguments->options.samples, "of each branch")->check(CLI::Range(20, 1000000))->capture_default_str();
+    verb->add_option("--snr", arguments->options.signal_to_noise, "signal-to-noise ratios")->capture_default_str();
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loop_options.hpp"
+
+#include "setae/core/errors.hpp"
+
+namespace setae::workflow {
+namespace {
+
+using io::TomlReader;
+
+/// A count of samples, at least `least`.
+void read_count(TomlReader& reader, const char* key, Index least, Index& count) {
+    const auto given = reader.integer(key);
+    if (!given) return;
+    if (*given < least || *given > 1'000'000) reader.fail(key, "expected a number from " + std::to_string(least) + " to 1000000");
+    count = static_cast<Index>(*given);
+}
+
+void read_switch(TomlReader& reader, const char* key, bool& value) { value = reader.boolean(key).value_or(value); }
+
+/// What a parser makes of a text, its complaint at the key's place.
+template <class Parser>
+void parse_at(TomlReader& reader, const char* key, const Parser& parser) {
+    try {
+        parser();
+    } catch (const InvalidArgument& error) {
+        reader.fail(key, error.what());
+    }
+}
+
+}  // namespace
+
+experiment::AnalysisOptions read_loop_options(TomlReader& reader, experiment::AnalysisOptions options) {
+    read_count(reader, "samples_dropped", 0, options.samples_dropped);
+    read_count(reader, "retraction_points", 2, options.retraction_points);
+    read_switch(reader, "effective_variance", options.effective_variance);
+    read_switch(reader, "force_drift", options.force_drift);
+    read_switch(reader, "extrapolate_force_drift", options.extrapolate_force_drift);
+    read_switch(reader, "leave_pinned_out", options.leave_pinned_out);
+    read_switch(reader, "retraction_modulus_free", options.retraction_modulus_free);
+    options.displacement_drift_rate = reader.quantity("displacement_drift", dimension::length / dimension::time).value_or(options.displacement_drift_rate);
+    options.interaction_range = reader.quantity("interaction_range", dimension::length).value_or(options.interaction_range);
+    options.segments.baseline_share = reader.number("baseline_share").value_or(options.segments.baseline_share);
+    if (const auto noise = reader.quantity("contact_radius_noise", dimension::length)) options.contact_radius_noise = noise;
+    if (const auto stiffness = reader.uncertain("machine_stiffness", dimension::stiffness)) {
+        options.machine_stiffness = stiffness->value;
+        options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
+    }
+    if (const auto point = reader.text("contact_point")) parse_at(reader, "contact_point", [&] { options.contact_point = experiment::parse_contact_point(*point); });
+    return options;
+}
+
+experiment::AnalysisOptions read_loop_options_of_record(TomlReader& reader, const experiment::AnalysisOptions& defaults) {
+    auto options = read_loop_options(reader, defaults);
+    for (const auto& edit : reader.texts("segments")) parse_at(reader, "segments", [&] { experiment::add_segment_edit(options.segments.edits, edit); });
+    return options;
+}
+
+}  // namespace setae::workflow

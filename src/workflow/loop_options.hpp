@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/experiment/analysis.hpp"
+#include "setae/io/toml_reader.hpp"
+
+namespace setae::workflow {
+
+/// How loops are analysed, from the keys of [loops] or of one experiment; what is not there stays as in `defaults`.
+///
+/// samples_dropped, effective_variance, force_drift, extrapolate_force_drift, displacement_drift, leave_pinned_out,
+/// retraction_points, retraction_modulus_free, machine_stiffness, contact_point, baseline_share, contact_radius_noise, interaction_range.
+/// @throws FormatError at a key with a value of another kind.
+[[nodiscard]] experiment::AnalysisOptions read_loop_options(io::TomlReader& reader, experiment::AnalysisOptions defaults);
+
+/// The same with `segments`, texts of segment edits that belong to one record.
+[[nodiscard]] experiment::AnalysisOptions read_loop_options_of_record(io::TomlReader& reader, const experiment::AnalysisOptions& defaults);
+
+}  // namespace setae::workflow

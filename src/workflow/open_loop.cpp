@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/workflow/open_loop.hpp"
+
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/io/clocks.hpp"
+#include "setae/io/loop_file.hpp"
+#include "setae/io/table_file.hpp"
+
+namespace setae::workflow {
+namespace {
+
+/// Messages of a computation begin with the file it is about.
+template <class Computation>
+auto naming(const std::string& file, Computation&& computation) {
+    const auto named = [&](const std::string& message) { return message.starts_with(file) ? message : file + ": " + message; };
+    try {
+        return computation();
+    } catch (const UndefinedDataError& error) {
+        throw UndefinedDataError(named(error.what()));
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(named(error.what()));
+    }
+}
+
+Table read_unmapped(const LoopSource& source) {
+    const auto file = io::file_source(source.file);
+    constexpr std::uint64_t first_line = 64;
+    if (io::is_loop_file(file.head(first_line))) return io::read_loop(source.file);
+    if (io::force_curve_format(file)) {
+        auto curve = io::read_force_curve(file, source.force_curve);
+        if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
+            throw FormatError(source.file, {}, fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity", missing->second));
+        return curve;
+    }
+    return io::read_loop_table(source.file, source.camera ? io::LoopColumns::force_record : io::LoopColumns::complete);
+}
+
+Table read_table_of(const std::string& file, const std::optional<std::string>& mapping) {
+    return mapping ? io::read_mapped_table(file, io::read_mapping(*mapping)) : io::read_table(file);
+}
+
+void align(OpenedLoop& opened, const LoopSource& source) {
+    const auto camera = read_table_of(source.camera->file, source.camera->mapping);
+    io::require_one_clock(camera, source.camera->file);
+    double offset = source.camera->clock_offset.value_or(0.0);
+    if (!source.camera->clock_offset) {
+        const auto* displacement = opened.table.find("displacement");
+        opened.clock = naming(source.camera->file, [&] {
+            return experiment::align_clocks({.time = opened.table.at("time"), .force = opened.table.at("force"), .displacement = displacement ? displacement->values : Array1D()},
+                                            {.time = camera.at("time"), .contact_radius = camera.at("contact_radius")});
+        });
+        offset = opened.clock->offset.value;
+        if (!opened.clock->doubt.empty())
+            opened.alerts.push_back({"CLOCK_DOUBTFUL", source.file, fmt::format("the camera's clock was set {:.4g} s behind the force's, but {}", offset, opened.clock->doubt),
+                                     "compare jump-in and pull-off in both records and give the offset"});
+    }
+    opened.table = naming(source.camera->file, [&] { return io::merged_by_time(opened.table, camera, offset); });
+    if (opened.clock) opened.table.metadata["camera_clock_offset_error"] = fmt::format("{} s", opened.clock->offset.standard_error);
+    const auto& outside = opened.table.metadata.at("frames_outside");
+    if (outside != "0") opened.alerts.push_back({"FRAMES_OUTSIDE", source.file, fmt::format("{} frames of {} lie outside the force record", outside, source.camera->file), "check the clock offset"});
+}
+
+OpenedLoop on_one_clock(const LoopSource& source, Table table) {
+    OpenedLoop opened{.table = std::move(table)};
+    io::require_one_clock(opened.table, source.file);
+    if (source.camera) align(opened, source);
+    return opened;
+}
+
+}  // namespace
+
+std::vector<std::string> LoopSource::files() const {
+    std::vector<std::string> names{file};
+    if (mapping) names.push_back(*mapping);
+    if (camera) names.push_back(camera->file);
+    if (camera && camera->mapping) names.push_back(*camera->mapping);
+    return names;
+}
+
+OpenedLoop open_loop(const LoopSource& source) {
+    return source.mapping ? open_loop(source, io::read_mapping(*source.mapping)) : on_one_clock(source, read_unmapped(source));
+}
+
+OpenedLoop open_loop(const LoopSource& source, const io::Mapping& mapping) { return on_one_clock(source, io::read_mapped_table(source.file, mapping)); }
+
+experiment::LensAndCounterBody bodies_stated_in(const Table& loop) {
+    experiment::LensAndCounterBody bodies;
+    bodies.radius = io::loop_quantity(loop, "sphere_radius").value_or(bodies.radius);
+    bodies.lens_poisson_ratio = io::loop_quantity(loop, "lens_poisson_ratio").value_or(bodies.lens_poisson_ratio);
+    bodies.counter_youngs_modulus = io::loop_quantity(loop, "counter_youngs_modulus").value_or(std::numeric_limits<double>::infinity());
+    bodies.counter_poisson_ratio = io::loop_quantity(loop, "counter_poisson_ratio").value_or(bodies.counter_poisson_ratio);
+    bodies.lens_height = io::loop_quantity(loop, "lens_height");
+    bodies.layer_thickness = io::loop_quantity(loop, "layer_thickness");
+    return bodies;
+}
+
+experiment::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file, const experiment::LensAndCounterBody& bodies,
+                                      const experiment::AnalysisOptions& options) {
+    return naming(file, [&] {
+        auto analysis = experiment::analyse(experiment::loop_from_table(opened.table), bodies, options, file);
+        analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
+        return analysis;
+    });
+}
+
+experiment::LoopAnalysis analyse_loop(const LoopSource& source, const experiment::LensAndCounterBody& bodies, const experiment::AnalysisOptions& options) {
+    return analyse_loop(open_loop(source), source.file, bodies, options);
+}
+
+}  // namespace setae::workflow
