@@ -7,6 +7,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/experiment/contact_point.hpp"
+#include "small_least_squares.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -66,11 +67,14 @@ struct HeldProblem {
     double shape_unit;    ///< λ of a contact whose adhesion is as deep as its penetration
     double modulus_unit;  ///< [Pa]
 
+    /// λ of the second parameter, which is 1 where W = 0, so that steps can be told to be small beside it.
+    [[nodiscard]] double shape_of(const Eigen::Vector2d& at) const { return (at[1] - 1.0) * shape_unit; }
+
     /// The best of many shapes, E* by linear regression, on some hundred of the samples.
     [[nodiscard]] Eigen::Vector2d start() const {
         constexpr Index enough = 100;
         const Index stride = std::max<Index>(1, depth.size() / enough);
-        Eigen::Vector2d best(1.0, 0.0);
+        Eigen::Vector2d best(1.0, 1.0);
         double least = std::numeric_limits<double>::infinity();
         const auto consider = [&](double shape) {
             const Curve curve(shape * shape_unit, radius);
@@ -84,7 +88,7 @@ struct HeldProblem {
             const double cost = yy - xy * xy / xx;
             if (!(xx > 0.0 && xy > 0.0) || !(cost < least)) return;
             least = cost;
-            best = {xy / xx, shape};
+            best = {xy / xx, 1.0 + shape};
         };
         constexpr int steps = 40;
         consider(0.0);
@@ -92,24 +96,43 @@ struct HeldProblem {
         return best;
     }
 
-    [[nodiscard]] LeastSquaresSolution solve(const Eigen::VectorXd& from) const {
-        return minimise({.residuals = force.size(),
-                         .parameters = 2,
-                         .evaluate =
-                             [this](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                                 const Curve curve(at[1] * shape_unit, radius);
-                                 for (Index i = 0; i < force.size(); ++i) {
-                                     const Point point = curve.at(depth[i]);
-                                     residuals[i] = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
-                                     if (jacobian) jacobian->row(i) << -weight[i] * modulus_unit * point.value, -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
-                                 }
-                             }},
-                        from);
+    [[nodiscard]] SmallMinimum<2> minimum(const Eigen::Vector2d& from) const {
+        const auto evaluate = [this](const Eigen::Vector2d& at) {
+            const Curve curve(shape_of(at), radius);
+            NormalEquations<2> sums;
+            for (Index i = 0; i < force.size(); ++i) {
+                const Point point = curve.at(depth[i]);
+                const Eigen::Vector2d row = weight[i] * modulus_unit * Eigen::Vector2d(point.value, at[0] * shape_unit * point.by_shape);
+                const double residual = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
+                sums.normal += row * row.transpose();
+                sums.gradient += row * residual;
+                sums.squares += residual * residual;
+            }
+            return sums;
+        };
+        return minimise_small<2>(evaluate, from, static_cast<double>(std::max<Index>(force.size() - 2, 1)));
+    }
+
+    /// The minimum with its covariance; residuals without their weights.
+    [[nodiscard]] LeastSquaresSolution completed(const SmallMinimum<2>& found) const {
+        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        const Eigen::Vector2d& at = found.parameters_found;
+        const Curve curve(shape_of(at), radius);
+        Eigen::MatrixXd jacobian(force.size(), 2);
+        solution.residuals.resize(force.size());
+        for (Index i = 0; i < force.size(); ++i) {
+            const Point point = curve.at(depth[i]);
+            jacobian.row(i) << -weight[i] * modulus_unit * point.value, -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
+            solution.residuals[i] = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
+        }
+        solution.uncertainty = correlated_covariance(jacobian, solution.residuals);
+        solution.residuals.array() /= weight;
+        return solution;
     }
 
     /// Variance of F − F(δ) [N²].
-    [[nodiscard]] Array1D variances(const BranchData& data, const Eigen::VectorXd& at) const {
-        const Curve curve(at[1] * shape_unit, radius);
+    [[nodiscard]] Array1D variances(const BranchData& data, const Eigen::Vector2d& at) const {
+        const Curve curve(shape_of(at), radius);
         Array1D result(force.size());
         for (Index i = 0; i < result.size(); ++i) {
             const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_depth;
@@ -135,17 +158,17 @@ JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& 
     BranchData reduced = data;
     reduced.force_noise /= scale;
     reduced.force_displacement_covariance /= scale;
-    LeastSquaresSolution solution = problem.solve(problem.start());
+    SmallMinimum<2> found = problem.minimum(problem.start());
     constexpr int rounds = 2;
-    for (int round = 0; round < rounds && solution.converged; ++round) {
-        const Array1D variances = problem.variances(reduced, solution.parameters);
+    for (int round = 0; round < rounds && found.converged; ++round) {
+        const Array1D variances = problem.variances(reduced, found.parameters_found);
         if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
         problem.weight = (variances.mean() / variances).sqrt();
-        solution = problem.solve(solution.parameters);
+        found = problem.minimum(found.parameters_found);
     }
-    solution.residuals.array() /= problem.weight;
+    const LeastSquaresSolution solution = problem.completed(found);
 
-    const double modulus = solution.parameters[0] * problem.modulus_unit * scale, shape = solution.parameters[1] * problem.shape_unit;
+    const double modulus = solution.parameters[0] * problem.modulus_unit * scale, shape = problem.shape_of(solution.parameters);
     require_modulus(modulus);
     const double work_over_modulus = shape * std::abs(shape) / (2.0 * pi);
     Eigen::Matrix2d transform;
