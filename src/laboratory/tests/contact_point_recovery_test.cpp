@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "setae/experiment/analysis.hpp"
 #include "setae/experiment/spring_jumps.hpp"
@@ -75,7 +74,7 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
             covered += interval->lower <= made.truth.energy_loss() && made.truth.energy_loss() <= interval->upper ? 1 : 0;
         }
         EXPECT_GE(covered, 0.90 * seeds) << signal_to_noise;
-        EXPECT_LE(covered, 0.985 * seeds) << signal_to_noise;
+        EXPECT_LE(covered, 0.98 * seeds) << signal_to_noise;
     }
 }
 
@@ -112,15 +111,14 @@ TEST_P(Recovery, OfContactPointsIsHonest) {
     int methods = 0;
     for (const auto& [method, pulls] : found) {
         const std::string name = experiment::contact_point_name(method);
-        // near −3/2 πRW noise of a fifth of it hides the fold of F(δ), and the fit takes a wrong turn: see its own tests
-        if (method == ContactPointMethod::force_displacement && signal_to_noise < 10.0) continue;
         if (pulls.n < seeds / 2) continue;  // a jump that hardly ever stands out from the noise
         ++methods;
-        EXPECT_NEAR(pulls.mean(), 0.0, 0.6) << name;
+        // the mean of 100 pulls scatters by 0.1; half a step more or less of a jump is 0.3 more
+        EXPECT_NEAR(pulls.mean(), 0.0, 0.5) << name;
         EXPECT_GT(pulls.spread(), 0.7) << name;
         EXPECT_LT(pulls.spread(), 1.4) << name;
     }
-    EXPECT_GE(methods, signal_to_noise < 10.0 ? 4 : 6);
+    EXPECT_GE(methods, signal_to_noise < 10.0 ? 5 : 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Noise, Recovery, testing::Values(Case{5.0, fixed_grips}, Case{5.0, 300.0}, Case{20.0, fixed_grips}, Case{20.0, 300.0},
