@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "fit_support.hpp"
+#include "held_contact_point.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/experiment/contact_point.hpp"
 #include "small_least_squares.hpp"
 
 namespace setae::experiment {
@@ -143,29 +143,46 @@ struct HeldProblem {
     }
 };
 
-}  // namespace
+/// The data in units of the largest force.
+struct Reduced {
+    HeldProblem problem;
+    BranchData data;  ///< its noise in the problem's units
+    double scale;     ///< [N]
+};
 
-JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
+Reduced reduced_data(const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
     require_data(data, bodies, {.displacement = true, .fewest = 3});
     const double largest = data.displacement.maxCoeff() - contact_point, scale = force_scale(data);
     if (!(largest > 0.0)) throw UndefinedDataError("the branch never passes the contact point: a fit needs a penetration > 0");
-    HeldProblem problem{.depth = data.displacement - contact_point,
-                        .force = data.force / scale,
-                        .weight = Array1D::Ones(data.force.size()),
-                        .radius = bodies.radius,
-                        .shape_unit = std::sqrt(largest * std::sqrt(largest / bodies.radius)),
-                        .modulus_unit = 0.75 / (std::sqrt(bodies.radius * largest) * largest)};
-    BranchData reduced = data;
-    reduced.force_noise /= scale;
-    reduced.force_displacement_covariance /= scale;
-    SmallMinimum<2> found = problem.minimum(problem.start());
+    Reduced reduced{.problem = {.depth = data.displacement - contact_point,
+                                .force = data.force / scale,
+                                .weight = Array1D::Ones(data.force.size()),
+                                .radius = bodies.radius,
+                                .shape_unit = std::sqrt(largest * std::sqrt(largest / bodies.radius)),
+                                .modulus_unit = 0.75 / (std::sqrt(bodies.radius * largest) * largest)},
+                    .data = {.force_noise = data.force_noise / scale,
+                             .displacement_noise = data.displacement_noise,
+                             .force_displacement_covariance = data.force_displacement_covariance / scale},
+                    .scale = scale};
+    return reduced;
+}
+
+/// Weighs each residual by its variance at the parameters, where it is known.
+bool weigh(Reduced& reduced, const Eigen::Vector2d& at) {
+    const Array1D variances = reduced.problem.variances(reduced.data, at);
+    if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) return false;
+    reduced.problem.weight = (variances.mean() / variances).sqrt();
+    return true;
+}
+
+SmallMinimum<2> weighted_minimum(Reduced& reduced, SmallMinimum<2> found) {
     constexpr int rounds = 2;
-    for (int round = 0; round < rounds && found.converged; ++round) {
-        const Array1D variances = problem.variances(reduced, found.parameters_found);
-        if (!(variances.minCoeff() > 0.0 && variances.isFinite().all())) break;
-        problem.weight = (variances.mean() / variances).sqrt();
-        found = problem.minimum(found.parameters_found);
-    }
+    for (int round = 0; round < rounds && found.converged && weigh(reduced, found.parameters_found); ++round) found = reduced.problem.minimum(found.parameters_found);
+    return found;
+}
+
+JkrFit completed(const Reduced& reduced, const SmallMinimum<2>& found, const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
+    const auto& [problem, noise, scale] = reduced;
     const LeastSquaresSolution solution = problem.completed(found);
 
     const double modulus = solution.parameters[0] * problem.modulus_unit * scale, shape = problem.shape_of(solution.parameters);
@@ -185,10 +202,26 @@ JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& 
     const double second = modulus / pi * std::pow(problem.shape_unit, 2) * solution.uncertainty.covariance(1, 1);
     fit.work_of_adhesion = solution.estimate(modulus * work_over_modulus, std::sqrt(fit.covariance(1, 1) + 0.5 * second * second));
     fit.residuals = solution.residuals.array() * scale;
-    fit.chi2_reduced = reduced_chi2(solution.residuals.array(), problem.variances(reduced, solution.parameters), 2);
+    fit.chi2_reduced = reduced_chi2(solution.residuals.array(), problem.variances(noise, solution.parameters), 2);
     fit.correlated_samples = solution.uncertainty.correlated_samples;
     complete(fit, bodies, data.force.maxCoeff() - data.force.minCoeff());
     return fit;
+}
+
+}  // namespace
+
+JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
+    Reduced reduced = reduced_data(data, bodies, contact_point);
+    const SmallMinimum<2> found = weighted_minimum(reduced, reduced.problem.minimum(reduced.problem.start()));
+    return completed(reduced, found, data, bodies, contact_point);
+}
+
+JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point, const JkrFit& near) {
+    Reduced reduced = reduced_data(data, bodies, contact_point);
+    const double modulus = near.contact_modulus.value, ratio = near.work_of_adhesion.value / modulus;
+    const Eigen::Vector2d start(modulus / (reduced.problem.modulus_unit * reduced.scale), 1.0 + std::copysign(std::sqrt(2.0 * pi * std::abs(ratio)), ratio) / reduced.problem.shape_unit);
+    const SmallMinimum<2> found = weighted_minimum(reduced, {.parameters_found = start, .converged = start.allFinite()});
+    return found.converged && found.iterations > 0 ? completed(reduced, found, data, bodies, contact_point) : fit_with_contact_point(data, bodies, contact_point);
 }
 
 }  // namespace setae::experiment
