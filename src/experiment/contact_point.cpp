@@ -8,6 +8,7 @@
 
 #include "attempt.hpp"
 #include "contact_point_estimators.hpp"
+#include "held_contact_point.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -47,7 +48,7 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
     if (choice.mode == Mode::value) return std::nullopt;
     if (choice.mode == Mode::estimator) return must(choice.estimator);
     if (choice.mode == Mode::fit) return must(ContactPointMethod::force_displacement);
-    constexpr double determined = 0.05;  // of the penetration
+    constexpr double determined = 0.5;  // of the penetration: beyond, the fit knows as good as nothing of it
     const auto& fitted = points.of(ContactPointMethod::force_displacement).contact_point;
     if (fitted && fitted->standard_error < determined * penetration) return ContactPointMethod::force_displacement;
     std::optional<ContactPointMethod> best;
@@ -61,11 +62,16 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
     return best;
 }
 
+JkrFit held_fit(const ContactPointInputs& inputs, const LensAndCounterBody& bodies, double contact_point) {
+    if (inputs.force_displacement) return fit_with_contact_point(inputs.loading, bodies, contact_point, *inputs.force_displacement);
+    return fit_with_contact_point(inputs.loading, bodies, contact_point);
+}
+
 void add_sensitivity(ContactPoints& points, const ContactPointInputs& inputs, const LensAndCounterBody& bodies, double penetration) {
     constexpr double least_share = 1e-3;
     const double error = points.contact_point.uncertain() ? points.contact_point.standard_error : 0.0;
     const double step = std::clamp(error, least_share * penetration, 10.0 * least_share * penetration);
-    const auto held = [&](double sign) { return attempt([&] { return fit_with_contact_point(inputs.loading, bodies, points.contact_point.value + sign * step); }); };
+    const auto held = [&](double sign) { return attempt([&] { return held_fit(inputs, bodies, points.contact_point.value + sign * step); }); };
     const auto above = held(1.0), below = held(-1.0);
     if (!above || !below) {
         points.work_by_contact_point = points.modulus_by_contact_point = undefined;
@@ -134,7 +140,7 @@ ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCoun
     if (!(penetration > 0.0))
         throw UndefinedDataError(fmt::format("the contact point {:.4g} m lies beyond the largest displacement of the loading, {:.4g} m", points.contact_point.value, deepest));
     for (ContactPointEstimate& estimate : points.estimates)
-        estimate.fit = estimate.contact_point ? attempt([&] { return fit_with_contact_point(inputs.loading, bodies, estimate.contact_point->value); })
+        estimate.fit = estimate.contact_point ? attempt([&] { return held_fit(inputs, bodies, estimate.contact_point->value); })
                                               : Outcome<JkrFit>::missing(estimate.contact_point.reason);
     add_spread(points);
     points.spread_share = points.spread / penetration;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include "baseline.hpp"
@@ -52,13 +53,37 @@ public:
         return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
     }
 
+    /// The sample before a jump that lies in the stretch given: between two frames where the camera sees each sample, else the largest
+    /// step of the force. @throws UndefinedDataError for one that does not stand out from the noise.
+    [[nodiscard]] Index before_jump(const IndexRange& stretch, bool into_contact) const {
+        const Array1D& radius = in.loop.contact_radius;
+        const auto touching = [&](Index i) { return radius[i] > 0.0; };
+        const auto apart = [&](Index i) { return radius[i] == 0.0; };
+        if (radius.size() > 0)
+            for (Index i = stretch.first; i < stretch.last; ++i)
+                if (into_contact ? apart(i) && touching(i + 1) : touching(i) && apart(i + 1)) return i;
+        constexpr double clear = 8.0;  // many steps are looked at
+        const Index at = largest_step(in.loop.force, stretch);
+        if (at < stretch.last && std::abs(force(at + 1) - force(at)) > clear * noise.force_noise) return at;
+        throw UndefinedDataError(fmt::format("the jump {} contact does not stand out from the noise", into_contact ? "into" : "out of"));
+    }
+    [[nodiscard]] Index before_jump_in() const {
+        if (!contact.jump_in && in.loop.contact_radius.size() == 0) throw UndefinedDataError("no jump into contact");
+        // the trough of noisy forces may lie behind the jump
+        return before_jump({contact.extent.first, contact.jump_in ? contact.jump_in->last : contact.loading.first}, true);
+    }
+    [[nodiscard]] Index before_jump_out() const {
+        if (!contact.pull_off) throw UndefinedDataError("the record does not show the pull-off");
+        return before_jump(*contact.pull_off, false);
+    }
+
     /// Compliance 1/k of what holds the bodies [m/N]: given, else from the jump out, in which the stage moves on as in free flight.
     [[nodiscard]] Estimate compliance() const {
         if (in.machine_stiffness) return measured(1.0 / *in.machine_stiffness, 0.0, "given");
-        if (!contact.pull_off) throw UndefinedDataError("the machine's stiffness is neither given nor seen in a jump out of contact");
-        const Index at = largest_step(in.loop.force, *contact.pull_off);
+        const Index at = before_jump_out();
         const double rise = force(at + 1) - force(at), moved = displacement(at + 1) - displacement(at);
-        if (!(rise > 0.0)) throw UndefinedDataError("the force does not jump at pull-off: the machine's stiffness is not seen");
+        constexpr double clear = 3.0;
+        if (!(rise > clear * noise.force_noise)) throw UndefinedDataError("the jump out of contact is too small to show the machine's stiffness");
         const double value = (free_step(at + 1, 1) - moved) / rise;
         // softer than the noise of the jump's ends tells is as good as rigid
         return measured(std::max(value, 0.0), std::sqrt(2.0) * std::hypot(noise.displacement_noise, value * noise.force_noise) / rise, "jump out");
@@ -68,10 +93,18 @@ public:
 /// @throws UndefinedDataError where adhesion pulls by more than the noise hides: no power law begins at the contact point then.
 void require_repulsion(const Touch& touch, double radius) {
     if (touch.contact.jump_in) throw UndefinedDataError("the approach jumps into contact: no power law begins at the contact point");
+    const double largest = touch.force(touch.contact.loading.last);
+    if (touch.in.loop.contact_radius.size() > 0) {
+        // the camera sees contact in samples that the force cannot tell from free flight: do they pull?
+        constexpr double clear = 3.0, sure = 2.0;
+        double sum = 0.0, n = 0.0;
+        for (Index i = touch.contact.loading.first; i < touch.contact.loading.last && touch.force(i) <= clear * touch.noise.force_noise; ++i, ++n) sum += touch.force(i);
+        if (n > 0.0 && sum < -sure * touch.noise.force_noise * std::sqrt(n))
+            throw UndefinedDataError("the force is below its zero at the beginning of contact: no power law begins at the contact point");
+    }
     if (!touch.in.force_displacement) return;
     const double attraction = 1.5 * pi * radius * touch.in.force_displacement->work_of_adhesion.value;
     constexpr double rounding = 1e-4;
-    const double largest = touch.force(touch.contact.loading.last);
     if (attraction > std::max(touch.noise.force_noise, rounding * largest))
         throw UndefinedDataError(fmt::format("adhesion pulls by {:.2g} N, more than noise hides: no power law begins at the contact point", attraction));
 }
@@ -110,7 +143,9 @@ Estimate first_touch(const Touch& touch, double radius) {
 
 Estimate force_departure(const Touch& touch, double radius) {
     if (!touch.contact.jump_in) return first_touch(touch, radius);
-    const Index last_free = touch.contact.jump_in->first;
+    constexpr double clear = 3.0;
+    Index last_free = touch.before_jump(*touch.contact.jump_in, true);
+    while (last_free > touch.contact.extent.first && touch.force(last_free) < -clear * touch.noise.force_noise) --last_free;
     const double step = touch.free_step(last_free, -1);
     return measured(touch.displacement(last_free) + 0.5 * step, std::hypot(step / std::sqrt(12.0), touch.noise.displacement_noise), "middle of the step of the jump");
 }
@@ -142,11 +177,9 @@ Estimate broken_line(const Touch& touch, double radius) {
 }
 
 Estimate behind_jump_in(const Touch& touch) {
-    if (!touch.contact.jump_in) throw UndefinedDataError("no jump into contact");
-    const IndexRange& jump = *touch.contact.jump_in;
-    const double step = touch.free_step(jump.first, -1);
+    const Index last_free = touch.before_jump_in(), behind = last_free + 1;
+    const double step = touch.free_step(last_free, -1);
     const Estimate compliance = touch.compliance();
-    const Index behind = largest_step(touch.in.loop.force, jump) + 1;
     const double stage = touch.displacement(behind) + compliance.value * touch.force(behind);
     const double error = hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
                                      touch.force(behind) * compliance.standard_error});
@@ -209,8 +242,9 @@ Estimate from_zero_force(const Touch& touch, double radius) {
     const double zero_error = hypotenuse({force.error(at), touch.noise.force_standard_error}) / force.slope(at);
     if (data.contact_radius.size() > 0) {
         const Parabola radii(depth, data.contact_radius.segment(range.first, range.count()));
-        const double a = radii.at(at);
-        return measured(at - a * a / (3.0 * radius), std::hypot(zero_error, 2.0 * a * radii.error(at) / (3.0 * radius)), "measured radius at F = 0");
+        const double a = radii.at(at), by_radius = 2.0 * a / (3.0 * radius);
+        // a zero found too deep has a larger radius, too: 0.6 of its error is left in a jkr contact
+        return measured(at - a * a / (3.0 * radius), std::hypot(zero_error * (1.0 - by_radius * radii.slope(at)), by_radius * radii.error(at)), "measured radius at F = 0");
     }
     if (!touch.in.force_displacement) throw UndefinedDataError("neither a contact radius nor a fit tells a at F = 0");
     const Estimate below = zero_load_depth(*touch.in.force_displacement, radius);
@@ -224,23 +258,53 @@ double stage_at_instability(double modulus, double work, double radius, double c
 }
 
 Estimate from_pull_off(const Touch& touch, double radius) {
-    if (!touch.contact.pull_off) throw UndefinedDataError("the record does not show the pull-off");
+    const Index free = touch.before_jump_out() + 1;
     if (!touch.in.unloading) throw UndefinedDataError("no fit of the retraction, whose W and E* tell where it parts");
     const JkrFit& fit = *touch.in.unloading;
     const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
     if (!(W > 0.0)) throw UndefinedDataError("the retraction has no adhesion: nothing jumps out of contact");
     const Estimate compliance = touch.compliance();
-    const Index last = largest_step(touch.in.loop.force, *touch.contact.pull_off);
-    const double step = touch.free_step(last + 1, 1);
-    const double stage = touch.displacement(last) + compliance.value * touch.force(last) + 0.5 * step;
-    const double parting = stage_at_instability(E, W, radius, compliance.value);
-    const double by_modulus = (stage_at_instability(1.001 * E, W, radius, compliance.value) - parting) / (0.001 * E);
-    const double by_work = (stage_at_instability(E, 1.001 * W, radius, compliance.value) - parting) / (0.001 * W);
+    // free of force, the displacement is the stage's
+    const double step = touch.free_step(free, 1), stage = touch.displacement(free) - 0.5 * step;
+    constexpr double small = 1e-3;
+    const auto parting = [&](double modulus, double work, double soft) { return stage_at_instability(modulus, work, radius, soft); };
+    const double here = parting(E, W, compliance.value);
+    const double by_modulus = (parting((1.0 + small) * E, W, compliance.value) - here) / (small * E);
+    const double by_work = (parting(E, (1.0 + small) * W, compliance.value) - here) / (small * W);
+    const double by_compliance = parting(E, W, compliance.value + compliance.standard_error) - here;
     const double fitted = by_modulus * by_modulus * fit.covariance(0, 0) + by_work * by_work * fit.covariance(1, 1) + 2.0 * by_modulus * by_work * fit.covariance(0, 1);
-    return measured(stage - parting,
-                    hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
-                                touch.force(last) * compliance.standard_error, std::sqrt(std::max(fitted, 0.0))}),
+    return measured(stage - here, hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, by_compliance, std::sqrt(std::max(fitted, 0.0))}),
                     "instability of the retraction's fit");
+}
+
+/// F = 2aE* (δ − a²/(3R)) − 2aE* δ0 in force, where noise of the force is the same everywhere; weighed by the noise of displacement and
+/// contact radius, too.
+Estimate without_work(const Touch& touch, double radius) {
+    if (!touch.in.pointwise) throw UndefinedDataError(touch.in.pointwise.reason);
+    const BranchData& data = touch.in.loading;
+    const Array1D& a = data.contact_radius;
+    const double origin = data.displacement[0];
+    const Array1D depth = data.displacement - origin;
+    Array1D weight = Array1D::Ones(a.size());
+    double modulus = touch.in.pointwise->contact_modulus.value, zero = touch.in.pointwise->contact_point.value - origin;
+    double by_zero_of_force = 0.0;
+    LeastSquaresSolution solution;
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round) {
+        const Array1D by_depth = 2.0 * modulus * a, by_radius = 2.0 * modulus * (depth - zero - a.square() / radius);
+        const Array1D variance = (by_depth * data.displacement_noise).square() + (by_radius * data.contact_radius_noise).square() +
+                                 data.force_noise * data.force_noise - 2.0 * by_depth * data.force_displacement_covariance;
+        if (variance.minCoeff() > 0.0) weight = (variance.mean() / variance).sqrt();
+        Eigen::MatrixXd design(a.size(), 2);
+        design << 2.0 * weight * a * (depth - a.square() / (3.0 * radius)), -2.0 * weight * a;
+        solution = solve_linear(design, weight * data.force);
+        modulus = solution.parameters[0];
+        zero = solution.parameters[1] / modulus;
+        const Eigen::Vector2d shift = design.colPivHouseholderQr().solve(Eigen::VectorXd(weight * data.force_zero_standard_error));
+        by_zero_of_force = (shift[1] - zero * shift[0]) / modulus;
+    }
+    const Eigen::Vector2d by(-zero / modulus, 1.0 / modulus);
+    return measured(origin + zero, std::hypot(std::sqrt(by.dot(solution.uncertainty.covariance * by)), by_zero_of_force), "weighted least squares in force");
 }
 
 }  // namespace
@@ -254,9 +318,7 @@ Estimate estimated_contact_point(ContactPointMethod method, const ContactPointIn
         case ContactPointMethod::force_displacement:
             if (!inputs.force_displacement) throw UndefinedDataError(inputs.force_displacement.reason);
             return inputs.force_displacement->contact_point;
-        case ContactPointMethod::pointwise:
-            if (!inputs.pointwise) throw UndefinedDataError(inputs.pointwise.reason);
-            return inputs.pointwise->contact_point;
+        case ContactPointMethod::pointwise: return without_work(touch, bodies.radius);
         case ContactPointMethod::zero_force: return from_zero_force(touch, bodies.radius);
         case ContactPointMethod::pull_off: return from_pull_off(touch, bodies.radius);
     }

@@ -76,9 +76,10 @@ std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& se
     const double share = (displacement[peak] - displacement[reached - 1]) / step;
     const double force_there = force[reached - 1] + share * (force[reached] - force[reached - 1]);
     const IndexRange whole{.first = peak, .last = reached - 1};
+    const double drift = drift_error(record, whole);
     return Estimate{.value = work(force, displacement, whole) + 0.5 * (force[reached - 1] + force_there) * share * step,
-                    .standard_error = noise_error(record, whole),
-                    .method = "noise of free flight"};
+                    .standard_error = std::hypot(noise_error(record, whole), std::isnan(drift) ? 0.0 : drift, discretisation_error(record, whole)),
+                    .method = "error budget"};
 }
 
 }  // namespace setae::experiment

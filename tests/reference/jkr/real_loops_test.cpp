@@ -13,6 +13,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/experiment/analysis.hpp"
+#include "setae/experiment/machine_stiffness.hpp"
 #include "setae/io/mapping.hpp"
 
 namespace setae::experiment {
@@ -145,6 +146,44 @@ TEST(RealLoops, FlagAContactTooStiffForTheSensor) {
     EXPECT_TRUE(has_alert(analysed(path), "STIFFNESS_UNRESOLVED"));
 }
 
+TEST(RealLoops, MeasureTheMachineOnSapphire) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/sapphire_control.txt");
+    // the stage's own position: the spring of the sensor, 3.01 N/m, is what gives way
+    const std::filesystem::path by_stage = std::filesystem::path(testing::TempDir()) / "stage.toml";
+    std::ofstream(by_stage) << "[file]\nencoding = \"latin-1\"\nseparator = \"tab\"\ndecimal = \"comma\"\nheader_end = \"eoh\"\n"
+                               "[constants]\nspring_constant = \"3.01 N/m\"\n"
+                               "[columns.piezo]\nheader = \"Piezo position\"\nunit = \"um\"\n[columns.mems]\nheader = \"MEMS displ.\"\n"
+                               "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"piezo\"\n";
+    const Loop loop = loop_from_table(io::read_mapped_table(path.string(), io::read_mapping(by_stage.string())));
+    const MachineStiffness found = machine_stiffness_from_rigid_contact(loop);
+    // sensor and contact give way in series: 1/k = 1/(3.01 N/m) + 1/k_contact, whose force against piezo − mems is far less straight
+    const Loop contact = read_loop(path);
+    const MachineStiffness rest = machine_stiffness_from_rigid_contact(contact, find_segments(contact), 0, {.largest_nonlinearity = 10.0});
+    expect_within(1.0 / found.stiffness.value, 1.0 / 3.01 + 1.0 / rest.stiffness.value, 0.01);
+    EXPECT_LT(found.stiffness.value, 3.01);
+    EXPECT_GT(rest.stiffness.value, 10.0 * 3.01);
+    EXPECT_LT(found.stiffness.standard_error, 0.05);
+    EXPECT_LT(std::abs(found.nonlinearity), 0.05);
+    // rubber in its place gives way itself
+    SETAE_REQUIRE_REFERENCE_DATA(soft, "jkr/pdms_c.txt");
+    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop_from_table(io::read_mapped_table(soft.string(), io::read_mapping(mapping_file)))),
+                 UndefinedDataError);
+}
+
+TEST(RealLoops, HaveFiveContactPointsOrMore) {
+    for (const Expected& expected : table) {
+        SETAE_REQUIRE_REFERENCE_DATA(path, expected.file);
+        const LoopAnalysis analysis = analysed(path);
+        ASSERT_TRUE(analysis.contact_points) << analysis.contact_points.reason;
+        const auto& estimates = analysis.contact_points->estimates;
+        const auto found = std::count_if(estimates.begin(), estimates.end(), [](const ContactPointEstimate& e) { return bool(e.contact_point); });
+        EXPECT_GE(found, 5) << expected.file;
+        for (const ContactPointEstimate& e : estimates)
+            if (e.contact_point) EXPECT_TRUE(e.fit) << contact_point_name(e.method) << e.fit.reason;
+            else EXPECT_NE(e.contact_point.reason, "");
+    }
+}
+
 TEST(RealLoops, CountNineReleases) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/nine_cycles.txt");
     const LoopAnalysis analysis = analysed(path);
@@ -153,6 +192,10 @@ TEST(RealLoops, CountNineReleases) {
     // the partial releases go back and forth along one line; their loss is nothing beside the whole loop's
     for (std::size_t i = 0; i < 8; ++i) EXPECT_LT(std::abs(*analysis.cycles[i].energy), 0.002 * analysis.loop->energy);
     EXPECT_TRUE(analysis.cycles[8].unloading);
+    // the last release closes the outer loop, and all nine together are the whole
+    double sum = 0.0;
+    for (const CycleAnalysis& cycle : analysis.cycles) sum += *cycle.energy;
+    EXPECT_NEAR(sum / analysis.loop->energy, 1.0, 1e-12);
 }
 
 TEST(RealLoops, RefuseADriftWithoutContact) {

@@ -50,7 +50,7 @@ struct LoopEnergy {
 [[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0,
                                      DriftModel drift = DriftModel::between_baselines);
 
-/// ∮F dδ [J] of a partial release and reload, with the error of noise: from the reversal to where the displacement is reached
+/// ∮F dδ [J] of a partial release and reload, with the error of noise, drift and discretisation: from the reversal to where the displacement is reached
 /// again. Nothing where it never is.
 [[nodiscard]] std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle);
 
