@@ -131,6 +131,7 @@ void add_jkr(CLI::App& program, Action& action) {
     verb->add_flag("--whole-retraction", arguments->whole_retraction, "fit the retraction from the largest force, its pinned stretch included");
     verb->add_flag("--retraction-modulus-free", arguments->modulus_free, "fit E* in (S2) too");
     on_named(*verb, action, arguments, explanation, run);
+    add_jkr_radius(*group, action);
 }
 
 }  // namespace setae::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,17 +21,15 @@ struct RadiusOptions {
     ContactFrameOptions frame;
     std::vector<ExcludedFrame> excluded;
     parallel::Threads threads;
-    /// Called with every frame and its result, from several threads; for pictures to look at.
-    std::function<void(std::size_t, const FramePixels&, const ContactFrame&)> seen;
 };
 
-/// A frame on its way through: what contact_frame.hpp says, with number, time and SI lengths.
+/// What a frame gave, with number, time and SI lengths.
 struct ContactRadius {
     long number = 0;
     std::string name;
     double time = 0;                            ///< [s]
     double radius = 0, standard_error = 0;      ///< [m]
-    ContactFrame contact;                       ///< [px]
+    ContactFrame contact;                       ///< [px] of the whole frame
 };
 
 /// How many frames gave what.
@@ -70,9 +67,9 @@ struct ContactRadii {
 [[nodiscard]] std::string to_string(FrameState state);
 [[nodiscard]] std::string to_string(Polarity polarity);
 
-/// Writes a frame as PNG with the edge that was found drawn in colour: whole where rays agree, a cross at the centre, state and
-/// radius in words.
+/// Writes frame `index` of the source as PNG with the edge that was found drawn in colour, a cross at its centre, and number,
+/// state, radius and confidence in words; small frames are enlarged. A frame that cannot be read gives words alone.
 /// @throws FileError.
-void write_overlay(const std::string& path, const FramePixels& pixels, const Region& region, const ContactFrame& contact);
+void write_overlay(const std::string& path, const FrameSource& source, std::size_t index, const ContactRadius& found);
 
 }  // namespace setae::imaging
