@@ -149,9 +149,28 @@ struct RadialStep {
     double radius = 0, step = 0, strength = 0;
 };
 
-/// The step of the radial mean that a contact's edge makes: the strongest, or with fringes the innermost of comparable height.
+/// Where the radial mean first leaves the plateau of the centre: by a third of how far it ever leaves it.
+std::optional<RadialStep> end_of_plateau(const RadialMean& radial, double noise, double smallest_radius, double sign) {
+    constexpr double share = 1.0 / 3, outstanding = 6.0;
+    double sum = 0, count = 0, farthest = 0;
+    std::size_t begin = 0;
+    for (; begin < radial.mean.size() && (static_cast<double>(begin) < 0.7 * smallest_radius || count < 9); ++begin) sum += radial.mean[begin] * radial.count[begin], count += radial.count[begin];
+    for (std::size_t k = begin; k < radial.mean.size(); ++k)
+        if (radial.count[k] > 0.3 * 2 * std::numbers::pi * static_cast<double>(k) && sign * (radial.mean[k] - sum / count) >= 0) farthest = std::max(farthest, std::abs(radial.mean[k] - sum / count));
+    for (std::size_t k = begin; k < radial.mean.size(); ++k) {
+        if (radial.count[k] == 0) continue;
+        const double step = radial.mean[k] - sum / count;
+        if (std::abs(step) > share * farthest && std::abs(step) > outstanding * noise / std::sqrt(radial.count[k]) && sign * step >= 0)
+            return RadialStep{static_cast<double>(k), step > 0 ? farthest : -farthest, farthest * std::sqrt(radial.count[k])};
+        sum += radial.mean[k] * radial.count[k], count += radial.count[k];
+    }
+    return std::nullopt;
+}
+
+/// The strongest step of the radial mean; with fringes the end of the plateau.
 std::optional<RadialStep> edge_of(const RadialMean& radial, double noise, double smallest_radius, double sign, bool fringes) {
-    constexpr double comparable = 0.4, outstanding = 6.0;
+    if (fringes) return end_of_plateau(radial, noise, smallest_radius, sign);
+    constexpr double outstanding = 6.0;
     constexpr std::size_t reach = 2;
     std::vector<RadialStep> steps;
     for (auto at = static_cast<std::size_t>(std::max(1.0, smallest_radius)); at + reach < radial.mean.size(); ++at) {
@@ -170,12 +189,6 @@ std::optional<RadialStep> edge_of(const RadialMean& radial, double noise, double
     }
     const auto strongest = std::max_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.strength < b.strength; });
     if (strongest == steps.end() || strongest->strength <= 0) return std::nullopt;
-    if (!fringes) return *strongest;
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        const double height = std::abs(steps[k].step);
-        const bool peak = (k == 0 || height >= std::abs(steps[k - 1].step)) && (k + 1 == steps.size() || height >= std::abs(steps[k + 1].step));
-        if (peak && height > comparable * std::abs(strongest->step) && steps[k].step * strongest->step > 0) return steps[k];
-    }
     return *strongest;
 }
 
@@ -188,13 +201,13 @@ double between_pixels(const Grey& grey, double x, double y) {
 
 /// Points of the edge along rays within a third of the outline's radius.
 std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, double sign, bool fringes) {
-    constexpr double pitch = 0.5, comparable = 0.5;
+    constexpr double pitch = 0.5, share = 0.5;
     constexpr long reach = 3;  // samples on either side
     std::vector<EdgePoint> points;
     std::vector<double> samples, steps;
     for (int ray = 0; ray < rays; ++ray) {
         const double angle = 2 * std::numbers::pi * ray / rays, c = std::cos(angle), s = std::sin(angle);
-        const double radius = outline.radius_at(angle), range = std::max(3.0, 0.35 * radius);
+        const double radius = outline.radius_at(angle), range = std::max(3.0, (fringes ? 0.15 : 0.35) * radius);
         const double from = std::max(0.0, radius - range - reach * pitch), to = radius + range + reach * pitch;
         samples.clear();
         double begin = from;
@@ -217,14 +230,14 @@ std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, dou
             if (best < 0 || sign * step > steps[static_cast<std::size_t>(best)]) best = i;
         }
         if (best < 0 || steps[static_cast<std::size_t>(best)] <= 0) continue;
-        if (fringes)
+        if (fringes) {
+            // the first peak of steps that is high enough
+            const double enough = share * steps[static_cast<std::size_t>(best)];
             for (long i = reach + 1; i < best; ++i) {
                 const auto at = static_cast<std::size_t>(i);
-                if (steps[at] > comparable * steps[static_cast<std::size_t>(best)] && steps[at] >= steps[at - 1] && steps[at] >= steps[at + 1]) {
-                    best = i;
-                    break;
-                }
+                if (steps[at] > enough && steps[at] >= steps[at - 1] && steps[at] >= steps[at + 1]) best = i;
             }
+        }
         const double r = begin + pitch * static_cast<double>(best);
         points.push_back({outline.centre_x + r * c, outline.centre_y + r * s});
     }
@@ -286,11 +299,15 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
 
 }  // namespace
 
-CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options) {
+CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options, int level) {
+    constexpr long fewest_pixels = 24;
+    constexpr int last_level = 2;
     const long longer = std::max(pixels.rows(), pixels.cols()), shorter = std::min(pixels.rows(), pixels.cols());
-    const long k = std::max(1L, std::min((longer + pixels_across - 1) / pixels_across, shorter / 16));
+    const long finest = (longer + pixels_across - 1) / pixels_across;
+    const long k = std::clamp(finest << level, 1L, std::max(1L, shorter / fewest_pixels));
     CoarseSearch result;
     result.binning = k;
+    result.last_level = level == last_level || k < finest << level;
     auto found = search(pixels, k, options);
     result.structure = found.structure;
     constexpr double enough = 8;  // binned pixels of radius

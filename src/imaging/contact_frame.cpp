@@ -92,22 +92,27 @@ std::string why_not(const ContactFrame& frame, const ContactFrameOptions& option
 
 ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrameOptions& options) {
     require_valid(pixels, options);
-    const auto found = find_discs(pixels, options);
-    if (!found.structure) return without_radius(FrameState::no_contact, "nothing stands out of noise and illumination");
     std::string reason = "something stands out, but nothing round";
     double best = -1;
-    for (const auto& candidate : found.candidates) {
-        const double uncertainty = std::min(static_cast<double>(std::max(2L, found.binning)), 0.3 * candidate.outline.mean_radius);
-        const auto fit = fit_edge(pixels, candidate.outline, candidate.sign, uncertainty, options.fringes);
-        if (!fit.failure.empty()) {
-            if (best < 0) reason = fit.failure;
-            continue;
+    bool structure = false;
+    for (int level = 0;; ++level) {
+        const auto found = find_discs(pixels, options, level);
+        structure = structure || found.structure;
+        for (const auto& candidate : found.candidates) {
+            const double uncertainty = std::min(static_cast<double>(std::max(2L, found.binning)), 0.3 * candidate.outline.mean_radius);
+            const auto fit = fit_edge(pixels, candidate.outline, candidate.sign, uncertainty, options.fringes);
+            if (!fit.failure.empty()) {
+                if (best < 0) reason = fit.failure;
+                continue;
+            }
+            const auto frame = as_frame(fit, candidate.sign, pixels);
+            const auto doubt = why_not(frame, options);
+            if (doubt.empty()) return frame;
+            if (frame.confidence > best) best = frame.confidence, reason = doubt;
         }
-        const auto frame = as_frame(fit, candidate.sign, pixels);
-        const auto doubt = why_not(frame, options);
-        if (doubt.empty()) return frame;
-        if (frame.confidence > best) best = frame.confidence, reason = doubt;
+        if (found.last_level) break;
     }
+    if (!structure) return without_radius(FrameState::no_contact, "nothing stands out of noise and illumination");
     return without_radius(FrameState::not_found, reason);
 }
 

@@ -23,27 +23,20 @@ double median_magnitude(const std::vector<double>& values) {
     return *middle;
 }
 
-/// 1 + 2 Σ (1 − l/4) ρ_l over pairs of neighbours that both agree; `parameters` were fitted to the residuals.
+/// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours (that of
+/// farther ones its powers); pairs count where both agree. `parameters` were fitted to the residuals. At least 1.
 double correlation_factor(const std::vector<double>& residuals, const std::vector<double>& weights, int parameters) {
-    constexpr std::size_t lags = 3;
+    constexpr double most = 0.8;
     const auto n = residuals.size();
-    double variance = 0, counted = 0;
-    for (std::size_t i = 0; i < n; ++i)
+    double variance = 0, counted = 0, product = 0, pairs = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto j = (i + 1) % n;
         if (weights[i] > 0) variance += residuals[i] * residuals[i], counted += 1;
-    if (counted < 12 || variance <= 0) return 1.0;
-    variance /= counted;
-    double factor = 1.0;
-    for (std::size_t lag = 1; lag <= lags; ++lag) {
-        double product = 0, pairs = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const auto j = (i + lag) % n;
-            if (weights[i] > 0 && weights[j] > 0) product += residuals[i] * residuals[j], pairs += 1;
-        }
-        if (pairs == 0) continue;
-        const double correlation = product / pairs / variance + parameters / counted;  // the fit takes −p/n off
-        factor += 2.0 * (1.0 - static_cast<double>(lag) / (lags + 1)) * correlation;
+        if (weights[i] > 0 && weights[j] > 0) product += residuals[i] * residuals[j], pairs += 1;
     }
-    return std::max(1.0, factor);
+    if (pairs < 12 || variance <= 0) return 1.0;
+    const double correlation = std::clamp(product / pairs / (variance / counted) + parameters / counted, 0.0, most);  // the fit takes −p/n off
+    return (1 + correlation) / (1 - correlation);
 }
 
 std::uint64_t mixed(std::uint64_t value) {  // splitmix64, Steele, Lea & Flood 2014
@@ -111,14 +104,21 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
             result.weights[i] = std::abs(t) < 1.0 ? (1 - t * t) * (1 - t * t) : 0.0;
         }
     }
-    double scatter = 0, weight = 0, agreeing = 0;
+    // variance of an M-estimator: ⟨ψ²⟩/⟨ψ'⟩² with ψ = residual times weight (Huber 1981, ch. 7)
+    double influence = 0, slope = 0, agreeing = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        scatter += result.weights[i] * residuals[i] * residuals[i];
-        weight += result.weights[i];
-        agreeing += result.weights[i] > 0 ? 1 : 0;
+        if (result.weights[i] <= 0) continue;
+        const double t = residuals[i] / (tukey * result.scale);
+        influence += std::pow(result.weights[i] * residuals[i], 2);
+        slope += (1 - t * t) * (1 - 5 * t * t);
+        agreeing += 1;
     }
-    if (agreeing < parameters + 3) return result;
-    scatter = std::max(1.0, scatter / (weight * (1.0 - parameters / agreeing)));  // never below what pixel noise makes
+    if (agreeing < parameters + 3 || slope <= 0) return result;
+    const double scatter = std::max(1.0, influence * agreeing / (slope * slope) / (1.0 - parameters / agreeing));  // never below what pixel noise makes
+    normal.setZero();
+    for (std::size_t i = 0; i < n; ++i)
+        if (result.weights[i] > 0) normal.noalias() += rows[i] * rows[i].transpose() / offsets[i].variance;
+    if (shape == OutlineShape::circle) normal(3, 3) = normal(4, 4) = 1.0;
     result.covariance = normal.ldlt().solve(Matrix::Identity()) * scatter * correlation_factor(residuals, result.weights, parameters);
     if (shape == OutlineShape::circle) result.covariance.bottomRows<2>().setZero(), result.covariance.rightCols<2>().setZero();
     result.outline.centre_x += step[0];

@@ -53,8 +53,8 @@ struct OutlineCorrection {
 
 /// One step of Gauss and Newton with iteratively reweighted least squares (Tukey's biweight at 4.685, scale by the median).
 ///
-/// The covariance rests on the scatter of offsets, at least that expected of pixel noise, times 1 + 2 Σ_l (1 − l/4) ρ_l, l = 1 … 3, of the autocorrelation ρ of
-/// neighbouring offsets, at least 1. Offsets stand in order of angle.
+/// The covariance rests on the scatter of offsets, at least that expected of pixel noise, times (1 + ρ)/(1 − ρ) of the
+/// correlation ρ of neighbouring offsets, at least 1. Offsets stand in order of angle. A circle has no stretch.
 [[nodiscard]] OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets, OutlineShape shape);
 
 /// Circle through points, by random sample consensus (triples of a fixed sequence), then offsets as above.

@@ -252,10 +252,11 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
     EdgeFit fit;
     fit.outline = start;
     double width = std::max(1.5, 0.5 * uncertainty);
-    double outside = std::max(6.0, 2.5 * uncertainty);
+    double outside = fringes ? 4.0 : std::max(6.0, 2.5 * uncertainty);
     bool search = true;
     for (int round = 0; round < most_rounds; ++round) {
-        const auto& outline = fit.outline;
+        auto& outline = fit.outline;
+        if (fit.shape == OutlineShape::circle) outline.stretch_cosine = outline.stretch_sine = 0;
         const double reach = search ? std::max(6.0, 2.5 * uncertainty) : std::max(8.0, 5.0 * width + 3.0);
         const Window window{std::min(reach, 0.85 * outline.semi_minor()), fringes ? std::min(outside, reach) : reach};
         const auto count = static_cast<std::size_t>(std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
@@ -278,7 +279,8 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
             offsets.push_back({ray.angle, ray.place, ray.variance});
             of_ray.push_back(k);
         }
-        fit.shape = fit.visible_share > 0.9 ? OutlineShape::ellipse : OutlineShape::circle;
+        if (fit.visible_share < 0.9) fit.shape = OutlineShape::circle;  // and it stays one
+        if (fit.shape == OutlineShape::circle && outline.stretch() > 0) continue;
         const auto correction = corrected_outline(outline, offsets, fit.shape);
         const bool sane = correction.solved && correction.outline.semi_minor() > 2 && correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {

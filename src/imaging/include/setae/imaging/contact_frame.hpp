@@ -45,8 +45,9 @@ struct EdgeEllipse {
 /// standard deviations of the ellipse. radius = sqrt(semi_major semi_minor) + w²/(2 radius), which undoes the shrinking of a
 /// blurred convex edge; of partial contacts it is the circle's.
 ///
-/// radius_standard_error: from the scatter of places about the ellipse, times the square root of 1 + 2 Σ of their
-/// autocorrelation over neighbouring rays (never below 1): blurred noise counts by what it tells. Pixel size is taken for exact.
+/// radius_standard_error: from the scatter of places about the ellipse, at least that of pixel noise, times the square root of
+/// (1 + ρ)/(1 − ρ), ρ ≥ 0 the correlation of neighbouring rays: blurred noise counts by what it tells. NaN without contact. The
+/// pixel size is taken for exact.
 ///
 /// confidence = agreeing_rays · min(1, 2 visible_share) · min(1, z/5),  z: the median ray's contrast over its standard error.
 struct ContactFrame {
