@@ -14,7 +14,7 @@ namespace {
 using Grey = FramePixels;
 
 constexpr long pixels_across = 200;
-constexpr double noise_above = 5.5;         // of 40 000 gradients of pure noise none passes: 40 000 exp(−5.5²/2) = 0.01
+constexpr double false_alarms = 0.01;       // gradients of pure noise that pass, in a frame
 constexpr double least_gradient = 1.2e-3;   // of the largest grey level: a third of a level of 8 bits a pixel
 constexpr double padding = 0.25;            // centres may lie beyond the frame by this share of it
 constexpr std::size_t most_candidates = 3;
@@ -54,18 +54,25 @@ void take_illumination_off(Grey& grey) {
         for (long column = 0; column < grey.cols(); ++column) grey(row, column) -= static_cast<float>(terms(row, column).dot(coefficients));
 }
 
-/// Standard deviation of one pixel's noise: median magnitude of a mask that is blind to planes.
-/// Source: Immerkær, Computer Vision and Image Understanding 64 (1996) 300, with the median for the mean.
+float lower_quartile(std::vector<float>& values) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Standard deviation of one pixel's noise from a mask that is blind to planes, of pixels far enough apart for noise that a
+/// camera has blurred; by the lower quartile of magnitudes, as structure may fill half of a frame.
+/// Source: Immerkær, Computer Vision and Image Understanding 64 (1996) 300, who takes the mean and next neighbours.
 double noise_of(const Grey& grey) {
+    constexpr long apart = 3;
+    constexpr double quartile = 0.3186;  // of the magnitude of a Gaussian
     std::vector<float> responses;
     responses.reserve(static_cast<std::size_t>(grey.size()));
-    for (long i = 1; i + 1 < grey.rows(); ++i)
-        for (long j = 1; j + 1 < grey.cols(); ++j)
-            responses.push_back(std::abs(grey(i - 1, j - 1) - 2 * grey(i - 1, j) + grey(i - 1, j + 1) - 2 * grey(i, j - 1) + 4 * grey(i, j) - 2 * grey(i, j + 1) +
-                                         grey(i + 1, j - 1) - 2 * grey(i + 1, j) + grey(i + 1, j + 1)));
-    const auto middle = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() / 2);
-    std::nth_element(responses.begin(), middle, responses.end());
-    return static_cast<double>(*middle) / (6.0 * 0.6745);
+    for (long i = apart; i + apart < grey.rows(); ++i)
+        for (long j = apart; j + apart < grey.cols(); ++j)
+            responses.push_back(std::abs(grey(i - apart, j - apart) - 2 * grey(i - apart, j) + grey(i - apart, j + apart) - 2 * grey(i, j - apart) + 4 * grey(i, j) -
+                                         2 * grey(i, j + apart) + grey(i + apart, j - apart) - 2 * grey(i + apart, j) + grey(i + apart, j + apart)));
+    return static_cast<double>(lower_quartile(responses)) / (6.0 * quartile);
 }
 
 /// Averages over 1 2 1 in both directions.
@@ -84,20 +91,23 @@ struct Votes {
     bool any = false;
 };
 
-Votes votes_for_centres(const Grey& grey, double noise, double brightest, double smallest_radius, double sign) {
-    // the difference of smoothed neighbours has 0.265 of a pixel's noise: sqrt(1/2 Σ (mask)²)
-    constexpr double noise_of_gradient = 0.265;
+Votes votes_for_centres(const Grey& grey, double brightest, double smallest_radius, double sign) {
+    constexpr double quartile = 0.7585;  // of Rayleigh's distribution: the magnitude of two Gaussians
     Votes votes;
     votes.pad_x = static_cast<long>(padding * static_cast<double>(grey.cols())) + 1;
     votes.pad_y = static_cast<long>(padding * static_cast<double>(grey.rows())) + 1;
     votes.count = Grey::Zero(grey.rows() + 2 * votes.pad_y, grey.cols() + 2 * votes.pad_x);
     const Grey soft = smoothed(grey);
-    float steepest = 0;
+    std::vector<float> steepnesses;
+    steepnesses.reserve(static_cast<std::size_t>(grey.size()));
     for (long i = 2; i + 2 < grey.rows(); ++i)
-        for (long j = 2; j + 2 < grey.cols(); ++j)
-            steepest = std::max(steepest, std::hypot(soft(i, j + 1) - soft(i, j - 1), soft(i + 1, j) - soft(i - 1, j)));
-    steepest *= 0.5f;
-    const double threshold = std::max(noise_above * noise_of_gradient * noise, least_gradient * brightest);
+        for (long j = 2; j + 2 < grey.cols(); ++j) {
+            const float gx = 0.5f * (soft(i, j + 1) - soft(i, j - 1)), gy = 0.5f * (soft(i + 1, j) - soft(i - 1, j));
+            steepnesses.push_back(std::sqrt(gx * gx + gy * gy));
+        }
+    const float steepest = *std::max_element(steepnesses.begin(), steepnesses.end());
+    const double noise_above = std::sqrt(2 * std::log(static_cast<double>(steepnesses.size()) / false_alarms));  // Rayleigh
+    const double threshold = std::max(noise_above * static_cast<double>(lower_quartile(steepnesses)) / quartile, least_gradient * brightest);
     if (steepest < threshold) return votes;
     votes.any = true;
     const auto floor = static_cast<float>(std::max(threshold, 0.2 * static_cast<double>(steepest)));
@@ -146,7 +156,7 @@ RadialMean radial_mean(const Grey& grey, double centre_x, double centre_y) {
 }
 
 struct RadialStep {
-    double radius = 0, step = 0, strength = 0;
+    double radius = 0, step = 0, strength = 0;  ///< strength: step times the square root of the pixels, as it stands out of noise
 };
 
 /// Where the radial mean first leaves the plateau of the centre: by a third of how far it ever leaves it.
@@ -272,7 +282,7 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
     const double noise = std::max(noise_of(grey), 1e-7 * brightest);
     const double smallest = 0.7 * options.smallest_radius / static_cast<double>(k);
     const double wanted = options.polarity == Polarity::automatic ? 0.0 : options.polarity == Polarity::dark ? 1.0 : -1.0;
-    auto votes = votes_for_centres(grey, noise, brightest, smallest, wanted);
+    auto votes = votes_for_centres(grey, brightest, smallest, wanted);
     Search result{{}, votes.any};
     for (std::size_t candidate = 0; votes.any && candidate < most_candidates; ++candidate) {
         long row = 0, column = 0;
@@ -291,16 +301,16 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
         const double factor = static_cast<double>(k), shift = 0.5 * (factor - 1);
         result.discs.push_back({{factor * outline.centre_x + shift, factor * outline.centre_y + shift, factor * outline.mean_radius, factor * outline.stretch_cosine,
                                  factor * outline.stretch_sine},
-                                sign, edge->strength});
+                                sign, std::abs(edge->step) * edge->radius});
     }
-    if (!options.fringes) std::stable_sort(result.discs.begin(), result.discs.end(), [](const auto& a, const auto& b) { return a.strength > b.strength; });
+    std::stable_sort(result.discs.begin(), result.discs.end(), [](const auto& a, const auto& b) { return a.strength > b.strength; });
     return result;
 }
 
 }  // namespace
 
 CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options, int level) {
-    constexpr long fewest_pixels = 24;
+    constexpr long fewest_pixels = 14;
     constexpr int last_level = 2;
     const long longer = std::max(pixels.rows(), pixels.cols()), shorter = std::min(pixels.rows(), pixels.cols());
     const long finest = (longer + pixels_across - 1) / pixels_across;

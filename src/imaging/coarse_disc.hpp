@@ -11,7 +11,7 @@ namespace setae::imaging {
 struct CoarseDisc {
     Outline outline;         ///< [px] of the whole frame
     double sign = 1;         ///< +1: brighter outside
-    double strength = 0;     ///< step of grey levels across its edge times the square root of its visible perimeter
+    double strength = 0;     ///< step of grey levels across its edge times its radius: glare and dust are small
 };
 
 struct CoarseSearch {

@@ -92,9 +92,11 @@ std::string why_not(const ContactFrame& frame, const ContactFrameOptions& option
 
 ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrameOptions& options) {
     require_valid(pixels, options);
+    constexpr double beyond_doubt = 0.85;  // confidence at which no other candidate is looked at
     std::string reason = "something stands out, but nothing round";
-    double best = -1;
+    double highest = -1, best = -1;
     bool structure = false;
+    ContactFrame chosen;
     for (int level = 0;; ++level) {
         const auto found = find_discs(pixels, options, level);
         structure = structure || found.structure;
@@ -102,16 +104,19 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
             const double uncertainty = std::min(static_cast<double>(std::max(2L, found.binning)), 0.3 * candidate.outline.mean_radius);
             const auto fit = fit_edge(pixels, candidate.outline, candidate.sign, uncertainty, options.fringes);
             if (!fit.failure.empty()) {
-                if (best < 0) reason = fit.failure;
+                if (highest < 0) reason = fit.failure;
                 continue;
             }
             const auto frame = as_frame(fit, candidate.sign, pixels);
             const auto doubt = why_not(frame, options);
-            if (doubt.empty()) return frame;
-            if (frame.confidence > best) best = frame.confidence, reason = doubt;
+            if (doubt.empty() && frame.confidence > beyond_doubt) return frame;
+            const double score = frame.confidence * frame.contrast_to_noise * frame.radius;  // glare and dust are small, illumination is faint
+            if (doubt.empty() && score > best) best = score, chosen = frame;
+            if (frame.confidence > highest) highest = frame.confidence, reason = doubt;
         }
         if (found.last_level) break;
     }
+    if (best > 0) return chosen;
     if (!structure) return without_radius(FrameState::no_contact, "nothing stands out of noise and illumination");
     return without_radius(FrameState::not_found, reason);
 }

@@ -10,6 +10,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/io/table_file.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -155,20 +156,13 @@ std::string as_csv(const ContactRadii& radii) {
     const auto table = as_table(radii);
     std::string text;
     for (const auto& [key, value] : table.metadata) text += fmt::format("# {}: {}\n", key, value);
-    for (const auto& column : table.columns) text += fmt::format("{} [{}],", column.name, column.unit);
-    text += "remark\n";
-    for (std::size_t i = 0; i < radii.frames.size(); ++i) {
-        for (const auto& column : table.columns) {
-            const double value = column.values[static_cast<Index>(i)];
-            text += std::isnan(value) ? "," : fmt::format("{},", value);
-        }
-        const auto& contact = radii.frames[i].contact;
-        std::string remark = contact.state == FrameState::measured ? contact.reason : to_string(contact.state) + ": " + contact.reason;
-        std::replace_if(remark.begin(), remark.end(), [](char c) { return c == ',' || c == '"'; }, ';');
-        std::replace_if(remark.begin(), remark.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-        text += remark + '\n';
+    for (const auto& frame : radii.frames) {
+        if (frame.contact.reason.empty()) continue;
+        std::string remark = to_string(frame.contact.state) + ": " + frame.contact.reason;
+        std::replace_if(remark.begin(), remark.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        text += fmt::format("# frame {}: {}\n", frame.number, remark);
     }
-    return text;
+    return text + io::as_csv(table);
 }
 
 std::string to_string(FrameState state) {

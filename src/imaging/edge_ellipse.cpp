@@ -114,7 +114,9 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
         agreeing += 1;
     }
     if (agreeing < parameters + 3 || slope <= 0) return result;
-    const double scatter = std::max(1.0, influence * agreeing / (slope * slope) / (1.0 - parameters / agreeing));  // never below what pixel noise makes
+    const double freedom = agreeing - parameters;
+    // never below what pixel noise makes; the last factor is the variance of Student's t, as few offsets tell their scatter badly
+    const double scatter = std::max(1.0, influence * agreeing / (slope * slope) * (agreeing / freedom) * (freedom / (freedom - 2)));
     normal.setZero();
     for (std::size_t i = 0; i < n; ++i)
         if (result.weights[i] > 0) normal.noalias() += rows[i] * rows[i].transpose() / offsets[i].variance;

@@ -16,8 +16,11 @@ constexpr double narrowest = 0.3, widest = 12.0;  // widths of edges [px]; a pix
 constexpr double bin = 0.5;               // px of distance, of profiles
 constexpr double least_contrast = 0.3;    // of the median ray's
 constexpr double agreement = 4.0;         // robust standard deviations
-constexpr int most_rounds = 8;
-constexpr double at_rest = 0.003;         // px
+constexpr int most_rounds = 10, rounds_before_polish = 6;
+constexpr double nearly_at_rest = 0.03, at_rest = 0.003;  // px
+
+/// How places are found: among all, from the outline on, or linear in the grey levels.
+enum class Stage { search, refine, polish };
 
 double normal_density(double t) { return std::exp(-0.5 * t * t) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2); }
 double normal_integral(double t) { return 0.5 * std::erf(t / std::numbers::sqrt2); }  // odd
@@ -116,9 +119,11 @@ double linear_part(const Profile& profile, StepFit& fit) {
     return gg - fit.level * g - fit.contrast * gh;
 }
 
-void refine(const Profile& profile, StepFit& fit, bool width_free, double farthest) {
+/// Rounds of Gauss and Newton. One round with a known contrast is linear in the grey levels: noise makes no bias, and the
+/// scatter of places is that of their mean.
+void refine(const Profile& profile, StepFit& fit, bool width_free, double farthest, int rounds, double known_contrast = 0) {
     const int unknowns = width_free ? 4 : 3;
-    for (int round = 0; round < (width_free ? 12 : 4); ++round) {
+    for (int round = 0; round < rounds; ++round) {
         Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
         Eigen::Vector4d right = Eigen::Vector4d::Zero();
         fit.squares = fit.count = 0;
@@ -126,7 +131,8 @@ void refine(const Profile& profile, StepFit& fit, bool width_free, double farthe
             if (at.count == 0) continue;
             const double t = (at.distance - fit.place) / fit.width, step = normal_integral(t), density = normal_density(t);
             const double residual = at.grey - fit.level - fit.contrast * step;
-            const Eigen::Vector4d row{1.0, step, -fit.contrast * density / fit.width, width_free ? -fit.contrast * density * t / fit.width : 0.0};
+            const double slope = -(known_contrast != 0 ? known_contrast : fit.contrast) * density / fit.width;
+            const Eigen::Vector4d row{1.0, step, slope, width_free ? slope * t : 0.0};
             normal.noalias() += at.count * row * row.transpose();
             right += at.count * residual * row;
             fit.squares += at.count * residual * residual;
@@ -173,7 +179,7 @@ double whole_sector(const Outline& outline, std::size_t rays, const Window& wind
     return 2 * std::numbers::pi * outline.mean_radius / static_cast<double>(rays) * (window.inside + window.outside);
 }
 
-std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline, double width, double sign, bool search, double& noise) {
+std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline, double width, double sign, Stage stage, double typical_contrast, double& noise) {
     const auto n = sectors.profiles.size();
     std::vector<EdgeRay> rays(n);
     std::vector<double> squares_a_pixel;
@@ -191,9 +197,10 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
         ray.visible = inside + outside > 0.6 * whole && inside > 0.15 * whole && outside > 0.15 * whole;
         if (!ray.visible) continue;
         StepFit fit{.width = width};
-        if (search) fit = searched(profile, width, sign, farthest);
+        if (stage == Stage::search) fit = searched(profile, width, sign, farthest);
         else linear_part(profile, fit);
-        refine(profile, fit, false, farthest);
+        if (stage == Stage::polish) refine(profile, fit, false, farthest, 1, sign * typical_contrast);
+        else refine(profile, fit, false, farthest, 4);
         if (!fit.good || std::abs(fit.place) >= farthest) continue;
         ray.fitted = true;
         ray.place = fit.place;
@@ -213,8 +220,9 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
     return rays;
 }
 
-/// The mean over rays that agree, of grey levels less each ray's own level.
-Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree) {
+/// The mean over rays that agree, of grey levels less each ray's own level; by the distance from the outline, or from each
+/// ray's own place.
+Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree, bool from_own_place) {
     Profile mean{std::vector<ProfileBin>(sectors.window.bins()), 0};
     for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!agree[k]) continue;
@@ -222,10 +230,14 @@ Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, c
         double level = 0, count = 0;
         for (const auto& at : bins) level += at.count * at.grey, count += at.count;
         level /= count;
-        for (std::size_t i = 0; i < bins.size(); ++i) {
-            mean.bins[i].count += bins[i].count;
-            mean.bins[i].distance += bins[i].count * bins[i].distance;
-            mean.bins[i].grey += bins[i].count * (bins[i].grey - level);
+        const double place = from_own_place ? rays[k].place : 0.0;
+        for (const auto& at : bins) {
+            const double distance = at.distance - place;
+            if (at.count == 0 || distance < -sectors.window.inside || distance > sectors.window.outside) continue;
+            auto& into = mean.bins[static_cast<std::size_t>((distance + sectors.window.inside) / bin)];
+            into.count += at.count;
+            into.distance += at.count * distance;
+            into.grey += at.count * (at.grey - level);
         }
     }
     for (auto& at : mean.bins)
@@ -253,15 +265,17 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
     fit.outline = start;
     double width = std::max(1.5, 0.5 * uncertainty);
     double outside = fringes ? 4.0 : std::max(6.0, 2.5 * uncertainty);
-    bool search = true;
+    auto stage = Stage::search;
+    std::size_t count = 0;
+    std::vector<bool> agree;
     for (int round = 0; round < most_rounds; ++round) {
         auto& outline = fit.outline;
         if (fit.shape == OutlineShape::circle) outline.stretch_cosine = outline.stretch_sine = 0;
-        const double reach = search ? std::max(6.0, 2.5 * uncertainty) : std::max(8.0, 5.0 * width + 3.0);
+        const double reach = stage == Stage::search ? std::max(6.0, 2.5 * uncertainty) : std::max(8.0, 5.0 * width + 3.0);
         const Window window{std::min(reach, 0.85 * outline.semi_minor()), fringes ? std::min(outside, reach) : reach};
-        const auto count = static_cast<std::size_t>(std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
+        if (stage != Stage::polish) count = static_cast<std::size_t>(std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
         const auto sectors = gathered(pixels, outline, count, window);
-        fit.rays = fitted_rays(sectors, outline, width, sign, search, fit.noise);
+        fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
         double visible = 0;
         std::vector<double> contrasts, significances;
         for (const auto& ray : fit.rays) {
@@ -276,18 +290,21 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         for (std::size_t k = 0; k < fit.rays.size(); ++k) {
             const auto& ray = fit.rays[k];
             if (!ray.fitted || sign * ray.contrast < least_contrast * typical) continue;
+            if (stage == Stage::polish && !agree[k]) continue;  // a linear place cannot be far off
             offsets.push_back({ray.angle, ray.place, ray.variance});
             of_ray.push_back(k);
         }
-        if (fit.visible_share < 0.9) fit.shape = OutlineShape::circle;  // and it stays one
-        if (fit.shape == OutlineShape::circle && outline.stretch() > 0) continue;
+        const auto shape = fit.visible_share < 0.9 || (round > 3 && fit.shape == OutlineShape::circle) ? OutlineShape::circle : OutlineShape::ellipse;
+        const bool other = shape == OutlineShape::circle && outline.stretch() > 0;
+        fit.shape = shape;
+        if (other) continue;
         const auto correction = corrected_outline(outline, offsets, fit.shape);
         const bool sane = correction.solved && correction.outline.semi_minor() > 2 && correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {
             fit.failure = fmt::format("{} of {} rays show an edge, too few for a circle", offsets.size(), count);
             return fit;
         }
-        std::vector<bool> agree(count, false);
+        agree.assign(count, false);
         double agreeing = 0;
         std::vector<double> agreed_contrasts;
         // weight 0 begins at 4.685 scales; agreement at 4 is Tukey's weight (1 − (4/4.685)²)² = 0.073
@@ -296,17 +313,25 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         fit.agreeing_share = visible > 0 ? agreeing / visible : 0;
         fit.contrast = median_of(agreed_contrasts);
         fit.covariance = correction.covariance;
-        const auto mean = mean_profile(sectors, fit.rays, agree);
-        auto step = StepFit{.place = 0, .width = width};
+        const auto mean = mean_profile(sectors, fit.rays, agree, stage == Stage::search);
+        StepFit step{.width = width};
         linear_part(mean, step);
-        refine(mean, step, true, 0.8 * std::min(window.inside, window.outside));
+        refine(mean, step, true, 0.8 * std::min(window.inside, window.outside), 12);
         const double previous = width;
         if (step.good) width = std::clamp(step.width, narrowest, widest);
         if (fringes && step.good) outside = std::clamp(first_fringe(mean, step, sign, reach), 1.5, reach);
         fit.outline = correction.outline;
         fit.edge_width = width;
-        if (!search && correction.largest_step < at_rest && std::abs(width - previous) < 0.05 * width) break;
-        search = search && correction.largest_step > 1.0;
+        const bool steady = std::abs(width - previous) < 0.05 * width;
+        if (stage == Stage::search) {
+            if (correction.largest_step < 1.0) stage = Stage::refine;
+        } else if (stage == Stage::refine) {
+            if (fringes && correction.largest_step < at_rest && steady) break;
+            // resolved fringes make other contrasts than the median's: there places stay those of each ray's own fit
+            if (!fringes && ((correction.largest_step < nearly_at_rest && steady) || round >= rounds_before_polish)) stage = Stage::polish;
+        } else if (correction.largest_step < at_rest && steady) {
+            break;
+        }
     }
     return fit;
 }

@@ -60,7 +60,8 @@ struct ContactRadii {
 /// one row a frame, NaN where there is nothing. What io::merged_by_time takes as the table of a camera.
 [[nodiscard]] Table as_table(const ContactRadii& radii);
 
-/// as_table as CSV with "# key: value" lines above it and a last column "remark" of text: why a frame has no radius.
+/// as_table as CSV below "# key: value" lines: what the whole gave, and "# frame 12: excluded: glare" for every frame that has
+/// no radius or a remark on it.
 [[nodiscard]] std::string as_csv(const ContactRadii& radii);
 
 /// "measured", "no contact", "not found", "bad frame", "excluded".
