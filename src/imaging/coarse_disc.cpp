@@ -278,6 +278,7 @@ struct Search {
 Search search(const FramePixels& pixels, long k, const ContactFrameOptions& options) {
     Grey grey = binned(pixels, k);
     const double brightest = static_cast<double>(grey.abs().maxCoeff());
+    const Grey as_seen = options.fringes ? grey : Grey();  // the parabola bends the plateau of large contacts
     take_illumination_off(grey);
     const double noise = std::max(noise_of(grey), 1e-7 * brightest);
     const double smallest = 0.7 * options.smallest_radius / static_cast<double>(k);
@@ -288,7 +289,7 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
         long row = 0, column = 0;
         if (votes.count.maxCoeff(&row, &column) <= 0) break;
         const double x = static_cast<double>(column - votes.pad_x), y = static_cast<double>(row - votes.pad_y);
-        const auto edge = edge_of(radial_mean(grey, x, y), noise, smallest, wanted, options.fringes);
+        const auto edge = edge_of(radial_mean(options.fringes ? as_seen : grey, x, y), noise, smallest, wanted, options.fringes);
         const long around = edge ? std::max(4L, static_cast<long>(0.5 * edge->radius)) : 6L;
         const long top = std::max(0L, row - around), left = std::max(0L, column - around);
         votes.count.block(top, left, std::min(2 * around + 1, votes.count.rows() - top), std::min(2 * around + 1, votes.count.cols() - left)).setZero();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -37,22 +36,13 @@ ContactFrame without_radius(FrameState state, std::string reason) {
     return frame;
 }
 
-bool reaches_beyond(const Outline& outline, long width, long height) {
-    for (int k = 0; k < 64; ++k) {
-        const double angle = 2 * std::numbers::pi * k / 64, r = outline.radius_at(angle);
-        const double x = outline.centre_x + r * std::cos(angle), y = outline.centre_y + r * std::sin(angle);
-        if (x < -0.5 || y < -0.5 || x > static_cast<double>(width) - 0.5 || y > static_cast<double>(height) - 0.5) return true;
-    }
-    return false;
-}
-
-ContactFrame as_frame(const EdgeFit& fit, double sign, const FramePixels& pixels) {
+ContactFrame as_frame(const EdgeFit& fit, double sign) {
     ContactFrame frame;
     const auto& outline = fit.outline;
     const auto& covariance = fit.covariance;
     frame.state = FrameState::measured;
     frame.polarity = sign > 0 ? Polarity::dark : Polarity::bright;
-    frame.partial = fit.shape == OutlineShape::circle || reaches_beyond(outline, pixels.cols(), pixels.rows());
+    frame.partial = fit.visible_share < 1;
     frame.visible_share = fit.visible_share;
     frame.agreeing_rays = fit.agreeing_share;
     frame.contrast_to_noise = fit.contrast / fit.noise;
@@ -107,7 +97,7 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
                 if (highest < 0) reason = fit.failure;
                 continue;
             }
-            const auto frame = as_frame(fit, candidate.sign, pixels);
+            const auto frame = as_frame(fit, candidate.sign);
             const auto doubt = why_not(frame, options);
             if (doubt.empty() && frame.confidence > beyond_doubt) return frame;
             const double score = frame.confidence * frame.contrast_to_noise * frame.radius;  // glare and dust are small, illumination is faint

@@ -260,6 +260,17 @@ double first_fringe(const Profile& profile, const StepFit& step, double sign, do
 
 }  // namespace
 
+double share_within(const Outline& outline, long width, long height) {
+    constexpr int points = 128;
+    int within = 0;
+    for (int k = 0; k < points; ++k) {
+        const double angle = 2 * std::numbers::pi * k / points, r = outline.radius_at(angle);
+        const double x = outline.centre_x + r * std::cos(angle), y = outline.centre_y + r * std::sin(angle);
+        within += x >= -0.5 && y >= -0.5 && x <= static_cast<double>(width) - 0.5 && y <= static_cast<double>(height) - 0.5 ? 1 : 0;
+    }
+    return static_cast<double>(within) / points;
+}
+
 EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, double uncertainty, bool fringes) {
     EdgeFit fit;
     fit.outline = start;
@@ -282,7 +293,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
             visible += ray.visible ? 1 : 0;
             if (ray.fitted && sign * ray.contrast > 0) contrasts.push_back(sign * ray.contrast), significances.push_back(sign * ray.contrast / ray.contrast_deviation);
         }
-        fit.visible_share = visible / static_cast<double>(count);
+        fit.visible_share = share_within(outline, pixels.cols(), pixels.rows());
         fit.significance = median_of(significances);
         const double typical = median_of(contrasts);
         std::vector<EdgeOffset> offsets;
@@ -294,10 +305,8 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
             offsets.push_back({ray.angle, ray.place, ray.variance});
             of_ray.push_back(k);
         }
-        const auto shape = fit.visible_share < 0.9 || (round > 3 && fit.shape == OutlineShape::circle) ? OutlineShape::circle : OutlineShape::ellipse;
-        const bool other = shape == OutlineShape::circle && outline.stretch() > 0;
-        fit.shape = shape;
-        if (other) continue;
+        fit.shape = fit.visible_share < 0.9 ? OutlineShape::circle : OutlineShape::ellipse;
+        if (fit.shape == OutlineShape::circle && outline.stretch() > 0) continue;
         const auto correction = corrected_outline(outline, offsets, fit.shape);
         const bool sane = correction.solved && correction.outline.semi_minor() > 2 && correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {

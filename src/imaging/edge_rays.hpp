@@ -27,10 +27,14 @@ struct EdgeFit {
     double edge_width = 0;         ///< w of erf(d/(√2 w)) [px]
     double contrast = 0;           ///< median of agreeing rays
     double noise = 0;              ///< standard deviation of a pixel about the fits
-    double visible_share = 0, agreeing_share = 0;
+    double visible_share = 0;      ///< of the outline, within the frame
+    double agreeing_share = 0;     ///< of the visible rays
     double significance = 0;       ///< median contrast of a ray over its standard deviation
     std::string failure;           ///< why there is no edge; empty where there is one
 };
+
+/// Share of an outline that lies within a frame.
+[[nodiscard]] double share_within(const Outline& outline, long width, long height);
 
 /// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels of its
 /// sector, one width for all from the mean profile, the outline from the places; repeated until it rests.

@@ -43,7 +43,7 @@ struct EdgeEllipse {
 ///   I(d) = level + contrast/2 erf((d − place)/(√2 w)),  d: distance from the ellipse along its normal, w: edge_width of all rays,
 /// a ray agrees where its contrast has the polarity and exceeds 0.3 of the rays' median and its place lies within 4 robust
 /// standard deviations of the ellipse. radius = sqrt(semi_major semi_minor) + w²/(2 radius), which undoes the shrinking of a
-/// blurred convex edge; of partial contacts it is the circle's.
+/// blurred convex edge; where less than 0.9 of the edge is seen it is the circle's.
 ///
 /// radius_standard_error: from the scatter of places about the ellipse, at least that of pixel noise, times the square root of
 /// (1 + ρ)/(1 − ρ), ρ ≥ 0 the correlation of neighbouring rays: blurred noise counts by what it tells. NaN without contact. The
@@ -56,7 +56,7 @@ struct ContactFrame {
     Polarity polarity = Polarity::automatic;
     double radius = 0, radius_standard_error = 0;
     EdgeEllipse ellipse;
-    double roundness = 0;             ///< semi_minor/semi_major, 1 for partial contacts
+    double roundness = 0;             ///< semi_minor/semi_major, 1 where a circle was fitted
     double roundness_standard_error = 0;
     double confidence = 0;            ///< in [0, 1]
     double agreeing_rays = 0;         ///< share of the visible rays
