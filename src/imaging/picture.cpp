@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.hpp"
 
-#include <array>
-#include <cmath>
 
 #include <fmt/format.h>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -66,6 +65,7 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
 
 FrameRead decoded_picture(std::string_view bytes) {
     if (!ends_whole(bytes)) return {{}, fmt::format("truncated: {} bytes without the end its format has", bytes.size())};
+    [[maybe_unused]] static const auto silent = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
     cv::Mat image;
     try {
         const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));

@@ -23,7 +23,7 @@ constexpr int width = 256, height = 257, bits = 258, compression = 259, photomet
 }
 
 constexpr std::uint64_t most_entries = 4096;     // of a directory; real ones have some twenty
-constexpr std::size_t most_pages = 10'000'000;
+constexpr std::size_t most_pages = 1'000'000;
 
 std::uint64_t bytes_of_type(int type) {
     constexpr std::array<std::uint64_t, 19> bytes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
@@ -108,9 +108,9 @@ void TiffStack::add_pages_without_directory() {
     const auto page_bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * number(first, tag::samples).value_or(1) * number(first, tag::bits).value_or(1) / 8;
     const bool contiguous = pages_.size() == 1 && start && number(first, tag::compression).value_or(1) == 1;
     while (static_cast<double>(pages_.size()) < *count) {
-        TiffPage page{first.entries, {}, contiguous ? std::optional(*start + pages_.size() * page_bytes) : std::nullopt};
-        if (!contiguous) page.fault = fmt::format("ImageJ announces {} images, the file holds fewer: truncated", *images);
-        pages_.push_back(std::move(page));
+        const auto offset = start.value_or(0) + pages_.size() * page_bytes;
+        if (contiguous && page_bytes > 0 && offset < file_.size()) pages_.push_back({first.entries, {}, offset});
+        else pages_.push_back({{}, fmt::format("ImageJ announces {} images, the file holds fewer: truncated", *images), {}});
     }
     if (contiguous) pages_.front().offset = start;
 }

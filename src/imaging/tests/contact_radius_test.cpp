@@ -67,6 +67,23 @@ TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
     EXPECT_NE(as_csv(radii).find("# frame 4: excluded: glare, left\n"), std::string::npos);
 }
 
+TEST(ContactRadii, HaveThePolarityOfMostFrames) {
+    const Folder folder;
+    std::vector<FramePixels> frames;
+    for (int k = 0; k < 4; ++k) {
+        auto frame = RenderedContact{.width = 110, .height = 80, .centre_x = 32.3, .centre_y = 40.6, .semi_major = 15, .noise = 6, .seed = static_cast<unsigned>(k + 1)}.make();
+        for (long i = 0; k == 2 && i < 80; ++i)
+            for (long j = 56; j < 110; ++j)
+                if (std::hypot(static_cast<double>(j) - 82, static_cast<double>(i) - 40) < 20) frame(i, j) += 90;  // a reflection, brighter and larger
+        frames.push_back(frame);
+    }
+    write_bytes(folder / "stack.tif", PlainTiff{}.bytes(frames));
+    ASSERT_EQ(measure_contact_frame(frames[2]).polarity, Polarity::bright);
+    const auto radii = measure_contact_radii(FrameSource(folder / "stack.tif", options()));
+    EXPECT_EQ(radii.polarity, Polarity::dark);
+    EXPECT_NEAR(radii.frames[2].contact.radius, 15, 0.15) << radii.frames[2].contact.reason;
+}
+
 TEST(ContactRadii, ReportMissingFramesAndKeepTheirTime) {
     const Folder folder;
     const auto frames = growing(6);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/imaging/frames.hpp"
 
+#include <random>
+
 #include "recordings.hpp"
 #include "setae/core/errors.hpp"
 
@@ -206,6 +208,34 @@ TEST(FrameSource, RefusesFramesTooLargeBeforeReadingThem) {
     png.replace(16, 8, std::string("\0\0\x75\x30\0\0\x75\x30", 8));
     write_bytes(folder / "huge.png", png);
     expect_holds(message_of([&] { FrameSource(folder / "huge.png", at_20_a_second()); }), "30000 × 30000");
+}
+
+/// Opens and reads all; errors of setae are answers too.
+void read_all(const std::string& path) {
+    try {
+        const FrameSource source(path, {.pixel_size = 1e-6, .frame_rate = 20, .most_pixels = 20000});
+        for (std::size_t k = 0; k < source.size() && k < 20; ++k) (void)source.read(k);
+    } catch (const Error&) {
+    }
+}
+
+TEST(FrameSource, SurvivesDamagedFiles) {
+    const Folder folder;
+    std::vector<cv::Mat> pages;
+    for (const auto& frame : patterns(2)) pages.push_back(as_bytes(frame));
+    cv::imwritemulti(folder / "lzw.tif", pages);
+    std::ifstream lzw(folder / "lzw.tif", std::ios::binary);
+    const std::vector<std::string> files{PlainTiff{.description = "ImageJ=1.53\nimages=2\n", .resolution = 3}.bytes(patterns(2)), std::string(std::istreambuf_iterator<char>(lzw), {}),
+                                         avi({bitmap_rows(pattern(1), 3), bitmap_rows(pattern(2), 3)}, 37, 23, 24, std::string(4, '\0'), 20), encoded(pattern(1), ".png")};
+    std::mt19937_64 generator(7);
+    for (const auto& file : files)
+        for (int round = 0; round < 40; ++round) {
+            auto bytes = file;
+            if (round % 3 == 0) bytes.resize(generator() % bytes.size());
+            else for (int k = 0; k < 4; ++k) bytes[generator() % std::min<std::size_t>(bytes.size(), 400)] = static_cast<char>(generator());
+            write_bytes(folder / "damaged", bytes);
+            read_all(folder / "damaged");
+        }
 }
 
 TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
