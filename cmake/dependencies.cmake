@@ -19,6 +19,17 @@ pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 
+# Debian's own OpenCVConfig.cmake asks for every part of OpenCV; three are needed
+find_path(OPENCV_INCLUDE opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4 REQUIRED)
+if(NOT TARGET setae_opencv)
+  add_library(setae_opencv INTERFACE IMPORTED)
+  target_include_directories(setae_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE})
+  foreach(part imgcodecs imgproc core)
+    find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
+    target_link_libraries(setae_opencv INTERFACE ${OPENCV_${part}_LIBRARY})
+  endforeach()
+endif()
+
 # surfaces larger than one machine's memory: built where MPI and FFTW's part for it are there
 find_package(MPI QUIET COMPONENTS C)
 find_library(FFTW_MPI_LIBRARY fftw3_mpi)

@@ -10,8 +10,10 @@ void add_jkr(CLI::App& program, Action& action) {
     auto* group = program.add_subcommand("jkr", "contact experiments with a soft or hard sphere");
     group->require_subcommand(1);
     add_jkr_import(*group, action);
+    add_jkr_radius(*group, action);
     add_jkr_fit(*group, action);
     add_jkr_energy(*group, action);
+    add_jkr_summary(*group, action);
 }
 
 }  // namespace setae::cli

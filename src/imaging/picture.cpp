@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture.hpp"
+
+
+#include <fmt/format.h>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "random_access.hpp"
+
+namespace setae::imaging {
+namespace {
+
+std::optional<PictureSize> jpeg_size(std::string_view bytes) {
+    std::size_t at = 2;
+    while (at + 9 < bytes.size()) {
+        if (static_cast<unsigned char>(bytes[at]) != 0xFF) return std::nullopt;
+        const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (marker == 0xFF) {
+            ++at;  // fill byte
+            continue;
+        }
+        const bool start_of_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+        if (start_of_frame) return PictureSize{static_cast<long>(number_in(bytes, at + 7, 2, true)), static_cast<long>(number_in(bytes, at + 5, 2, true))};
+        at += 2 + number_in(bytes, at + 2, 2, true);
+    }
+    return std::nullopt;
+}
+
+/// Whether a picture ends as its format says; decoders fill what is missing with grey.
+bool ends_whole(std::string_view bytes) {
+    switch (picture_kind(bytes)) {
+        case PictureKind::png: return bytes.find("IEND") != std::string_view::npos;
+        case PictureKind::jpeg: return bytes.rfind("\xFF\xD9") != std::string_view::npos;
+        case PictureKind::bmp: return bytes.size() >= number_in(bytes, 2, 4);
+        default: return true;
+    }
+}
+
+}  // namespace
+
+PictureKind picture_kind(std::string_view head) {
+    using namespace std::string_view_literals;
+    if (head.starts_with("\x89PNG\r\n\x1A\n"sv)) return PictureKind::png;
+    if (head.starts_with("\xFF\xD8\xFF"sv)) return PictureKind::jpeg;
+    if (head.starts_with("BM"sv) && head.size() > 26) return PictureKind::bmp;
+    if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv)) return PictureKind::tiff;
+    return PictureKind::none;
+}
+
+std::optional<PictureSize> stated_size(std::string_view bytes) {
+    switch (picture_kind(bytes)) {
+        case PictureKind::png:
+            if (bytes.size() < 24) return std::nullopt;
+            return PictureSize{static_cast<long>(number_in(bytes, 16, 4, true)), static_cast<long>(number_in(bytes, 20, 4, true))};
+        case PictureKind::bmp: {
+            const auto height = static_cast<std::int32_t>(number_in(bytes, 22, 4));
+            return PictureSize{static_cast<std::int32_t>(number_in(bytes, 18, 4)), height < 0 ? -static_cast<long>(height) : height};
+        }
+        case PictureKind::jpeg: return jpeg_size(bytes);
+        default: return std::nullopt;
+    }
+}
+
+FrameRead decoded_picture(std::string_view bytes) {
+    if (!ends_whole(bytes)) return {{}, fmt::format("truncated: {} bytes without the end its format has", bytes.size())};
+    [[maybe_unused]] static const auto silent = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
+    cv::Mat image;
+    try {
+        const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+        image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    } catch (const cv::Exception& error) {
+        return {{}, fmt::format("does not decode: {}", error.err)};
+    }
+    if (image.empty()) return {{}, "does not decode: the picture is damaged or of a kind OpenCV does not know"};
+    const PictureSize size{image.cols, image.rows};
+    if (image.channels() >= 3) cv::cvtColor(image, image, image.channels() == 3 ? cv::COLOR_BGR2RGB : cv::COLOR_BGRA2RGBA);
+    const auto stride = static_cast<long>(image.step1());
+    switch (image.depth()) {
+        case CV_8U: return {luminance(image.ptr<std::uint8_t>(), size, image.channels(), stride), {}};
+        case CV_16U: return {luminance(image.ptr<std::uint16_t>(), size, image.channels(), stride), {}};
+        case CV_32F: return {luminance(image.ptr<float>(), size, image.channels(), stride), {}};
+        case CV_64F: return {luminance(image.ptr<double>(), size, image.channels(), stride), {}};
+        default: return {{}, "its numbers are neither 8 or 16 bit nor floating point"};
+    }
+}
+
+}  // namespace setae::imaging

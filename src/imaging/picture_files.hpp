@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "picture.hpp"
+
+namespace setae::imaging {
+
+/// Whether `first` comes before `second` where runs of digits count as numbers: "a2" before "a10".
+[[nodiscard]] bool natural_order(std::string_view first, std::string_view second);
+
+/// Pictures in a folder, in natural order; hidden files and what is no PNG, JPEG, TIFF or BMP are left out.
+/// @throws FileError; FormatError for a folder without pictures.
+[[nodiscard]] std::vector<std::string> pictures_in(const std::string& folder);
+
+/// Numbers of frames.
+struct FrameNumbers {
+    std::vector<long> numbers;
+    std::vector<long> missing;
+    std::string note;  ///< why names were not taken for numbers, where they look like it
+};
+
+/// The last number of each name where names differ by it alone, in rising order; else 1, 2, 3 …
+[[nodiscard]] FrameNumbers numbers_of(const std::vector<std::string>& paths);
+
+/// A picture of a file, or why there is none; a frame of more than `most_pixels` is not decoded.
+[[nodiscard]] FrameRead read_picture(const std::string& path, long most_pixels);
+
+/// The size a file's header states. @throws FileError.
+[[nodiscard]] std::optional<PictureSize> size_of_picture(const std::string& path);
+
+}  // namespace setae::imaging

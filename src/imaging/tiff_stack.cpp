@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tiff_stack.hpp"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+
+namespace setae::imaging {
+namespace {
+
+namespace tag {
+constexpr int width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270, strip_offsets = 273, samples = 277,
+              strip_bytes = 279, x_resolution = 282, y_resolution = 283, planar = 284, resolution_unit = 296, tile_offsets = 324, tile_bytes = 325,
+              sample_format = 339;
+}
+
+constexpr std::uint64_t most_entries = 4096;     // of a directory; real ones have some twenty
+constexpr std::size_t most_pages = 1'000'000;
+
+std::uint64_t bytes_of_type(int type) {
+    constexpr std::array<std::uint64_t, 19> bytes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
+    return type > 0 && type < 19 ? bytes[static_cast<std::size_t>(type)] : 0;
+}
+
+std::optional<double> parsed(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || !(value > 0) || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+/// Metres of ImageJ's unit of length; nothing where it is no length.
+std::optional<double> metres(std::string_view unit) {
+    if (unit == "\\u00B5m" || unit == "micron" || unit == "microns" || unit == "um" || unit == "\xC2\xB5m" || unit == "\xCE\xBCm" || unit == "\xB5m") return 1e-6;
+    if (unit == "nm") return 1e-9;
+    if (unit == "mm") return 1e-3;
+    if (unit == "cm") return 1e-2;
+    if (unit == "m") return 1.0;
+    if (unit == "inch") return 0.0254;
+    return std::nullopt;
+}
+
+template <class Value>
+FrameRead converted(std::string bytes, PictureSize size, int channels, bool swap) {
+    if (swap && sizeof(Value) > 1)
+        for (std::size_t i = 0; i + sizeof(Value) <= bytes.size(); i += sizeof(Value)) std::reverse(bytes.data() + i, bytes.data() + i + sizeof(Value));
+    std::vector<Value> values(bytes.size() / sizeof(Value));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
+    return {luminance(values.data(), size, channels, size.width * channels), {}};
+}
+
+}  // namespace
+
+TiffStack::TiffStack(const std::string& path) : file_(path) {
+    read_directories();
+    if (pages_.empty()) throw FormatError(path, {.offset = 0}, "a TIFF without a page; the file may be truncated");
+    add_pages_without_directory();
+}
+
+void TiffStack::read_directories() {
+    const auto head = file_.read(0, 16);
+    if (head.size() < 8) return;
+    big_endian_ = head[0] == 'M';
+    const auto at = [&](std::string_view bytes, std::size_t offset, std::size_t count) { return number_in(bytes, offset, count, big_endian_); };
+    big_tiff_ = at(head, 2, 2) == 43;
+    if (big_tiff_ && head.size() < 16) return;
+    const std::size_t word = big_tiff_ ? 8 : 4, counter = big_tiff_ ? 8 : 2, length = big_tiff_ ? 20 : 12;
+    auto offset = at(head, big_tiff_ ? 8 : 4, word);
+    std::set<std::uint64_t> seen;
+    while (offset != 0 && pages_.size() < most_pages) {
+        auto& page = pages_.emplace_back();
+        const auto damaged = [&](std::string_view what) { page.fault = fmt::format("its directory at byte {} {}", offset, what); };
+        if (!seen.insert(offset).second) return pages_.pop_back();  // a ring of pages
+        const auto count_bytes = file_.read(offset, counter);
+        if (count_bytes.size() < counter) return damaged("lies beyond the end of the file: truncated");
+        const auto count = at(count_bytes, 0, counter);
+        if (count == 0 || count > most_entries) return damaged(fmt::format("has {} entries: damaged", count));
+        const auto bytes = file_.read(offset + counter, count * length + word);
+        if (bytes.size() < count * length + word) return damaged("is cut: truncated");
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto entry_at = i * length;
+            TiffEntry entry{static_cast<int>(at(bytes, entry_at + 2, 2)), at(bytes, entry_at + 4, word), {}};
+            const auto unit = bytes_of_type(entry.type);
+            if (unit == 0 || entry.count > file_.size()) continue;
+            const auto size = unit * entry.count;
+            entry.value = size <= word ? bytes.substr(entry_at + 4 + word, size) : file_.read(at(bytes, entry_at + 4 + word, word), size);
+            if (entry.value.size() == size) page.entries.emplace(static_cast<int>(at(bytes, entry_at, 2)), std::move(entry));
+        }
+        offset = at(bytes, count * length, word);
+    }
+}
+
+void TiffStack::add_pages_without_directory() {
+    const auto images = description("images");
+    const auto count = images ? parsed(*images) : std::nullopt;
+    if (!count || *count <= static_cast<double>(pages_.size()) || *count > static_cast<double>(most_pages)) return;
+    const auto first = pages_.front();
+    const auto start = number(first, tag::strip_offsets);
+    const auto size = size_of(0);
+    const auto page_bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * number(first, tag::samples).value_or(1) * number(first, tag::bits).value_or(1) / 8;
+    const bool contiguous = pages_.size() == 1 && start && number(first, tag::compression).value_or(1) == 1;
+    while (static_cast<double>(pages_.size()) < *count) {
+        const auto offset = start.value_or(0) + pages_.size() * page_bytes;
+        if (contiguous && page_bytes > 0 && offset < file_.size()) pages_.push_back({first.entries, {}, offset});
+        else pages_.push_back({{}, fmt::format("ImageJ announces {} images, the file holds fewer: truncated", *images), {}});
+    }
+    if (contiguous) pages_.front().offset = start;
+}
+
+std::optional<std::uint64_t> TiffStack::number(const TiffPage& page, int tag, std::uint64_t index) const {
+    const auto found = page.entries.find(tag);
+    if (found == page.entries.end() || index >= found->second.count) return std::nullopt;
+    const auto size = bytes_of_type(found->second.type);
+    if (found->second.type == 5 || found->second.type > 16 || size == 0) return std::nullopt;
+    return number_in(found->second.value, index * size, size, big_endian_);
+}
+
+std::optional<double> TiffStack::ratio(const TiffPage& page, int tag) const {
+    const auto found = page.entries.find(tag);
+    if (found == page.entries.end() || found->second.type != 5 || found->second.count < 1) return std::nullopt;
+    const auto above = number_in(found->second.value, 0, 4, big_endian_), below = number_in(found->second.value, 4, 4, big_endian_);
+    if (above == 0 || below == 0) return std::nullopt;
+    return static_cast<double>(above) / static_cast<double>(below);
+}
+
+PictureSize TiffStack::size_of(std::size_t page) const {
+    return {static_cast<long>(number(pages_[page], tag::width).value_or(0)), static_cast<long>(number(pages_[page], tag::height).value_or(0))};
+}
+
+/// The value of "key=value" in the first page's description.
+std::optional<std::string> TiffStack::description(const std::string& key) const {
+    const auto found = pages_.front().entries.find(tag::description);
+    if (found == pages_.front().entries.end() || !found->second.value.starts_with("ImageJ=")) return std::nullopt;
+    const std::string text = "\n" + found->second.value;
+    const auto at = text.find("\n" + key + "=");
+    if (at == std::string::npos) return std::nullopt;
+    const auto begin = at + key.size() + 2;
+    return std::string(trimmed(std::string_view(text).substr(begin, text.find_first_of(std::string_view("\n\0", 2), begin) - begin)));
+}
+
+std::optional<double> TiffStack::pixel_size() const {
+    const auto& page = pages_.front();
+    const auto x = ratio(page, tag::x_resolution), y = ratio(page, tag::y_resolution);
+    if (!x) return std::nullopt;
+    const auto stated = description("unit");
+    const auto tag_unit = number(page, tag::resolution_unit).value_or(2);
+    std::optional<double> unit = stated ? metres(*stated) : tag_unit == 2 ? std::optional(0.0254) : tag_unit == 3 ? std::optional(0.01) : std::nullopt;
+    if (!unit) return std::nullopt;
+    const double size = *unit / *x;
+    if (!stated && size > 20e-6) return std::nullopt;  // what printers are told
+    if (y && std::abs(*y / *x - 1.0) > 1e-3)
+        throw InvalidArgument(fmt::format("{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels, resample the frames", file_.path(), size, *unit / *y));
+    return size;
+}
+
+std::optional<double> TiffStack::frame_rate() const {
+    if (const auto rate = description("fps"))
+        if (const auto value = parsed(*rate)) return value;
+    if (const auto interval = description("finterval"))
+        if (const auto value = parsed(*interval)) return 1.0 / *value;
+    return std::nullopt;
+}
+
+std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
+    std::string pixels;
+    if (page.offset) {
+        const auto size = size_of(0);
+        const auto expected = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8;
+        pixels = file_.read(*page.offset, expected);
+        if (pixels.size() < expected) fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", pixels.size(), expected, *page.offset);
+        return pixels;
+    }
+    const bool tiled = page.entries.contains(tag::tile_offsets);
+    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets, counts = tiled ? tag::tile_bytes : tag::strip_bytes;
+    const auto found = page.entries.find(offsets);
+    if (found == page.entries.end() || !page.entries.contains(counts)) {
+        fault = "damaged: its directory names no pixels";
+        return {};
+    }
+    for (std::uint64_t i = 0; i < found->second.count; ++i) {
+        const auto start = number(page, offsets, i), bytes = number(page, counts, i);
+        if (!start || !bytes) {
+            fault = "damaged: its directory is incomplete";
+            return {};
+        }
+        const auto strip = file_.read(*start, *bytes);
+        if (strip.size() < *bytes) {
+            fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", strip.size(), *bytes, *start);
+            return {};
+        }
+        pixels += strip;
+    }
+    return pixels;
+}
+
+std::optional<FrameRead> TiffStack::plain(const TiffPage& page, const std::string& strips) const {
+    if (number(page, tag::compression).value_or(1) != 1 || page.entries.contains(tag::tile_offsets)) return std::nullopt;
+    const auto channels = number(page, tag::samples).value_or(1);
+    const auto photometric = number(page, tag::photometric).value_or(1);
+    if (channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1)) return std::nullopt;
+    const PictureSize size{static_cast<long>(number(page, tag::width).value_or(0)), static_cast<long>(number(page, tag::height).value_or(0))};
+    const auto bits = number(page, tag::bits).value_or(1), format = number(page, tag::sample_format).value_or(1);
+    const auto bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * channels * bits / 8;
+    if (strips.size() < bytes) return FrameRead{{}, fmt::format("truncated: {} of {} bytes of pixels", strips.size(), bytes)};
+    const bool swap = big_endian_ != (std::endian::native == std::endian::big);
+    const int n = static_cast<int>(channels);
+    std::optional<FrameRead> frame;
+    if (bits == 8 && format == 1) frame = converted<std::uint8_t>(strips.substr(0, bytes), size, n, swap);
+    else if (bits == 16 && format == 1) frame = converted<std::uint16_t>(strips.substr(0, bytes), size, n, swap);
+    else if (bits == 16 && format == 2) frame = converted<std::int16_t>(strips.substr(0, bytes), size, n, swap);
+    else if (bits == 32 && format == 1) frame = converted<std::uint32_t>(strips.substr(0, bytes), size, n, swap);
+    else if (bits == 32 && format == 3) frame = converted<float>(strips.substr(0, bytes), size, n, swap);
+    else if (bits == 64 && format == 3) frame = converted<double>(strips.substr(0, bytes), size, n, swap);
+    if (frame && photometric == 0) frame->pixels = frame->pixels.maxCoeff() - frame->pixels;  // white is 0
+    return frame;
+}
+
+/// The page as a TIFF of its own, for the decoder; its strips follow the directory.
+std::string TiffStack::single_page(const TiffPage& page, const std::string& strips) const {
+    const bool tiled = page.entries.contains(tag::tile_offsets);
+    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets, counts = tiled ? tag::tile_bytes : tag::strip_bytes;
+    std::string file = big_endian_ ? std::string("MM\0*", 4) : std::string("II*\0", 4), directory, values;
+    const auto put = [&](std::string& text, std::uint64_t value, std::size_t bytes) {
+        for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>((value >> (8 * (big_endian_ ? bytes - 1 - i : i))) & 0xFF);
+    };
+    put(file, 8, 4);
+    std::map<int, TiffEntry> kept;
+    for (const auto& [tag, entry] : page.entries)
+        if (tag < 32768 && entry.type < 13) kept.emplace(tag, entry);
+    const auto parts = page.entries.at(offsets).count;
+    kept[counts] = {4, parts, {}};
+    kept[offsets] = {4, parts, std::string(4 * parts, '\0')};
+    for (std::uint64_t i = 0; i < parts; ++i) put(kept[counts].value, *number(page, counts, i), 4);
+    const auto values_at = 8 + 2 + 12 * kept.size() + 4;
+    std::uint64_t length = 0;
+    for (const auto& [tag, entry] : kept) length += entry.value.size() > 4 ? entry.value.size() + entry.value.size() % 2 : 0;
+    auto strip_at = values_at + length;
+    kept[offsets].value.clear();
+    for (std::uint64_t i = 0; i < parts; ++i) {
+        put(kept[offsets].value, strip_at, 4);
+        strip_at += *number(page, counts, i);
+    }
+    put(directory, kept.size(), 2);
+    for (const auto& [tag, entry] : kept) {
+        put(directory, static_cast<std::uint64_t>(tag), 2);
+        put(directory, static_cast<std::uint64_t>(entry.type), 2);
+        put(directory, entry.count, 4);
+        if (entry.value.size() <= 4) {
+            directory += entry.value + std::string(4 - entry.value.size(), '\0');
+            continue;
+        }
+        put(directory, values_at + values.size(), 4);
+        values += entry.value + std::string(entry.value.size() % 2, '\0');
+    }
+    put(directory, 0, 4);
+    return file + directory + values + strips;
+}
+
+FrameRead TiffStack::read(std::size_t index) const {
+    const auto& page = pages_[index];
+    if (!page.fault.empty()) return {{}, page.fault};
+    std::string fault;
+    const auto pixels = strips(page, fault);
+    if (!fault.empty()) return {{}, fault};
+    if (const auto frame = plain(page, pixels)) return *frame;
+    return decoded_picture(single_page(page, pixels));
+}
+
+}  // namespace setae::imaging
