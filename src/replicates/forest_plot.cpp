@@ -113,6 +113,20 @@ void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& opti
         panel.series.push_back({.label = name, .x = single(value), .y = single(height), .mark = Mark::points, .colour = 4, .symbol = 3, .hollow = hollow, .in_legend = false});
 }
 
+/// The prefix that puts the largest value into [1, 1000).
+void choose_unit(ForestPlotOptions& options, const ReplicateData& data) {
+    options.unit = data.unit;
+    options.factor = 1.0;
+    double largest = 0.0;
+    for (const auto& row : data.rows) largest = std::max(largest, std::abs(row.value));
+    constexpr std::array units{"J/m2", "J", "Pa", "N", "m"};
+    if (largest == 0.0 || std::find(units.begin(), units.end(), data.unit) == units.end()) return;
+    constexpr std::array prefixes{"f", "p", "n", "u", "m", "", "k", "M", "G"};
+    const int place = std::clamp(static_cast<int>(std::floor(std::log10(largest) / 3.0)), -5, 3);
+    options.unit = prefixes[static_cast<std::size_t>(place + 5)] + data.unit;
+    options.factor = std::pow(10.0, -3 * place);
+}
+
 void check(const ReplicateData& data, const MixedModel& model) {
     for (const auto& surface : model.surfaces) {
         const auto rows = std::count_if(data.rows.begin(), data.rows.end(), [&](const Replicate& row) { return row.groups.size() == data.levels.size() && row.groups[0] == surface.surface; });
@@ -124,8 +138,10 @@ void check(const ReplicateData& data, const MixedModel& model) {
 
 }  // namespace
 
-figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, const ForestPlotOptions& options) {
+figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, const ForestPlotOptions& wanted) {
     check(data, model);
+    auto options = wanted;
+    if (options.unit.empty()) choose_unit(options, data);
     std::vector<std::string> surfaces;
     for (const auto& row : data.rows)
         if (std::find(surfaces.begin(), surfaces.end(), row.groups[0]) == surfaces.end()) surfaces.push_back(row.groups[0]);

@@ -115,6 +115,7 @@ void add_jkr(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* group = program.add_subcommand("jkr", "contact experiments with a soft or hard sphere");
     group->require_subcommand(1);
+    add_jkr_summary(*group, action);
     auto* verb = group->add_subcommand("fit", "fit JKR to loops of force, displacement and contact radius");
     verb->add_option("files", arguments->files, "loops: tables with units in the header, or read through --map");
     verb->add_option("--map", arguments->map, "mapping file (TOML) that names the columns of a foreign table");
