@@ -82,11 +82,30 @@ void add_measured(Panel& panel, const StudyResult& result, const PairResult& pai
                             .in_legend = false,
                             .names = {fmt::format("{}: measured {}, predicted {:.4g} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"), mJ * pair.modified->work.floored,
                                                   residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
-    if (residual) panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", residual->standardised() < 0.0 ? "−" : "+", std::abs(residual->standardised())), .x = x, .y = y, .side = figures::Note::Side::right});
 }
 
-/// A line of the legend without a mark.
-figures::Series words(const std::string& text) { return {.label = text, .mark = Mark::line, .opacity = 0.0, .legend_only = true}; }
+/// Measured minus predicted in standard errors, above and below the bars in turn, so that neighbours keep apart.
+void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs) {
+    const double away = 0.045 * (*panel.y.to - *panel.y.from);
+    bool above = true;
+    for (const auto* pair : pairs) {
+        const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr;
+        if (!residual) continue;
+        const double error = std::sqrt(pair->approach->variance()), end = pair->approach->value + (above ? error : -error), apart = residual->standardised();
+        panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", apart < 0.0 ? "−" : "+", std::abs(apart)), .x = MPa * result.elastomer(pair->elastomer).contact_modulus.value,
+                               .y = mJ * end + (above ? away : -away), .side = figures::Note::Side::centre});
+        above = !above;
+    }
+}
+
+/// χ² in the lower left corner, where the soft end of the curve leaves room.
+void add_test(Panel& panel, const workflow::PredictionTest& test) {
+    const double step = 0.065 * (*panel.y.to - *panel.y.from);
+    double height = std::max(*panel.y.from, 0.0);
+    const auto write = [&](const std::string& text) { panel.notes.push_back({.text = text, .x = *panel.x.from, .y = height += step, .side = figures::Note::Side::right}); };
+    if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
+    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom, test.probability));
+}
 
 std::string test_in_words(const workflow::PredictionTest& test) {
     auto text = fmt::format("χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account", test.chi_squared,
@@ -123,7 +142,7 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         const auto curve = workflow::prediction_curve(*surface, energy.mean, *result.work_of_adhesion, moduli);
         panel.series.push_back({.label = "predicted by (7), 95 %", .x = MPa * curve.contact_modulus, .y = mJ * curve.work_of_adhesion, .lower = mJ * curve.lower, .upper = mJ * curve.upper,
                                 .mark = Mark::band, .colour = colour::black, .dash = 0});
-        highest = std::max(highest, mJ * curve.upper.maxCoeff());
+        highest = std::max(highest, mJ * curve.work_of_adhesion.maxCoeff());
         for (const auto* pair : pairs_on(result, surface->name)) {
             if (!pair->approach) continue;
             add_measured(panel, result, *pair);
@@ -134,17 +153,17 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         if (figure.panels.empty()) {
             for (std::size_t e = 0; e < result.elastomers.size(); ++e)
                 panel.series.push_back({.label = result.elastomers[e].input.name, .mark = Mark::points, .colour = colour_of_place(e), .symbol = static_cast<int>(e), .legend_only = true});
-            if (result.prediction_test) {
-                panel.series.push_back(words(fmt::format("χ² = {:.1f} of {}, p = {:.2g}", result.prediction_test->chi_squared, result.prediction_test->degrees_of_freedom, result.prediction_test->probability)));
-                if (result.prediction_test->extra_scatter > 0.0) panel.series.push_back(words(fmt::format("model's scatter {:.1f} mJ/m²", mJ * result.prediction_test->extra_scatter)));
-            }
         }
         figure.panels.push_back(std::move(panel));
     }
-    for (auto& panel : figure.panels) {
-        panel.y.from = lowest - 0.06 * (highest - lowest);
-        panel.y.to = highest + 0.12 * (highest - lowest);
+    // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis
+    for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+        auto& panel = figure.panels[p];
+        panel.y.from = lowest - 0.1 * (highest - lowest);
+        panel.y.to = highest + 0.35 * (highest - lowest);
+        add_residuals(panel, result, pairs_on(result, surfaces[p]->name));
     }
+    if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
     const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
     figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;

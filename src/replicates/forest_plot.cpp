@@ -89,14 +89,10 @@ std::vector<std::string> row_labels(const ReplicateData& data, const std::vector
 }
 
 /// A diamond as wide as an interval.
-Series diamond(const Interval& interval, double middle, double height, const std::string& label, bool hollow) {
+Series diamond(const Interval& interval, double middle, double height, const std::string& label, Mark mark) {
     constexpr double half = 0.32;
-    Series series{.label = label, .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
-                  .y = Array1D{{height, height + half, height, height - half, height}}, .mark = hollow ? Mark::line : Mark::area, .colour = 4, .dash = 0,
-                  .in_legend = false};
-    if (hollow) series.line_width = 0.8;
-    else series.opacity = 3.0;  // areas are drawn at a quarter
-    return series;
+    return {.label = label, .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
+            .y = Array1D{{height, height + half, height, height - half, height}}, .mark = mark, .colour = 4, .dash = 0, .line_width = 0.9, .in_legend = false};
 }
 
 void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& options, const std::string& label, const Estimate& mean,
@@ -108,7 +104,8 @@ void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& opti
                                 .y = Array1D::Constant(2, height), .mark = Mark::line, .colour = 4, .dash = 0, .line_width = 0.6, .in_legend = false});
     if (mean.interval) {
         const Interval drawn{mean.interval->lower * options.factor, mean.interval->upper * options.factor, mean.interval->level};
-        panel.series.push_back(diamond(drawn, value, height, name, hollow));
+        if (!hollow) panel.series.push_back(diamond(drawn, value, height, name, Mark::area));
+        panel.series.push_back(diamond(drawn, value, height, hollow ? name : name + ", outline", Mark::line));
     } else
         panel.series.push_back({.label = name, .x = single(value), .y = single(height), .mark = Mark::points, .colour = 4, .symbol = 3, .hollow = hollow, .in_legend = false});
 }

@@ -203,8 +203,8 @@ TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     ASSERT_EQ(drawn.figure.panels.size(), 2u);
     const auto& rough = drawn.figure.panels[1];
     const auto& hard = series_of(rough, "hard");
-    EXPECT_DOUBLE_EQ(hard.x[0], 2.0 / 0.75);
-    EXPECT_DOUBLE_EQ(hard.right[0] - hard.x[0], 0.02);
+    EXPECT_NEAR(hard.x[0], 2.0 / 0.75, 1e-12);
+    EXPECT_NEAR(hard.right[0] - hard.x[0], 0.02, 1e-12);
     EXPECT_DOUBLE_EQ(hard.y[0], 4.0);
     EXPECT_NEAR(hard.upper[0], 6.0, 1e-12);
     ASSERT_EQ(rough.notes.size(), 2u);
