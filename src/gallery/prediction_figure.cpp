@@ -98,13 +98,25 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     }
 }
 
-/// χ² in the lower left corner, where the soft end of the curve leaves room.
+/// χ² in the upper left corner, above all values.
 void add_test(Panel& panel, const workflow::PredictionTest& test) {
     const double step = 0.065 * (*panel.y.to - *panel.y.from);
-    double height = std::max(*panel.y.from, 0.0);
-    const auto write = [&](const std::string& text) { panel.notes.push_back({.text = text, .x = *panel.x.from, .y = height += step, .side = figures::Note::Side::right}); };
-    if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
+    double height = *panel.y.to;
+    const auto write = [&](const std::string& text) { panel.notes.push_back({.text = text, .x = *panel.x.from, .y = height -= step, .side = figures::Note::Side::right}); };
     write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom, test.probability));
+    if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
+}
+
+/// The lower corner above which there is more room.
+figures::Corner roomier_corner(const Panel& panel) {
+    double left = HUGE_VAL, right = HUGE_VAL;
+    const double middle = std::sqrt(*panel.x.from * *panel.x.to);
+    for (const auto& series : panel.series)
+        for (Index i = 0; i < series.x.size(); ++i) {
+            auto& least = series.x[i] < middle ? left : right;
+            least = std::min(least, series.lower.size() > 0 ? series.lower[i] : series.y[i]);
+        }
+    return left > right ? figures::Corner::bottom_left : figures::Corner::bottom_right;
 }
 
 std::string test_in_words(const workflow::PredictionTest& test) {
@@ -163,6 +175,7 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         panel.y.to = highest + 0.35 * (highest - lowest);
         add_residuals(panel, result, pairs_on(result, surfaces[p]->name));
     }
+    figure.panels.front().legend_corner = roomier_corner(figure.panels.front());
     if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
     const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
@@ -171,8 +184,9 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
-        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; beside them measured minus predicted in standard errors of both. {}.{}{}",
+        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; beside them measured minus predicted in standard errors of both{}. {}.{}{}",
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
+        result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
         energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.", with_error(energy.mean, mJ, "mJ/m2")) : "", reconstruction_note(result));
 }

@@ -90,8 +90,9 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     double least = 0.8, most = 1.25;
     for (const auto* surface : fitted)
         for (const auto& a : surface->fitted->agreement) {
-            least = std::min(least, 0.9 * a.ratio);
-            most = std::max(most, 1.1 * a.ratio);
+            // bars that reach towards 0 are cut
+            least = std::min(least, 0.9 * std::max(a.ratio - a.standard_error, 0.5 * a.ratio));
+            most = std::max(most, 1.1 * (a.ratio + a.standard_error));
         }
     const auto bands = instrument_bands(fitted);
     int lowest = 99, highest = -99;
