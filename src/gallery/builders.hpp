@@ -25,6 +25,8 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn);    
 void measured_spectra(const Sitting& sitting, const workflow::SurfaceResult& surface, StudyFigure& drawn);  // spectra:NAME
 void scales_of_cost(const Sitting& sitting, StudyFigure& drawn);                // scales
 void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn);      // agreement
+void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn);           // replicates
+void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn);    // prediction
 
 void loop_of(const workflow::ExperimentResult& experiment, StudyFigure& drawn);                              // loop:NAME
 void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn);               // ranges

@@ -90,8 +90,9 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     double least = 0.8, most = 1.25;
     for (const auto* surface : fitted)
         for (const auto& a : surface->fitted->agreement) {
-            least = std::min(least, 0.9 * a.ratio);
-            most = std::max(most, 1.1 * a.ratio);
+            // bars that reach towards 0 are cut
+            least = std::min(least, 0.9 * std::max(a.ratio - a.standard_error, 0.5 * a.ratio));
+            most = std::max(most, 1.1 * (a.ratio + a.standard_error));
         }
     const auto bands = instrument_bands(fitted);
     int lowest = 99, highest = -99;
@@ -119,10 +120,12 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
             for (const auto* a : decades) {
                 x.push_back(std::pow(10.0, a->decade + 0.5));
                 y.push_back(a->ratio);
+                lower.push_back(a->ratio - a->standard_error);
+                upper.push_back(a->ratio + a->standard_error);
                 names.push_back(fmt::format("chi2 {:.3g} of {} groups, p = {:.2g}", a->chi_squared, a->groups, a->probability));
             }
-            panel.series.push_back({.label = order[place], .x = array_of(x), .y = array_of(y), .mark = Mark::both, .colour = colour_of_place(place),
-                                    .symbol = static_cast<int>(place), .names = names});
+            panel.series.push_back({.label = order[place], .x = array_of(x), .y = array_of(y), .lower = array_of(lower), .upper = array_of(upper), .mark = Mark::both,
+                                    .colour = colour_of_place(place), .symbol = static_cast<int>(place), .names = names});
         }
         figure.panels.push_back(panel);
     }
@@ -132,7 +135,8 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     figure.height_mm = 55.0 * static_cast<double>(rows);
     drawn.figure = figure;
     drawn.caption = "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "
-                    "of one surface. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its probability stand with the data.";
+                    "of one surface. Bars: one standard error of an instrument that agrees. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its "
+                    "probability stand with the data.";
 }
 
 }  // namespace setae::gallery

@@ -61,6 +61,8 @@ std::vector<Entry> entries_of(const workflow::StudyResult& result) {
                            [i](const Sitting& sitting, StudyFigure& drawn) { measured_spectra(sitting, sitting.result.surfaces[i], drawn); }});
     }
     entries.push_back({"scales", "scales", "Which scales cost the energy", scales_of_cost});
+    entries.push_back({"prediction", "prediction", "Work of adhesion measured and predicted against the modulus", prediction_against_modulus});
+    entries.push_back({"replicates", "replicates", "Every replicate and the means of its surface", replicates_of_pairs});
     entries.push_back({"agreement", "agreement", "Measured over expected periodograms", agreement_of_instruments});
     add_loops(result, entries);
     return entries;

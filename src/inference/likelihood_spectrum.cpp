@@ -346,6 +346,7 @@ private:
                 row.ratio = (weights[key] * (weights[key] > 0.0 ? row.ratio : 0.0) + nu * ratio) / (weights[key] + nu);
                 weights[key] += nu;
                 const double own = nu / (g.independent_share[k] * shared_within(g.mode_counts[k]));
+                row.standard_error += nu * nu / own;
                 row.chi_squared += 2.0 * own * (ratio - 1.0 - std::log(ratio)) / (1.0 + 1.0 / (6.0 * own));
                 ++row.groups;
             }
@@ -353,6 +354,7 @@ private:
         for (auto& [key, row] : rows) {
             row.instrument = key.first;
             row.decade = key.second;
+            row.standard_error = std::sqrt(row.standard_error) / weights[key];
             row.probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(row.groups), row.chi_squared));
             if (row.probability < improbable)
                 r.alerts.push_back({"INSTRUMENTS_DISAGREE", row.instrument,

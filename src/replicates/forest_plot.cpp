@@ -89,14 +89,10 @@ std::vector<std::string> row_labels(const ReplicateData& data, const std::vector
 }
 
 /// A diamond as wide as an interval.
-Series diamond(const Interval& interval, double middle, double height, const std::string& label, bool hollow) {
+Series diamond(const Interval& interval, double middle, double height, const std::string& label, Mark mark) {
     constexpr double half = 0.32;
-    Series series{.label = label, .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
-                  .y = Array1D{{height, height + half, height, height - half, height}}, .mark = hollow ? Mark::line : Mark::area, .colour = 4, .dash = 0,
-                  .in_legend = false};
-    if (hollow) series.line_width = 0.8;
-    else series.opacity = 3.0;  // areas are drawn at a quarter
-    return series;
+    return {.label = label, .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
+            .y = Array1D{{height, height + half, height, height - half, height}}, .mark = mark, .colour = 4, .dash = 0, .line_width = 0.9, .in_legend = false};
 }
 
 void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& options, const std::string& label, const Estimate& mean,
@@ -108,9 +104,24 @@ void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& opti
                                 .y = Array1D::Constant(2, height), .mark = Mark::line, .colour = 4, .dash = 0, .line_width = 0.6, .in_legend = false});
     if (mean.interval) {
         const Interval drawn{mean.interval->lower * options.factor, mean.interval->upper * options.factor, mean.interval->level};
-        panel.series.push_back(diamond(drawn, value, height, name, hollow));
+        if (!hollow) panel.series.push_back(diamond(drawn, value, height, name, Mark::area));
+        panel.series.push_back(diamond(drawn, value, height, hollow ? name : name + ", outline", Mark::line));
     } else
         panel.series.push_back({.label = name, .x = single(value), .y = single(height), .mark = Mark::points, .colour = 4, .symbol = 3, .hollow = hollow, .in_legend = false});
+}
+
+/// The prefix that puts the largest value into [1, 1000).
+void choose_unit(ForestPlotOptions& options, const ReplicateData& data) {
+    options.unit = data.unit;
+    options.factor = 1.0;
+    double largest = 0.0;
+    for (const auto& row : data.rows) largest = std::max(largest, std::abs(row.value));
+    constexpr std::array units{"J/m2", "J", "Pa", "N", "m"};
+    if (largest == 0.0 || std::find(units.begin(), units.end(), data.unit) == units.end()) return;
+    constexpr std::array prefixes{"f", "p", "n", "u", "m", "", "k", "M", "G"};
+    const int place = std::clamp(static_cast<int>(std::floor(std::log10(largest) / 3.0)), -5, 3);
+    options.unit = prefixes[static_cast<std::size_t>(place + 5)] + data.unit;
+    options.factor = std::pow(10.0, -3 * place);
 }
 
 void check(const ReplicateData& data, const MixedModel& model) {
@@ -124,8 +135,10 @@ void check(const ReplicateData& data, const MixedModel& model) {
 
 }  // namespace
 
-figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, const ForestPlotOptions& options) {
+figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, const ForestPlotOptions& wanted) {
     check(data, model);
+    auto options = wanted;
+    if (options.unit.empty()) choose_unit(options, data);
     std::vector<std::string> surfaces;
     for (const auto& row : data.rows)
         if (std::find(surfaces.begin(), surfaces.end(), row.groups[0]) == surfaces.end()) surfaces.push_back(row.groups[0]);

@@ -82,6 +82,10 @@ std::string cut_html(const StudyResult& result) {
     for (const auto& e : result.experiments)
         if (e.failed()) failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
     std::string html = failed.empty() ? "<p>Nothing failed.</p>" : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed);
+    std::vector<std::vector<std::string>> excluded;
+    for (const auto& e : result.experiments)
+        if (e.input.excluded()) excluded.push_back({e.input.reference ? "reference" : e.input.surface, e.input.elastomer, e.input.file, e.input.exclusion});
+    if (!excluded.empty()) html += plain_table("excluded", "Loops left out of every mean, and why", {"surface", "elastomer", "file", "reason"}, excluded);
     const auto& limits = result.study.analysis.limits;
     if (limits.shortest || limits.longest)
         html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>", limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",
@@ -137,6 +141,9 @@ std::string methods_html(const StudyResult& result) {
             : std::string("Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by (11) of [D19]."));
     say("True area: <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> of a surface with Gaussian slopes, (9) of [D19].");
     say("Work of adhesion of loops by JKR [JKR]; energy lost is ∮ <i>F</i> d<i>δ</i>.");
+    if (!result.replicates.empty())
+        say("Measured values of pairs are means by a linear mixed model over lenses, spots and repeats, fitted by restricted likelihood beside the loops' own errors; degrees of freedom by "
+            "Satterthwaite's formula.");
     say("Balance (7) of [D19]: <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
         "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (2) leaves the soft side's term, <i>γ</i><sub>1</sub>, out; (S13), after [PT01], does so with the area of small slopes, 1 + <i>h</i>′²/2. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
         "<i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");

@@ -181,6 +181,67 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
     if (entry(study, joined(base, "free_energies")).is_object()) row("modified", "stored energy free for each surface", joined(base, "free_energies"), joined(base, "modified/n"));
 }
 
+/// Means by the mixed model of quantities in one unit.
+DataTable replicate_means(const StudyResult& result, const std::string& unit, const std::string& identifier, const std::string& title) {
+    DataTable table{identifier, title,
+                    "Means over lenses, spots and repeats by a linear mixed model; [ ] the 95 % interval, another one: where 95 % of further measurements with another lens lie. Variances are "
+                    "pooled over the surfaces of an elastomer. <i>n</i> counts the loops behind a mean, beside those left out; <i>I</i>² is the share of their scatter that the fits' own errors do "
+                    "not explain.",
+                    {{"surface", ""}, {"elastomer", ""}, {"quantity", ""}, {"mean", unit}, {"another one, from", unit}, {"to", unit}, {"with the excluded", unit}, {"*n*", "1"}, {"excluded", "1"}, {"*I*²", "1"},
+                     {"note", ""}},
+                    {}};
+    for (std::size_t i = 0; i < result.replicates.size(); ++i) {
+        const auto& replicates = result.replicates[i];
+        if (replicates.data.unit != unit || !replicates.model) continue;
+        for (std::size_t k = 0; k < replicates.model->surfaces.size(); ++k) {
+            const auto& surface = replicates.model->surfaces[k];
+            const auto base = fmt::format("/replicates/{}/surfaces/{}", i, k);
+            const auto or_none = [](bool there, Cell cell) { return there ? cell : Cell(TextCell{"–"}); };
+            table.rows.push_back({TextCell{surface.surface}, TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, QuantityCell{base + "/mean"},
+                                  or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/lower"}),
+                                  or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/upper"}), or_none(surface.with_excluded.has_value(), QuantityCell{base + "/with_excluded"}),
+                                  NumberCell{base + "/n"}, NumberCell{base + "/excluded"}, or_none(surface.heterogeneity.has_value(), NumberCell{base + "/heterogeneity/I2"}),
+                                  TextCell{fmt::format("{}", fmt::join(surface.notes, "; "))}});
+        }
+    }
+    return table;
+}
+
+DataTable replicate_variances(const StudyResult& result, const std::string& unit, const std::string& identifier, const std::string& title) {
+    DataTable table{identifier, title, "Standard deviations at the largest restricted likelihood, pooled over the surfaces of an elastomer; levels whose groups are the same are one.",
+                    {{"elastomer", ""}, {"quantity", ""}, {"between", ""}, {"standard deviation", unit}, {"degrees of freedom", "1"}, {"note", ""}}, {}};
+    for (std::size_t i = 0; i < result.replicates.size(); ++i) {
+        const auto& replicates = result.replicates[i];
+        if (replicates.data.unit != unit || !replicates.model) continue;
+        const auto& fit = replicates.model->fits.front();
+        for (std::size_t k = 0; k < fit.components.size(); ++k) {
+            const auto base = fmt::format("/replicates/{}/variances/0/components/{}", i, k);
+            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, TextCell{fmt::format("{}", fmt::join(fit.components[k].includes, " and "))},
+                                  QuantityCell{base + "/standard_deviation"}, NumberCell{base + "/degrees_of_freedom"}, TextCell{fit.components[k].at_bound ? "at its bound" : ""}});
+        }
+        for (const auto& sentence : fit.not_estimable)
+            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, TextCell{"–"}, TextCell{"–"}, TextCell{"–"}, TextCell{sentence}});
+    }
+    return table;
+}
+
+DataTable prediction_test(const StudyResult& result, const Json& study) {
+    DataTable table{"prediction-test", "Measured against predicted, both errors", "", {{"surface", ""}, {"elastomer", ""}, {"measured *W*_app", "J/m2"}, {"max(0, (7))", "J/m2"}, {"difference", "J/m2"}, {"in standard errors", "1"}}, {}};
+    if (!result.prediction_test) return table;
+    const auto number = [&study](const std::string& name, int decimals) { return number_html(study, "/prediction_test/" + name, {}, decimals); };
+    table.note = fmt::format("<i>χ</i>² = {} with {} degrees of freedom, <i>p</i> = {}, over the covariance of measured values and predictions: pairs of one surface share its spectrum, those of one "
+                             "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}.",
+                             number("chi_squared/value", 2), number("degrees_of_freedom", 0), number("probability", 4),
+                             result.prediction_test->work_fitted ? "; <i>W</i><sub>int</sub> is fitted to these pairs" : "", quantity_html(study, "/prediction_test/extra_scatter"),
+                             number("chi_squared_with_scatter/value", 2));
+    for (std::size_t i = 0; i < result.prediction_test->pairs.size(); ++i) {
+        const auto base = fmt::format("/prediction_test/pairs/{}", i);
+        table.rows.push_back({TextCell{result.prediction_test->pairs[i].surface}, TextCell{result.prediction_test->pairs[i].elastomer}, QuantityCell{base + "/measured"}, QuantityCell{base + "/predicted"},
+                              QuantityCell{base + "/residual"}, QuantityCell{base + "/standardised_residual"}});
+    }
+    return table;
+}
+
 DataTable fits(const StudyResult& result, const Json& study) {
     DataTable table{"fits", "Intrinsic work of adhesion from all pairs",
                     "(7) with, (2) without the energy of stretching the soft surface, (S13) without it and with the area of small slopes, energy lost against true area (10). Reported values are what others found.",
@@ -275,13 +336,17 @@ DataTable loop_table(const StudyResult& result) {
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
         table.rows.push_back({TextCell{e.input.file}, TextCell{e.input.reference ? "reference" : e.input.surface}, TextCell{e.input.elastomer}, quantity("loading/contact_modulus"),
                               quantity("loading/work_of_adhesion"), quantity("pull_off/work_of_adhesion"), quantity("retraction/work_of_adhesion"), quantity("loop/energy"),
-                              quantity("largest_contact_radius"), NumberCell{joined(base, "loading/work_of_adhesion/n")}, TextCell{e.failed() ? "failed" : ""}});
+                              quantity("largest_contact_radius"), NumberCell{joined(base, "loading/work_of_adhesion/n")}, TextCell{e.failed() ? "failed" : e.input.excluded() ? "excluded: " + e.input.exclusion : ""}});
     }
     return table;
 }
 
 std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& study) {
-    std::vector<DataTable> tables{fits(result, study), pairs_measured(result), pairs_predicted(result), budget(result), surfaces(result, study),
+    std::vector<DataTable> tables{fits(result, study), pairs_measured(result), pairs_predicted(result), prediction_test(result, study), budget(result),
+                                  replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
+                                  replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
+                                  replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),
+                                  replicate_variances(result, "J", "variances-loss", "Scatter of the energy lost"), surfaces(result, study),
                                   decades(result, study), measurement_table(result), agreement(result, study), elastomers(result, study), loop_table(result),
                                   references(result), reference_changes(result), cutoff_scan(result, study)};
     std::erase_if(tables, [](const DataTable& table) { return table.rows.empty(); });

@@ -36,6 +36,7 @@ Json agreement_json(const inference::Agreement& row) {
     return {{"instrument", row.instrument},
             {"band", {{"lower", decade.lower}, {"upper", decade.upper}, {"unit", "1/m"}}},
             {"ratio", number(row.ratio)},
+            {"ratio_standard_error", number(row.standard_error)},
             {"chi_squared", number(row.chi_squared)},
             {"groups", row.groups},
             {"probability", number(row.probability)}};
@@ -67,11 +68,11 @@ TidyTable decade_table(const StudyResult& result) {
 }
 
 TidyTable agreement_table(const StudyResult& result) {
-    TidyTable table{"", {"surface", "instrument", "decade_low [1/m]", "decade_high [1/m]", "measured/expected [1]", "chi2", "groups", "probability"}, {}};
+    TidyTable table{"", {"surface", "instrument", "decade_low [1/m]", "decade_high [1/m]", "measured/expected [1]", "standard_error [1]", "chi2", "groups", "probability"}, {}};
     each_fitted(result, [&](const std::string& surface, const FittedSpectrum& fitted) {
         for (const auto& a : fitted.agreement) {
             const auto decade = decade_of(a);
-            table.rows.push_back({surface, a.instrument, decade.lower, decade.upper, a.ratio, a.chi_squared, static_cast<double>(a.groups), a.probability});
+            table.rows.push_back({surface, a.instrument, decade.lower, decade.upper, a.ratio, a.standard_error, a.chi_squared, static_cast<double>(a.groups), a.probability});
         }
     });
     return table;

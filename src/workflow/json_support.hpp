@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "setae/replicates/replicate_data.hpp"
 #include "setae/workflow/json.hpp"
 
 namespace setae::workflow {
@@ -23,5 +24,8 @@ void add_outcome(Json& json, const std::string& key, const experiment::Outcome<T
 
 /// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
 [[nodiscard]] Json to_json(const FittedSpectrum& fitted);
+
+/// "rows" of replicates: name, groups, value, and the reason of those excluded.
+[[nodiscard]] Json rows_json(const replicates::ReplicateData& data);
 
 }  // namespace setae::workflow

@@ -33,7 +33,7 @@ struct LoopValues {
 LoopValues loops_on(const StudyResult& result, const PairResult& pair) {
     LoopValues values;
     for (const auto& e : result.experiments) {
-        if (!e.analysis || e.input.reference || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer) continue;
+        if (!e.analysis || e.input.reference || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer || e.input.excluded()) continue;
         const auto& loop = *e.analysis;
         values.approach.push_back(loop.loading.primary().work_of_adhesion);
         if (loop.pull_off) values.pull_off.push_back(loop.pull_off->work_of_adhesion);
@@ -62,6 +62,23 @@ void take_loops(PairResult& pair, const LoopValues& values) {
     if (!values.loss.empty()) pair.loss = mean_of(values.loss);
     pair.contact_area = mean_of(values.area);
     pair.ideal_loss = mean_of(values.ideal_loss);
+}
+
+/// Measured values by the mixed model, where the loops on the pair's elastomer name what was repeated.
+void take_replicates(PairResult& pair, const StudyResult& result) {
+    for (const auto& replicates : result.replicates) {
+        if (replicates.elastomer != pair.elastomer) continue;
+        std::optional<Estimate> mean;
+        if (replicates.model)
+            for (const auto& surface : replicates.model->surfaces)
+                if (surface.surface == pair.surface) mean = surface.mean;
+        if (!mean) continue;
+        const auto& quantity = replicates.data.quantity;
+        if (quantity == work_of_approach) pair.approach = mean;
+        else if (quantity == work_of_pull_off) pair.pull_off = mean;
+        else if (quantity == work_of_retraction) pair.retraction = mean;
+        else if (quantity == energy_loss) pair.loss = mean;
+    }
 }
 
 using Balance = PairPoint (Balances::*)() const;
@@ -170,6 +187,7 @@ std::vector<PairResult> measured_pairs(const StudyResult& result) {
             pair.elastomer = elastomer.input.name;
             if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
             take_loops(pair, loops_on(result, pair));
+            take_replicates(pair, result);
             if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
             pairs.push_back(std::move(pair));
         }

@@ -8,6 +8,15 @@
 
 namespace setae::workflow {
 
+/// Names of the measured quantities of loops.
+inline constexpr const char* work_of_approach = "work_of_adhesion_approach";
+inline constexpr const char* work_of_pull_off = "work_of_adhesion_pull_off";
+inline constexpr const char* work_of_retraction = "work_of_adhesion_retraction";
+inline constexpr const char* energy_loss = "energy_loss";
+
+/// Mixed models of every quantity, for the elastomers whose loops name a lens, a spot or an exclusion.
+[[nodiscard]] std::vector<ElastomerReplicates> elastomer_replicates(const StudyResult& result);
+
 /// Every surface × elastomer pair with its measured values, from loops or published tables.
 [[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
 
@@ -22,5 +31,8 @@ void fit_pairs(StudyResult& result);
 
 /// Predictions of every pair at the study's W_int.
 void predict_pairs(StudyResult& result);
+
+/// Measured against predicted with both errors, after predict_pairs().
+void test_predictions(StudyResult& result);
 
 }  // namespace setae::workflow

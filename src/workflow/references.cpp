@@ -19,7 +19,7 @@ struct MeasuredReference {
 std::vector<MeasuredReference> measured_references(StudyResult& result) {
     std::vector<MeasuredReference> found;
     for (auto& e : result.experiments) {
-        if (!e.analysis || !e.input.reference) continue;
+        if (!e.analysis || !e.input.reference || e.input.excluded()) continue;
         try {
             found.push_back({e.input.elastomer, e.input.stage, experiment::evaluate_reference(*e.analysis)});
         } catch (const Error& error) {

@@ -104,7 +104,7 @@ void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
     if (!(elastomer.youngs_modulus.value > 0.0)) {
         std::vector<Estimate> from_loops;
         for (const auto& e : result.experiments)
-            if (e.analysis && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
+            if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
         if (from_loops.empty()) return;
         elastomer.youngs_modulus = mean_of(from_loops);
         elastomer.modulus_from_loops = true;
@@ -132,10 +132,12 @@ void check_plausibility(ElastomerResult& elastomer) {
 
 /// Surfaces, elastomers and loops brought together: pairs, references, fits, predictions.
 StudyResult related(StudyResult result) {
+    result.replicates = elastomer_replicates(result);
     result.pairs = measured_pairs(result);
     evaluate_references(result);
     fit_pairs(result);
     predict_pairs(result);
+    test_predictions(result);
     return result;
 }
 

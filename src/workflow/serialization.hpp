@@ -93,7 +93,7 @@ SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_ene
 
 namespace setae::inference {
 
-SETAE_KEEP(Agreement, instrument, decade, ratio, chi_squared, groups, probability)
+SETAE_KEEP(Agreement, instrument, decade, ratio, standard_error, chi_squared, groups, probability)
 SETAE_KEEP(TipFactor, instrument, tip_radius, wavevector, transfer)
 
 /// The settings that decide a result: all but the threads.

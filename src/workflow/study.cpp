@@ -132,6 +132,12 @@ ExperimentInput read_experiment(TomlReader reader, const std::string& study_path
     experiment.elastomer = reader.required_text("elastomer");
     experiment.sphere_radius = reader.quantity("sphere_radius", dimension::length);
     experiment.stage = reader.choice<std::string>("stage", {{"before", "before"}, {"after", "after"}}).value_or("");
+    experiment.lens = reader.text("lens").value_or("");
+    experiment.spot = reader.text("spot").value_or("");
+    if (const auto reason = reader.text("exclude")) {
+        if (trimmed(*reason).empty()) reader.fail("exclude", "an exclusion without a reason; write why the loop is left out");
+        experiment.exclusion = *reason;
+    }
     reader.finish();
     if (experiment.surface.empty() != experiment.reference)
         reader.fail("surface", experiment.reference ? "a reference is made on a smooth standard and names no surface"
@@ -255,6 +261,22 @@ void require_declared_names(const Study& study) {
     }
 }
 
+/// Of the loops on one elastomer either all name their lens (spot) or none does.
+void require_complete_labels(const Study& study) {
+    const auto require = [&](const char* key, std::string ExperimentInput::*label) {
+        for (const auto& elastomer : study.elastomers) {
+            const ExperimentInput *with = nullptr, *without = nullptr;
+            for (const auto& e : study.experiments)
+                if (!e.reference && e.elastomer == elastomer.name) ((e.*label).empty() ? without : with) = &e;
+            if (with && without)
+                throw FormatError(study.path, {}, fmt::format("experiment {} names no {}, experiment {} with the same elastomer does; name it for all or for none",
+                                                              without->file, key, with->file));
+        }
+    };
+    require("lens", &ExperimentInput::lens);
+    require("spot", &ExperimentInput::spot);
+}
+
 }  // namespace
 
 const ElastomerInput* Study::elastomer(const std::string& name) const {
@@ -299,6 +321,7 @@ Study read_study(const std::string& path) {
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");
     require_declared_names(study);
+    require_complete_labels(study);
     return study;
 }
 

@@ -4,6 +4,7 @@
 
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/workflow/replicate_report.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -285,12 +286,42 @@ void add_work(Json& json, const StudyResult& result) {
     json["work_of_adhesion"] = to_json(work);
 }
 
+Json replicates_json(const ElastomerReplicates& replicates) {
+    Json json{{"elastomer", replicates.elastomer}, {"quantity", replicates.data.quantity}, {"symbol", replicates.symbol}};
+    if (!replicates.model) {
+        json["reason"] = replicates.model.reason;
+        json["rows"] = rows_json(replicates.data);
+        return json;
+    }
+    json.update(to_json(replicates.data, *replicates.model));
+    return json;
+}
+
+Json prediction_json(const PredictionTest& test) {
+    Json json{{"work_of_adhesion_fitted_to_them", test.work_fitted}, {"pairs", Json::array()}, {"left_out", test.left_out}, {"n", test.n}, {"degrees_of_freedom", test.degrees_of_freedom}};
+    add(json, named("chi_squared", "chi2", test.chi_squared, "1", "r' C^-1 r with the covariance of measured and predicted values"));
+    json["probability"] = number(test.probability);
+    add(json, named("extra_scatter", "tau", test.extra_scatter, "J/m2", "scatter of the model with which chi2 is its degrees of freedom"));
+    add(json, quantity("chi_squared_with_scatter", "chi2", test.chi_squared_with_scatter, "1"));
+    json["probability_with_scatter"] = number(test.probability_with_scatter);
+    for (const auto& pair : test.pairs) {
+        Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
+        add(entry, quantity("measured", "W_app", pair.measured, "J/m2"));
+        add(entry, quantity("predicted", "max(0, (7))", pair.predicted, "J/m2"));
+        add(entry, quantity("residual", "measured - predicted", {.value = pair.residual, .standard_error = pair.standard_error, .method = "delta"}, "J/m2"));
+        add(entry, quantity("standardised_residual", "residual/standard error", pair.standardised(), "1"));
+        json["pairs"].push_back(std::move(entry));
+    }
+    return json;
+}
+
 /// What rests on surfaces, once more with their averages.
 Json by_average_json(const StudyResult& result) {
     Json json;
     add_work(json, result);
     json["fits"] = fits_json(result);
     json["pairs"] = pairs_json(result);
+    add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
     json["cutoff_scan"] = cutoffs_json(result);
     return json;
 }
@@ -333,10 +364,16 @@ Json to_json(const StudyResult& result) {
     json["elastomers"] = Json::object();
     for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
     json["pairs"] = pairs_json(result);
+    add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
+    json["replicates"] = Json::array();
+    for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
     if (result.by_average) json["by_average"] = by_average_json(*result.by_average);
     json["experiments"] = Json::array();
     for (const auto& e : result.experiments) {
         Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};
+        if (!e.input.lens.empty()) entry["lens"] = e.input.lens;
+        if (!e.input.spot.empty()) entry["spot"] = e.input.spot;
+        if (e.input.excluded()) entry["excluded"] = e.input.exclusion;
         if (e.failed()) entry["error"] = e.error;
         entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
         json["experiments"].push_back(entry);

@@ -176,9 +176,20 @@ TidyTable experiments_for_reading(const StudyResult& result) {
                               cell(a.loading.primary().work_of_adhesion, 1e3, 2), a.pull_off ? cell(a.pull_off->work_of_adhesion, 1e3, 2) : "–",
                               a.retraction ? cell(a.retraction->work_of_adhesion, 1e3, 2) : "–",
                               a.loop ? cell(a.loop->estimate(), 1e9, 4) : "–",
-                              e.alerts.empty() ? "" : fmt::format("{} alerts", e.alerts.size())});
+                              (e.input.excluded() ? "excluded: " + e.input.exclusion : std::string()) +
+                                  (e.alerts.empty() ? "" : fmt::format("{}{} alerts", e.input.excluded() ? ", " : "", e.alerts.size()))});
     }
     return table;
+}
+
+/// χ² of (7) with both errors.
+std::string prediction_line(const StudyResult& result) {
+    if (!result.prediction_test) return "";
+    const auto& test = *result.prediction_test;
+    auto text = fmt::format("Measured against predicted, both errors: χ² = {:.1f} with {} degrees of freedom (p = {:.2g}, {} pairs", test.chi_squared, test.degrees_of_freedom,
+                            test.probability, test.n);
+    if (test.extra_scatter > 0.0) text += fmt::format("; with {} more scatter of the model χ² = {:.1f}", format_value(test.extra_scatter, "J/m2", 3), test.chi_squared_with_scatter);
+    return text + ").\n\n";
 }
 
 /// The curve as the study used it, with what the combination knows of each bin.
@@ -226,6 +237,7 @@ std::string summary(const StudyResult& result) {
     append(references_for_reading(result));
     append(pairs_for_reading(result));
     append(fits_for_reading(result));
+    text += prediction_line(result);
     append(cutoffs_for_reading(result));
     text += "± is one standard error, [ ] the 95 % interval, both by one method; it stands in the tables and in study.json.\n";
     if (!result.loop && !result.pairs.empty()) text += "No fit of loop energies: " + result.loop.reason + ".\n";
@@ -250,6 +262,9 @@ std::vector<std::string> write_results(const StudyResult& result) {
     write_table("surfaces.csv", surface_table(result));
     write_table("pairs.csv", pair_table(result));
     write_table("fits.csv", fit_table(result));
+    write_table("replicates.csv", replicate_table(result));
+    write_table("replicate_means.csv", replicate_mean_table(result));
+    write_table("prediction_test.csv", prediction_test_table(result));
     write_table("measurements.csv", measurement_table(result));
     write_table("decades.csv", decade_table(result));
     write_table("agreement.csv", agreement_table(result));

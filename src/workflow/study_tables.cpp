@@ -2,10 +2,12 @@
 #include "setae/workflow/study_tables.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "setae/core/constants.hpp"
 #include "setae/workflow/json.hpp"
 #include "setae/workflow/loop_tables.hpp"
+#include "setae/workflow/replicate_report.hpp"
 #include "table_support.hpp"
 
 namespace setae::workflow {
@@ -244,6 +246,55 @@ TidyTable cutoff_table(const StudyResult& result) {
             add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
             table.rows.push_back(std::move(row));
         }
+    return table;
+}
+
+namespace {
+
+/// Tables of single elastomers under each other, the elastomer in front.
+TidyTable of_all_elastomers(const StudyResult& result, const std::function<std::optional<TidyTable>(const ElastomerReplicates&)>& table_of) {
+    TidyTable all;
+    for (const auto& replicates : result.replicates) {
+        const auto table = table_of(replicates);
+        if (!table) continue;
+        if (all.columns.empty()) {
+            all.columns = {"elastomer"};
+            append(all.columns, table->columns);
+        }
+        for (const auto& row : table->rows) {
+            Cells cells{replicates.elastomer};
+            append(cells, row);
+            all.rows.push_back(std::move(cells));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+TidyTable replicate_table(const StudyResult& result) {
+    return of_all_elastomers(result, [](const ElastomerReplicates& r) { return std::optional(replicate_table(r.data)); });
+}
+
+TidyTable replicate_mean_table(const StudyResult& result) {
+    return of_all_elastomers(result, [](const ElastomerReplicates& r) { return r.model ? std::optional(replicate_mean_table(r.data, *r.model)) : std::nullopt; });
+}
+
+TidyTable prediction_test_table(const StudyResult& result) {
+    TidyTable table{"", {"surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]", "W_app (7) [J/m2]", "standard_error (7) [J/m2]",
+                         "residual [J/m2]", "standard_error residual [J/m2]", "residual [standard errors]", "chi2", "degrees_of_freedom", "probability",
+                         "extra_scatter [J/m2]", "chi2 with scatter", "probability with scatter"}, {}};
+    for (const auto* study : by_method(result)) {
+        if (!study->prediction_test) continue;
+        const auto& test = *study->prediction_test;
+        for (const auto& p : test.pairs)
+            table.rows.push_back({p.surface, p.elastomer, method_name(*study), p.measured.value, p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
+                                  p.standard_error, p.standardised(), undefined, undefined, undefined, undefined, undefined, undefined});
+        Cells row{std::string("all"), std::string("all"), method_name(*study)};
+        for (int i = 0; i < 7; ++i) row.emplace_back(undefined);
+        add_cells(row, test.chi_squared, static_cast<double>(test.degrees_of_freedom), test.probability, test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
+        table.rows.push_back(std::move(row));
+    }
     return table;
 }
 

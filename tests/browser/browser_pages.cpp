@@ -50,6 +50,7 @@ int main(int count, char** arguments) {
     measurement.file = measurement.name = measurement.error = tests::hostile_name;
     hostile.surfaces[0].alerts.push_back({tests::hostile_name, tests::hostile_name, tests::hostile_name, tests::hostile_name});
     hostile.inputs = {{tests::hostile_name, std::string(64, 'a'), 3}};
+    hostile.replicates.push_back(tests::sample_replicates(hostile.surfaces[0].name, tests::hostile_name));
     write("hostile.html", hostile, tests::sample_figures());
     write("many.html", published, {many_spectra()});
     write("empty.html", {}, {});

@@ -20,6 +20,8 @@ constexpr const char* explanation =
     "1, 2, 4, S1, S2, S3, S5, S6, S7, S8  the figures of [D19], with error bars; docs/figures.md says what each shows\n"
     "spectra:NAME  every measurement of a surface, by instrument, with what was cut\n"
     "scales        which wavevectors cost the energy: shares of U_el, excess area and W_app - W_int below q\n"
+    "prediction    W_app against E* for each surface: curve of (7) with its band, measured values, residuals, chi2\n"
+    "replicates    every loop's work of adhesion with its error, means by lens and surface\n"
     "agreement     measured over expected periodograms, by instrument and decade\n"
     "+- and bars are one standard error, shaded bands 95 %\n"
     "[D19] Dalvi et al., PNAS 116 (2019) 25484\n";
@@ -109,7 +111,7 @@ void add_plot(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<PlotArguments>();
     auto* verb = program.add_subcommand("plot", "draw one figure of a study: SVG, PDF, PNG or its numbers as CSV");
     verb->add_option("study", arguments->study, "TOML file of the study");
-    verb->add_option("--figure", arguments->figure, "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, agreement");
+    verb->add_option("--figure", arguments->figure, "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
     verb->add_option("-o,--output", arguments->output, "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
     verb->add_option("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")->check(CLI::IsMember({"single", "double"}))->capture_default_str();
     verb->add_flag("--list", arguments->list, "list the figures of the study, and why one cannot be drawn, then stop");

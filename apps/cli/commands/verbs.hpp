@@ -14,6 +14,7 @@ void add_params(CLI::App& program, Action& action);
 void add_adhesion(CLI::App& program, Action& action);
 void add_jkr(CLI::App& program, Action& action);
 void add_jkr_radius(CLI::App& jkr_group, Action& action);
+void add_jkr_summary(CLI::App& jkr_group, Action& action);
 void add_synthesize(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);

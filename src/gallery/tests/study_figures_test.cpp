@@ -23,7 +23,7 @@ TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
         EXPECT_FALSE(figure.title.empty());
         names.insert(figure.name);
     }
-    EXPECT_EQ(names.size(), 12u);
+    EXPECT_EQ(names.size(), 14u);
     EXPECT_EQ(reason_of(empty, "1"), "the study has no surface");
     EXPECT_EQ(reason_of(empty, "2"), "the study has no loop on a rough surface");
     EXPECT_EQ(reason_of(empty, "4"), "the study has no pair of surface and elastomer");
@@ -183,13 +183,55 @@ TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
     auto result = study_of_pairs();
     EXPECT_EQ(reason_of(result, "agreement"), "no surface's spectrum was fitted to its measurements by likelihood");
     workflow::FittedSpectrum fitted;
-    fitted.agreement = {{.instrument = "afm", .decade = 6, .ratio = 1.1, .chi_squared = 5.0, .groups = 4}, {.instrument = "tem", .decade = 8, .ratio = 0.9}};
+    fitted.agreement = {{.instrument = "afm", .decade = 6, .ratio = 1.1, .standard_error = 0.2, .chi_squared = 5.0, .groups = 4}, {.instrument = "tem", .decade = 8, .ratio = 0.9}};
     result.surfaces[0].fitted = fitted;
     const auto drawn = study_figure(result, "agreement");
     ASSERT_EQ(drawn.figure.panels.size(), 1u);
     EXPECT_NEAR(std::log10(series_of(drawn.figure.panels[0], "AFM").x[0]), 6.5, 1e-12);
     EXPECT_DOUBLE_EQ(series_of(drawn.figure.panels[0], "AFM").y[0], 1.1);
+    EXPECT_DOUBLE_EQ(series_of(drawn.figure.panels[0], "AFM").upper[0], 1.3);
     EXPECT_DOUBLE_EQ(series_of(drawn.figure.panels[0], "TEM").y[0], 0.9);
+}
+
+TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
+    auto result = study_of_pairs();
+    std::vector<workflow::PredictionResidual> residuals;
+    for (const auto& pair : result.pairs) residuals.push_back({pair.surface, pair.elastomer, *pair.approach, pair.modified->estimate});
+    result.prediction_test = workflow::prediction_test(residuals, Array2D((Eigen::MatrixXd::Identity(3, 3) * 4e-6).array()), std::nullopt);
+    const auto drawn = study_figure(result, "prediction");
+    ASSERT_TRUE(drawn.drawable()) << drawn.reason;
+    ASSERT_EQ(drawn.figure.panels.size(), 2u);
+    const auto& rough = drawn.figure.panels[1];
+    const auto& hard = series_of(rough, "hard");
+    EXPECT_NEAR(hard.x[0], 2.0 / 0.75, 1e-12);
+    EXPECT_NEAR(hard.right[0] - hard.x[0], 0.02, 1e-12);
+    EXPECT_DOUBLE_EQ(hard.y[0], 4.0);
+    EXPECT_NEAR(hard.upper[0], 6.0, 1e-12);
+    ASSERT_EQ(rough.notes.size(), 2u);
+    EXPECT_EQ(rough.notes[0].text, "−1.0 σ");
+    const auto& curve = series_of(rough, "predicted by (7), 95 %");
+    EXPECT_LT(curve.x[0], 1.0 / 0.75);
+    EXPECT_GT(curve.x[curve.x.size() - 1], 2.0 / 0.75);
+    EXPECT_TRUE((curve.lower <= curve.y).all() && (curve.y <= curve.upper).all());
+    EXPECT_NE(drawn.caption.find("χ² = "), std::string::npos);
+}
+
+TEST(ReplicatesFigure, HasAPanelForEachElastomerWithItsExcludedLoops) {
+    auto result = study_of_pairs();
+    EXPECT_EQ(reason_of(result, "replicates"), "no loop names a lens, a spot or an exclusion");
+    for (const char* name : {"soft", "hard"}) {
+        workflow::ElastomerReplicates replicates{.elastomer = name, .symbol = "W_app"};
+        replicates.data.rows = {{0.03, 0.001, {"smooth", "1", "1"}, "a"}, {0.04, 0.001, {"smooth", "2", "1"}, "b"}, {0.09, 0.001, {"smooth", "2", "2"}, "c"}};
+        replicates.data.exclusions = {{2, "dust"}};
+        replicates.model = replicates::mixed_model(replicates.data);
+        result.replicates.push_back(replicates);
+    }
+    const auto drawn = study_figure(result, "replicates");
+    ASSERT_EQ(drawn.figure.panels.size(), 2u);
+    EXPECT_EQ(drawn.figure.panels[1].title, "hard");
+    EXPECT_NEAR(drawn.figure.panels[1].place->top + drawn.figure.panels[1].place->height, 1.0, 1e-12);
+    EXPECT_EQ(drawn.figure.panels[0].notes.at(0).text, "dust");
+    EXPECT_NE(drawn.caption.find("6 loops"), std::string::npos);
 }
 
 TEST(StudyFigures, FitTheColumnAskedFor) {

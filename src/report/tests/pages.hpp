@@ -49,6 +49,18 @@ private:
     std::filesystem::path path_;
 };
 
+/// Loops of two lenses on a surface, one excluded, every name hostile.
+inline workflow::ElastomerReplicates sample_replicates(const std::string& surface, const std::string& elastomer) {
+    workflow::ElastomerReplicates replicates{.elastomer = elastomer, .symbol = "W_app"};
+    replicates.data.quantity = "work_of_adhesion_approach";
+    replicates.data.unit = "J/m2";
+    replicates.data.rows = {{0.038, 0.001, {surface, "1", hostile_name}, "a.csv"}, {0.041, 0.002, {surface, "1", "2"}, "b.csv"},
+                            {0.047, 0.001, {surface, hostile_name, "1"}, "c.csv"}, {0.090, 0.001, {surface, hostile_name, "2"}, hostile_name}};
+    replicates.data.exclusions = {{3, hostile_name}};
+    replicates.model = replicates::mixed_model(replicates.data);
+    return replicates;
+}
+
 /// Every kind of mark, both kinds of axis, a map, notes, names of points, and one figure that cannot be drawn.
 inline std::vector<gallery::StudyFigure> sample_figures() {
     using figures::Mark;

@@ -78,6 +78,21 @@ TEST(Report, NumbersOfThePublishedStudyAreThoseOfItsJson) {
     EXPECT_NE(limits_of(result).find("The spectra of PUNCD, UNCD, NCD and MCD are self-affine reconstructions"), std::string::npos);
 }
 
+TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
+    auto result = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
+    const auto before = numbers_that_agree(visible(as_html(result, {}, run)), workflow::to_json(result));
+    result.replicates.push_back(tests::sample_replicates("PUNCD", hostile_name));
+    result.experiments.push_back({.input = {.file = "d.csv", .surface = "PUNCD", .elastomer = "E0.7", .exclusion = "the lens slipped"}});
+    const auto page = visible(as_html(result, {}, run));
+    // mean with ± and interval, prediction, mean with the excluded, n, excluded, I²; two variances
+    EXPECT_GE(numbers_that_agree(page, workflow::to_json(result)), before + 16);
+    const auto text = words(page);
+    EXPECT_NE(text.find("Work of adhesion over lenses, spots and repeats"), std::string::npos);
+    EXPECT_NE(text.find("spot and repeat"), std::string::npos);
+    EXPECT_NE(text.find("the lens slipped", text.find("Loops left out of every mean")), std::string::npos);
+    EXPECT_NE(text.find("Measured against predicted, both errors"), std::string::npos);
+}
+
 TEST(Report, EveryColumnOfNumbersSaysItsUnit) {
     const auto result = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
     const auto page = visible(as_html(result, {}, run));

@@ -86,5 +86,20 @@ TEST_F(StudyFile, WantsOnePublishedValueForEachElastomer) {
 
 TEST_F(StudyFile, ReportsBrokenTomlWithItsLine) { EXPECT_EQ(message_of("title = \"a\"\nb = = 1\n").substr(0, 13), "study.toml:2:"); }
 
+TEST_F(StudyFile, NamesWhatLoopsRepeatAndWhyOneIsLeftOut) {
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") + surface +
+                             "[elastomers.soft]\nyoungs_modulus = \"1 MPa\"\nsurface_energy = \"25 mJ/m2\"\n";
+    const auto loop = [](const std::string& file, const std::string& more) {
+        return "[[experiments]]\nfile = \"" + file + "\"\nsurface = \"A\"\nelastomer = \"soft\"\n" + more;
+    };
+    const auto study = read(head + loop("1.csv", "lens = \"a\"\nspot = \"1\"\n") + loop("2.csv", "lens = \"b\"\nspot = \"1\"\nexclude = \"dust\"\n"));
+    EXPECT_EQ(study.experiments.at(0).lens, "a");
+    EXPECT_EQ(study.experiments.at(1).spot, "1");
+    EXPECT_FALSE(study.experiments.at(0).excluded());
+    EXPECT_EQ(study.experiments.at(1).exclusion, "dust");
+    EXPECT_NE(message_of(head + loop("1.csv", "exclude = \" \"\n")).find("an exclusion without a reason"), std::string::npos);
+    EXPECT_NE(message_of(head + loop("1.csv", "lens = \"a\"\n") + loop("2.csv", "")).find("2.csv names no lens"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace setae::workflow

@@ -37,7 +37,7 @@ struct GalleryOptions {
 };
 
 /// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8 of THEORY §12;
-/// "spectra:NAME" of every measured surface, "scales", "agreement".
+/// "spectra:NAME" of every measured surface, "scales", "prediction", "replicates", "agreement".
 ///
 /// The same result gives the same figures, for any number of threads. Never throws for what a study lacks: see `reason`.
 [[nodiscard]] std::vector<StudyFigure> study_figures(const workflow::StudyResult& result, const GalleryOptions& options = {});

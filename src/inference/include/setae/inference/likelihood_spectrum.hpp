@@ -41,6 +41,7 @@ struct Agreement {
     std::string instrument;
     int decade = 0;           ///< 10^decade … 10^(decade+1) 1/m
     double ratio = 1.0;       ///< mean of P/E, weighted by ν
+    double standard_error = 0.0;  ///< of the ratio where the instrument agrees: √(Σ ν²/ν_own)/Σ ν, ν_own the independent values of a group
     double chi_squared = 0.0;
     int groups = 0;
     double probability = 1.0; ///< of a χ² as large with as many degrees of freedom as groups

@@ -8,8 +8,8 @@ namespace setae::replicates {
 
 struct ForestPlotOptions {
     std::string quantity = "value";  ///< of the axis, typeset as figures::Axis::quantity
-    std::string unit = "1";          ///< of the axis, as setae spells units
-    double factor = 1.0;             ///< of the axis' unit: values are multiplied by it
+    std::string unit;                ///< of the axis, as setae spells units; empty: that of the data with the prefix that suits the largest value
+    double factor = 1.0;             ///< where the unit is given: values are multiplied by it
     double width_mm = 120.0;
     double interval_level = 0.95;    ///< of the rows' error bars
 };

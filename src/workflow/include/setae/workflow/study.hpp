@@ -70,6 +70,10 @@ struct ExperimentInput : LoopSource {
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
     bool reference = false;               ///< on a smooth standard
     std::string stage;                    ///< of references: "before" or "after" the rough loops, or empty
+    std::string lens, spot;               ///< what is repeated: labels, or empty where nobody says
+    std::string exclusion;                ///< why its numbers are left out of means; empty where they are not
+
+    [[nodiscard]] bool excluded() const { return !exclusion.empty(); }
 };
 
 /// Published results of one surface × elastomer pair, or of a smooth reference.

@@ -10,7 +10,9 @@
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/experiment/analysis.hpp"
 #include "setae/experiment/reference_loop.hpp"
+#include "setae/replicates/mixed_model.hpp"
 #include "setae/workflow/pair_fit.hpp"
+#include "setae/workflow/prediction_test.hpp"
 #include "setae/workflow/provenance.hpp"
 #include "setae/workflow/run_options.hpp"
 #include "setae/workflow/study.hpp"
@@ -48,6 +50,14 @@ struct PredictedWork {
 /// What each uncertain input adds to the standard error of a pair's prediction by (7) [J/m²].
 struct PredictionBudget {
     double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
+};
+
+/// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
+struct ElastomerReplicates {
+    std::string elastomer;
+    std::string symbol;  ///< such as "W_app"
+    replicates::ReplicateData data;  ///< levels surface, lens, spot; rows named by their files
+    experiment::Outcome<replicates::MixedModel> model;
 };
 
 /// One surface × elastomer pair: what was measured on it and what roughness predicts.
@@ -115,6 +125,7 @@ struct StudyResult {
     std::vector<ElastomerResult> elastomers;
     std::vector<ExperimentResult> experiments;
     std::vector<PairResult> pairs;
+    std::vector<ElastomerReplicates> replicates;  ///< of elastomers whose loops name a lens, a spot or an exclusion
     std::vector<ReferenceResult> references;
     std::vector<ReferenceDrift> reference_drifts;
     Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
@@ -125,6 +136,7 @@ struct StudyResult {
     Outcome<LoopFits> loop;
     Outcome<FreeEnergyFit> free_energies;
     std::vector<CutoffPoint> cutoff_scan;
+    Outcome<PredictionTest> prediction_test;  ///< of (7) with both errors
     std::vector<Alert> alerts;
     /// Pairs, fits and predictions once more with the average over measurements, where likelihoods are used here.
     std::shared_ptr<const StudyResult> by_average;

@@ -18,6 +18,12 @@ namespace setae::workflow {
 [[nodiscard]] TidyTable fit_table(const StudyResult& result);
 /// One row a measurement: file, what was done, band, parameters or the error.
 [[nodiscard]] TidyTable measurement_table(const StudyResult& result);
+/// One row a loop and quantity of elastomers whose loops name a lens, a spot or an exclusion; excluded ones with their reason.
+[[nodiscard]] TidyTable replicate_table(const StudyResult& result);
+/// One row a pair and quantity: its mean by the mixed model.
+[[nodiscard]] TidyTable replicate_mean_table(const StudyResult& result);
+/// One row a pair: measured, predicted and their difference in standard errors; the last row is χ² of all.
+[[nodiscard]] TidyTable prediction_test_table(const StudyResult& result);
 /// One row an alert, of everything in the study.
 [[nodiscard]] TidyTable alert_table(const StudyResult& result);
 /// One row a surface and wavevector: cumulative rms parameters and stored energy.
