@@ -40,9 +40,12 @@ AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& fil
 void LoopArguments::add_to(CLI::App& verb) {
     verb.add_option("files", files, "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them");
     verb.add_option("--map", map, "mapping file (TOML) that names the columns of a foreign table");
-    verb.add_option("--camera", camera, "table of the camera: time and contact_radius on its own clock");
+    verb.add_option("--camera", camera, "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
     verb.add_option("--camera-map", camera_map, "mapping file of the camera's table");
     verb.add_option("--clock-offset", clock_offset, "added to the camera's times, such as \"0.12 s\"; default: found from the records");
+    verb.add_option("--pixel", pixel, "of the camera's pictures where they do not say it, such as \"1.82 um\"");
+    verb.add_option("--fps", frame_rate, "of the camera's pictures, frames a second");
+    verb.add_flag("--fringes", fringes, "the pictures show Newton's rings around the contact");
     verb.add_option("--spring-constant", spring_constant, "of the cantilever of a force curve, such as \"0.05 N/m\"");
     verb.add_option("--sensitivity", sensitivity, "of its deflection, such as \"55 nm/V\"");
 }
@@ -68,7 +71,7 @@ workflow::LoopSource LoopArguments::source(const std::string& file) const {
     workflow::LoopSource source{.file = file};
     if (!map.empty()) source.mapping = map;
     if (!camera.empty()) {
-        source.camera = workflow::CameraInput{.file = camera, .clock_offset = given(clock_offset, dimension::time)};
+        source.camera = workflow::CameraInput{.file = camera, .clock_offset = given(clock_offset, dimension::time), .pixel_size = given(pixel, dimension::length), .frame_rate = frame_rate, .fringes = fringes};
         if (!camera_map.empty()) source.camera->mapping = camera_map;
     }
     source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);

@@ -16,7 +16,9 @@ namespace setae::cli {
 /// Options of verbs that read loops: files, how their columns are named, the camera's record, constants of force curves.
 struct LoopArguments {
     std::vector<std::string> files;
-    std::string map, camera, camera_map, clock_offset, spring_constant, sensitivity;
+    std::string map, camera, camera_map, clock_offset, pixel, spring_constant, sensitivity;
+    std::optional<double> frame_rate;
+    bool fringes = false;
 
     void add_to(CLI::App& verb);
     /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.

@@ -341,13 +341,33 @@ DataTable loop_table(const StudyResult& result) {
     return table;
 }
 
+DataTable loop_check_table(const StudyResult& result) {
+    DataTable table{"loop_checks", "Loops: other routes, contact point and energy",
+                    "The joint fit of force, displacement and contact radius beside the routes above; E* free of W; first touch and how far its estimates lie apart; "
+                    "the loss of an ideal smooth sphere in this machine, and the share of the work of approach that is recovered. Every fit stands in loop_fits.csv, every part of the energy in "
+                    "loop_energies.csv.",
+                    {{"file", ""}, {"*E*\\* joint", "Pa"}, {"*W* joint", "J/m2"}, {"*E*\\* free of *W*", "Pa"}, {"*W* unloading", "J/m2"}, {"contact point", "m"}, {"its spread", "m"},
+                     {"*E*_ideal", "J"}, {"recovered", "1"}},
+                    {}};
+    for (std::size_t i = 0; i < result.experiments.size(); ++i) {
+        const auto& e = result.experiments[i];
+        if (e.failed()) continue;
+        const auto base = fmt::format("/experiments/{}/analysis", i);
+        const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
+        table.rows.push_back({TextCell{e.input.file}, quantity("loading/fits/joint/contact_modulus"), quantity("loading/fits/joint/work_of_adhesion"),
+                              quantity("loading/fits/pointwise/contact_modulus"), quantity("unloading/work_of_adhesion"), quantity("contact_points/contact_point"),
+                              quantity("contact_points/spread"), quantity("ledger/ideal_loss_this_machine"), quantity("ledger/recovered_share")});
+    }
+    return table;
+}
+
 std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& study) {
     std::vector<DataTable> tables{fits(result, study), pairs_measured(result), pairs_predicted(result), prediction_test(result, study), budget(result),
                                   replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
                                   replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
                                   replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),
                                   replicate_variances(result, "J", "variances-loss", "Scatter of the energy lost"), surfaces(result, study),
-                                  decades(result, study), measurement_table(result), agreement(result, study), elastomers(result, study), loop_table(result),
+                                  decades(result, study), measurement_table(result), agreement(result, study), elastomers(result, study), loop_table(result), loop_check_table(result),
                                   references(result), reference_changes(result), cutoff_scan(result, study)};
     std::erase_if(tables, [](const DataTable& table) { return table.rows.empty(); });
     return tables;

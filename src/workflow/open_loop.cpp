@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/workflow/open_loop.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/imaging/contact_radius.hpp"
 #include "setae/io/clocks.hpp"
 #include "setae/io/loop_file.hpp"
 #include "setae/io/table_file.hpp"
@@ -40,12 +44,28 @@ Table read_unmapped(const LoopSource& source) {
     return io::read_loop_table(source.file, source.camera ? io::LoopColumns::force_record : io::LoopColumns::complete);
 }
 
-Table read_table_of(const std::string& file, const std::optional<std::string>& mapping) {
-    return mapping ? io::read_mapped_table(file, io::read_mapping(*mapping)) : io::read_table(file);
+/// Whether a path is pictures, not a table of radii.
+bool is_recording(const std::string& path) {
+    if (std::filesystem::is_directory(path)) return true;
+    const auto head = io::file_source(path).head(12);
+    return head.starts_with(std::string_view("II*\0", 4)) || head.starts_with(std::string_view("MM\0*", 4)) || head.starts_with("II+") ||
+           (head.starts_with("RIFF") && head.ends_with("AVI "));
+}
+
+Table radii_of(const CameraInput& camera, std::vector<Alert>& alerts) {
+    if (camera.mapping) return io::read_mapped_table(camera.file, io::read_mapping(*camera.mapping));
+    if (!is_recording(camera.file)) return io::read_table(camera.file);
+    const imaging::FrameSource frames(camera.file, {.pixel_size = camera.pixel_size, .frame_rate = camera.frame_rate});
+    const auto radii = imaging::measure_contact_radii(frames, {.frame = {.fringes = camera.fringes}});
+    const auto& found = radii.summary;
+    if (const auto lost = found.not_found + found.bad; lost > 0)
+        alerts.push_back({"FRAMES_BAD", camera.file, fmt::format("{} of {} frames have no contact radius", lost, found.frames),
+                          "see `setae jkr radius` with --overlay for what is wrong with them"});
+    return imaging::as_table(radii);
 }
 
 void align(OpenedLoop& opened, const LoopSource& source) {
-    const auto camera = read_table_of(source.camera->file, source.camera->mapping);
+    const auto camera = radii_of(*source.camera, opened.alerts);
     io::require_one_clock(camera, source.camera->file);
     double offset = source.camera->clock_offset.value_or(0.0);
     if (!source.camera->clock_offset) {
@@ -78,8 +98,16 @@ OpenedLoop on_one_clock(const LoopSource& source, Table table) {
 std::vector<std::string> LoopSource::files() const {
     std::vector<std::string> names{file};
     if (mapping) names.push_back(*mapping);
-    if (camera) names.push_back(camera->file);
-    if (camera && camera->mapping) names.push_back(*camera->mapping);
+    if (!camera) return names;
+    if (std::filesystem::is_directory(camera->file)) {
+        const auto pictures = names.size();
+        for (const auto& entry : std::filesystem::directory_iterator(camera->file))
+            if (entry.is_regular_file()) names.push_back(entry.path().string());
+        std::sort(names.begin() + static_cast<std::ptrdiff_t>(pictures), names.end());
+    } else {
+        names.push_back(camera->file);
+    }
+    if (camera->mapping) names.push_back(*camera->mapping);
     return names;
 }
 

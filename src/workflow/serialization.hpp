@@ -166,7 +166,7 @@ SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_o
 
 namespace setae::workflow {
 
-SETAE_KEEP(CameraInput, file, mapping, clock_offset)
+SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)

@@ -109,6 +109,9 @@ CameraInput read_camera(TomlReader reader, const std::string& study_path) {
     camera.file = beside(study_path, reader.required_text("file"));
     camera.mapping = file_beside(reader, "mapping", study_path);
     camera.clock_offset = reader.quantity("clock_offset", dimension::time);
+    camera.pixel_size = reader.quantity("pixel_size", dimension::length);
+    camera.frame_rate = reader.quantity("frame_rate", dimension::none / dimension::time);
+    camera.fringes = reader.boolean("fringes").value_or(camera.fringes);
     reader.finish();
     return camera;
 }
