@@ -26,12 +26,11 @@ Outcome<ModelFit> fitted(const BranchData& data, const LensAndCounterBody& bodie
     }
 }
 
-/// AICc of a fit whose residuals count as `independent` ones.
+/// AICc of a fit whose residuals count as `independent` ones; the correction for few samples goes by the samples.
 double akaike(const ModelFit& fit, double independent) {
-    const double residuals = fit.degrees_of_freedom + static_cast<double>(fit.parameters.size());
-    const double unknowns = residuals - fit.degrees_of_freedom + 1.0;
-    const double room = independent - unknowns - 1.0;
-    return room > 0.0 ? independent * std::log(fit.chi2 / residuals) + 2.0 * unknowns * independent / room : undefined;
+    const double unknowns = static_cast<double>(fit.parameters.size()) + 1.0;
+    const double residuals = fit.degrees_of_freedom + unknowns - 1.0;
+    return independent * std::log(fit.chi2 / residuals) + 2.0 * unknowns * residuals / (residuals - unknowns - 1.0);
 }
 
 }  // namespace

@@ -124,17 +124,22 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
     if (!prepared.is_free(2)) return;
     const bool ran_off = lambda < least_lambda || lambda > most_lambda;
     if (!ran_off && lambda_error <= most_log_error) return;
-    const std::string why =
-        ran_off ? fmt::format("λ ran to {:.2g}: the branch is that of {}, which does not tell the cohesive stress", lambda,
-                              lambda > most_lambda ? "JKR" : "DMT")
-                : fmt::format("λ = {:.2g} is known within a factor {:.2g} only: the branch does not tell the range of attraction",
-                              lambda, std::exp(lambda_error));
+    if (ran_off) return leave_zone_open(fit, lambda);
+    const std::string why = fmt::format("λ = {:.2g} is known within a factor {:.2g} only: the branch does not tell the range of attraction",
+                                        lambda, std::exp(lambda_error));
     fit.transition_parameter = Outcome<Estimate>::missing(why);
     fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.undetermined.push_back(why);
 }
 
 }  // namespace
+
+void leave_zone_open(ModelFit& fit, double transition_parameter) {
+    const std::string why = fmt::format("λ ran to {:.2g}, the limit of {}: the branch does not tell the cohesive stress", transition_parameter,
+                                        transition_parameter > 1.0 ? "JKR" : "DMT");
+    fit.transition_parameter = fit.cohesive_stress = Outcome<Estimate>::missing(why);
+    fit.undetermined.push_back(why);
+}
 
 Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance) {
     const Eigen::VectorXd inverse = covariance.diagonal().cwiseSqrt().cwiseInverse();

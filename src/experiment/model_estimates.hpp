@@ -15,6 +15,9 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 [[nodiscard]] Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolution& solution, const FitParameters& at,
                                               double slot_standard_error);
 
+/// Says in place of λ and σ0 that λ ran to one of its limits.
+void leave_zone_open(ModelFit& fit, double transition_parameter);
+
 /// A fit with what a further fit of the same branch starts from.
 struct SolvedFit {
     ModelFit fit;

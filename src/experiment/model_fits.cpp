@@ -64,6 +64,26 @@ void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterB
     fit.correlations = correlations(fit.covariance);
 }
 
+/// Where λ ran off, W holds in that limit alone: is it told apart from W in the middle, at λ = 0.7?
+void question_work(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution) {
+    PreparedFit middle = prepared;
+    middle.hold(2, std::log(0.7));
+    FitParameters start = solution.at;
+    start[2] = middle.given[2];
+    const FitSolution other = solve(middle, start);
+    const double chi2 = solution.least_squares.residuals.squaredNorm();
+    const double freedom = static_cast<double>(prepared.problem.residuals() - static_cast<Index>(prepared.free.size()));
+    // two standard errors, residuals counted as independent ones
+    const double rise = other.least_squares.residuals.squaredNorm() - chi2;
+    if (!fit.work_of_adhesion || !(rise < 4.0 * chi2 / freedom * fit.correlated_samples)) return;
+    const double here = fit.work_of_adhesion->value, there = prepared.problem.curve().work_of_adhesion(other.at.head<3>());
+    fit.work_of_adhesion = Outcome<Estimate>::missing(
+        fmt::format("W = {:.3g} J/m² at the limit of λ and {:.3g} J/m² at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
+                    "or give the cohesive stress",
+                    here, there));
+    fit.undetermined.push_back(fit.work_of_adhesion.reason);
+}
+
 ChannelResiduals channel(Array1D residuals) {
     const double rms = residuals.size() > 0 ? std::sqrt(residuals.square().mean()) : 0.0;
     return {.values = std::move(residuals), .rms = rms};
@@ -166,13 +186,8 @@ SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, c
                  .n = data.force.size(),
                  .noise = prepared.noise};
     fill_estimates(fit, reported, solution, bodies);
-    if (zone_free && !reported.is_free(2)) {
-        const double lambda = curve.transition_parameter(solution.at.head<3>());
-        const std::string why = fmt::format("λ ran to {:.2g}: the branch is that of {}, which does not tell the cohesive stress", lambda,
-                                            lambda > 1.0 ? "JKR" : "DMT");
-        fit.transition_parameter = fit.cohesive_stress = Outcome<Estimate>::missing(why);
-        fit.undetermined.push_back(why);
-    }
+    if (zone_free && !reported.is_free(2)) leave_zone_open(fit, curve.transition_parameter(solution.at.head<3>()));
+    if (zone_free && !fit.transition_parameter) question_work(fit, prepared, solution);
     fit.converged = solution.least_squares.converged && fit.covariance.allFinite();
     fill_residuals(fit, prepared, solution);
     if (data.force_zero_standard_error > 0.0) add_force_zero(fit, data, bodies, options, solution);

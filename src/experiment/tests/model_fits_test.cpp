@@ -250,6 +250,20 @@ TEST(ModelFits, SaysThatTheRangeOfAttractionIsNotDeterminedFarFromTheTransition)
     EXPECT_NEAR(curve.work_of_adhesion->value / lens.work_of_adhesion, 1.0, 0.1);
 }
 
+TEST(ModelFits, WithoutRadiiAndNearPullOffWOfMaugisDugdaleIsNotToldEither) {
+    std::mt19937_64 generator(4);
+    BranchData data = noisy(jkr_branch(lens, 100), 0.005, generator);
+    for (Array1D* series : {&data.force, &data.displacement, &data.contact_radius}) *series = series->tail(60).eval();
+    const ModelFitOptions zone{.model = ContactModel::maugis_dugdale, .channels = Channels::force_displacement};
+    const ModelFit fit = fit_model(data, rubber_on_diamond(), zone);
+    ASSERT_FALSE(fit.work_of_adhesion);
+    EXPECT_NE(fit.work_of_adhesion.reason.find("give the cohesive stress"), std::string::npos) << fit.work_of_adhesion.reason;
+    // no more than an order of preference: correlated residuals leave few samples to decide by
+    const ModelComparison comparison = compare_models(data, rubber_on_diamond(), zone);
+    for (const ComparedModel& model : comparison.models)
+        EXPECT_EQ(model.fit.value.has_value(), std::isfinite(model.akaike_difference)) << to_string(model.model);
+}
+
 TEST(ModelFits, ResidualsAreThoseOfTheNearestPoint) {
     std::mt19937_64 generator(9);
     const BranchData data = noisy(jkr_branch(lens, 60), 0.02, generator);

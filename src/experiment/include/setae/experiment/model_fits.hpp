@@ -93,7 +93,7 @@ struct ModelFit {
     int iterations = 0;
     Estimate contact_modulus;                ///< E* [Pa]
     Estimate youngs_modulus;                 ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
-    Outcome<Estimate> work_of_adhesion;      ///< W [J/m²]; none for Hertz and where the data do not determine it
+    Outcome<Estimate> work_of_adhesion;      ///< W [J/m²]; none for Hertz and where it follows a λ that the data do not determine
     Outcome<Estimate> cohesive_stress;       ///< σ0 [Pa] of Maugis–Dugdale and transition, where determined
     Outcome<Estimate> transition_parameter;  ///< λ of the same
     Outcome<Estimate> transition_share;      ///< α of transition
@@ -129,7 +129,7 @@ struct ModelFit {
 struct ComparedModel {
     ContactModel model = ContactModel::jkr;
     Outcome<ModelFit> fit;
-    double akaike_difference = 0.0;  ///< AICc − least, residuals counted as n/τ of the best; NaN without a fit
+    double akaike_difference = 0.0;  ///< of AICc to the least, ln χ² counted for n/τ residuals, τ of the best; NaN without a fit
     double akaike_weight = 0.0;      ///< e^(−Δ/2) over their sum
 };
 
