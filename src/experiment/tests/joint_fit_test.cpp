@@ -106,6 +106,37 @@ TEST(JointFit, KnowsNoiseThatForceAndDisplacementShare) {
     EXPECT_NEAR(chi2, 1.0, 0.03);
 }
 
+TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
+    constexpr int seeds = 60;
+    constexpr double follows = 0.8;
+    const BranchData truth = branch_of(lens, BranchShape::loading, 400);
+    int modulus = 0, work = 0;
+    double correlated_samples = 0.0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
+        std::normal_distribution<double> normal;
+        BranchData data = tests::noisy(truth, 50.0, generator);
+        const auto correlated = [&](Array1D& series, const Array1D& of, double noise) {
+            double at = normal(generator);
+            for (Index i = 0; i < series.size(); ++i) {
+                series[i] = of[i] + noise * at;
+                at = follows * at + std::sqrt(1.0 - follows * follows) * normal(generator);
+            }
+        };
+        correlated(data.force, truth.force, data.force_noise);
+        correlated(data.displacement, truth.displacement, data.displacement_noise);
+        correlated(data.contact_radius, truth.contact_radius, data.contact_radius_noise);
+        const JkrFit fit = fit_joint(data, rubber_on_diamond());
+        modulus += tests::covers(fit.contact_modulus, lens.contact_modulus);
+        work += tests::covers(fit.work_of_adhesion, lens.work_of_adhesion);
+        correlated_samples += fit.correlated_samples / seeds;
+    }
+    // 57 of 60 expected, standard deviation 1.7; independent errors would cover about half
+    EXPECT_GE(modulus, 52);
+    EXPECT_GE(work, 52);
+    EXPECT_NEAR(correlated_samples, 9.0, 2.0);  // (1 + φ)/(1 − φ)
+}
+
 TEST(JointFit, SaysWhatIsMissing) {
     BranchData data = clean(lens);
     data.displacement_noise = 0.0;

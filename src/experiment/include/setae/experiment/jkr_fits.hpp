@@ -62,8 +62,8 @@ enum class RadiusErrors {
 /// is biased and too sure of itself; effective variance is not. With errors in both, each sample has a true radius that is
 /// fitted too, see fit_joint; where the noise is large against the curve's bend, neighbours are averaged first.
 ///
-/// Measured, 200 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force over
-/// σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 92–97 %.
+/// Measured, 800 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force over
+/// σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 93–96 %.
 /// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
 /// effective variance without the noise of both.
 /// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.
@@ -108,7 +108,7 @@ enum class DepthErrors {
 /// its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured a for the
 /// true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is taken off.
 /// Residuals are those of the pair; their covariance has an autoregressive process for each of the two series and their
-/// correlation at the same sample. Measured as for fit_radius_force: intervals cover 93–99 %.
+/// correlation at the same sample. Measured as for fit_radius_force: intervals cover 92–96 %.
 /// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0 and
 /// where the noise of a channel is unknown.
 /// Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller, Ann. Stat. 16 (1988) 147.
