@@ -22,7 +22,7 @@ struct EdgeRay {
 struct EdgeFit {
     Outline outline;
     OutlineShape shape = OutlineShape::ellipse;
-    Eigen::Matrix<double, 5, 5> covariance;
+    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
     std::vector<EdgeRay> rays;
     double edge_width = 0;         ///< w of erf(d/(√2 w)) [px]
     double contrast = 0;           ///< median of agreeing rays
