@@ -343,7 +343,8 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         const double previous = width;
         if (step.good) width = std::clamp(step.width, narrowest, widest);
         if (fringes && step.good) {
-            const double turn = std::clamp(first_fringe(mean, step, sign, reach), 1.5, reach);
+            // over a whole fringe brightness averages out; where it does not turn, the window stays
+            const double turn = std::clamp(2 * first_fringe(mean, step, sign, reach), 3.0, reach);
             outside = round < rounds_of_search ? turn : std::min(outside, turn);  // it settles
         }
         fit.outline = correction.outline;

@@ -39,8 +39,8 @@ struct EdgeFit {
 /// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels of its
 /// sector, one width for all from the mean profile, the outline from the places; repeated until it rests.
 ///
-/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end where
-/// the mean profile first turns back outside the edge.
+/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end at
+/// twice the distance at which the mean profile first turns back outside the edge, but cover 3 px.
 [[nodiscard]] EdgeFit fit_edge(const FramePixels& pixels, const Outline& outline, double sign, double uncertainty, bool fringes);
 
 }  // namespace setae::imaging
