@@ -16,8 +16,8 @@ constexpr double narrowest = 0.3, widest = 12.0;  // widths of edges [px]; a pix
 constexpr double bin = 0.5;               // px of distance, of profiles
 constexpr double least_contrast = 0.3;    // of the median ray's
 constexpr double agreement = 4.0;         // robust standard deviations
-constexpr int most_rounds = 10, rounds_before_polish = 6;
-constexpr double nearly_at_rest = 0.03, at_rest = 0.003;  // px
+constexpr int most_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
+constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 
 /// How places are found: among all, from the outline on, or linear in the grey levels.
 enum class Stage { search, refine, polish };
@@ -258,6 +258,41 @@ double first_fringe(const Profile& profile, const StepFit& step, double sign, do
     return farthest;
 }
 
+/// Rays that make the outline: those whose contrast has the sign and is comparable to the median's.
+struct OutlineRays {
+    std::vector<EdgeOffset> offsets;
+    std::vector<std::size_t> rays;
+    double significance = 0;  ///< median contrast over its deviation
+};
+
+OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
+    std::vector<double> contrasts, significances;
+    for (const auto& ray : rays)
+        if (ray.fitted && sign * ray.contrast > 0) contrasts.push_back(sign * ray.contrast), significances.push_back(sign * ray.contrast / ray.contrast_deviation);
+    OutlineRays found{.significance = median_of(significances)};
+    const double typical = median_of(contrasts);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        if (!rays[k].fitted || sign * rays[k].contrast < least_contrast * typical) continue;
+        found.offsets.push_back({rays[k].angle, rays[k].place, rays[k].variance});
+        found.rays.push_back(k);
+    }
+    return found;
+}
+
+/// Takes over what a correction says of the rays; marks those that agree.
+void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrection& correction, double sign, std::vector<bool>& agree) {
+    constexpr double least_weight = 0.073;  // Tukey's at 4 of 4.685 scales: (1 − (4/4.685)²)²
+    agree.assign(fit.rays.size(), false);
+    std::vector<double> contrasts;
+    for (std::size_t i = 0; i < used.rays.size(); ++i)
+        if (correction.weights[i] > least_weight) agree[used.rays[i]] = true, contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
+    const auto visible = std::count_if(fit.rays.begin(), fit.rays.end(), [](const EdgeRay& ray) { return ray.visible; });
+    fit.agreeing_share = visible > 0 ? static_cast<double>(contrasts.size()) / static_cast<double>(visible) : 0.0;
+    fit.contrast = median_of(std::move(contrasts));
+    fit.significance = used.significance;
+    fit.covariance = correction.covariance;
+}
+
 }  // namespace
 
 double share_within(const Outline& outline, long width, long height) {
@@ -279,6 +314,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
     auto stage = Stage::search;
     std::size_t count = 0;
     std::vector<bool> agree;
+    double last_step = 0;
     for (int round = 0; round < most_rounds; ++round) {
         auto& outline = fit.outline;
         if (fit.shape == OutlineShape::circle) outline.stretch_cosine = outline.stretch_sine = 0;
@@ -287,50 +323,33 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         if (stage != Stage::polish) count = static_cast<std::size_t>(std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
         const auto sectors = gathered(pixels, outline, count, window);
         fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
-        double visible = 0;
-        std::vector<double> contrasts, significances;
-        for (const auto& ray : fit.rays) {
-            visible += ray.visible ? 1 : 0;
-            if (ray.fitted && sign * ray.contrast > 0) contrasts.push_back(sign * ray.contrast), significances.push_back(sign * ray.contrast / ray.contrast_deviation);
-        }
+        if (stage == Stage::polish)
+            for (std::size_t k = 0; k < count; ++k) fit.rays[k].fitted = fit.rays[k].fitted && agree[k];  // a linear place cannot be far off
+        const auto used = comparable_rays(fit.rays, sign);
         fit.visible_share = share_within(outline, pixels.cols(), pixels.rows());
-        fit.significance = median_of(significances);
-        const double typical = median_of(contrasts);
-        std::vector<EdgeOffset> offsets;
-        std::vector<std::size_t> of_ray;
-        for (std::size_t k = 0; k < fit.rays.size(); ++k) {
-            const auto& ray = fit.rays[k];
-            if (!ray.fitted || sign * ray.contrast < least_contrast * typical) continue;
-            if (stage == Stage::polish && !agree[k]) continue;  // a linear place cannot be far off
-            offsets.push_back({ray.angle, ray.place, ray.variance});
-            of_ray.push_back(k);
-        }
         fit.shape = fit.visible_share < 0.9 ? OutlineShape::circle : OutlineShape::ellipse;
         if (fit.shape == OutlineShape::circle && outline.stretch() > 0) continue;
-        const auto correction = corrected_outline(outline, offsets, fit.shape);
+        const auto correction = corrected_outline(outline, used.offsets, fit.shape);
         const bool sane = correction.solved && correction.outline.semi_minor() > 2 && correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {
-            fit.failure = fmt::format("{} of {} rays show an edge, too few for a circle", offsets.size(), count);
+            fit.failure = fmt::format("{} of {} rays show an edge, too few for a circle", used.offsets.size(), count);
             return fit;
         }
-        agree.assign(count, false);
-        double agreeing = 0;
-        std::vector<double> agreed_contrasts;
-        // weight 0 begins at 4.685 scales; agreement at 4 is Tukey's weight (1 − (4/4.685)²)² = 0.073
-        for (std::size_t i = 0; i < offsets.size(); ++i)
-            if (correction.weights[i] > 0.073) agree[of_ray[i]] = true, agreeing += 1, agreed_contrasts.push_back(sign * fit.rays[of_ray[i]].contrast);
-        fit.agreeing_share = visible > 0 ? agreeing / visible : 0;
-        fit.contrast = median_of(agreed_contrasts);
-        fit.covariance = correction.covariance;
+        take_agreement(fit, used, correction, sign, agree);
         const auto mean = mean_profile(sectors, fit.rays, agree, stage == Stage::search);
         StepFit step{.width = width};
         linear_part(mean, step);
         refine(mean, step, true, 0.8 * std::min(window.inside, window.outside), 12);
         const double previous = width;
         if (step.good) width = std::clamp(step.width, narrowest, widest);
-        if (fringes && step.good) outside = std::clamp(first_fringe(mean, step, sign, reach), 1.5, reach);
+        if (fringes && step.good) {
+            // over a whole fringe brightness averages out; where it does not turn, the window stays
+            const double turn = std::clamp(2 * first_fringe(mean, step, sign, reach), 3.0, reach);
+            outside = round < rounds_of_search ? turn : std::min(outside, turn);  // it settles
+        }
         fit.outline = correction.outline;
         fit.edge_width = width;
+        last_step = correction.largest_step;
         const bool steady = std::abs(width - previous) < 0.05 * width;
         if (stage == Stage::search) {
             if (correction.largest_step < 1.0) stage = Stage::refine;
@@ -342,6 +361,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
             break;
         }
     }
+    if (last_step > restless) fit.failure = fmt::format("the outline does not come to rest: its last step is {:.1f} px", last_step);
     return fit;
 }
 

@@ -22,7 +22,7 @@ struct EdgeRay {
 struct EdgeFit {
     Outline outline;
     OutlineShape shape = OutlineShape::ellipse;
-    Eigen::Matrix<double, 5, 5> covariance;
+    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
     std::vector<EdgeRay> rays;
     double edge_width = 0;         ///< w of erf(d/(√2 w)) [px]
     double contrast = 0;           ///< median of agreeing rays
@@ -39,8 +39,8 @@ struct EdgeFit {
 /// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels of its
 /// sector, one width for all from the mean profile, the outline from the places; repeated until it rests.
 ///
-/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end where
-/// the mean profile first turns back outside the edge.
+/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end at
+/// twice the distance at which the mean profile first turns back outside the edge, but cover 3 px.
 [[nodiscard]] EdgeFit fit_edge(const FramePixels& pixels, const Outline& outline, double sign, double uncertainty, bool fringes);
 
 }  // namespace setae::imaging

@@ -267,6 +267,7 @@ std::string TiffStack::single_page(const TiffPage& page, const std::string& stri
 FrameRead TiffStack::read(std::size_t index) const {
     const auto& page = pages_[index];
     if (!page.fault.empty()) return {{}, page.fault};
+    if (const auto size = size_of(index); size.width <= 0 || size.height <= 0) return {{}, "damaged: its directory states no size"};
     std::string fault;
     const auto pixels = strips(page, fault);
     if (!fault.empty()) return {{}, fault};
