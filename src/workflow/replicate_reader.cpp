@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const std::string& quantity) {
         {"W", "work_of_adhesion", "W_app", "w"},
         {"E*", "E_star", "contact_modulus"},
         {"E_loss", "energy_loss", "loop_energy"},
-        {"F_po", "pull_off_force", "F_pulloff"},
+        {"F_po", "F_pull_off", "pull_off_force", "F_pulloff"},
     };
     for (const auto& names : known)
         if (std::find(names.begin(), names.end(), quantity) != names.end()) {
@@ -44,7 +44,7 @@ std::vector<std::string> error_names(const std::string& value) {
 /// Columns of one table.
 struct Places {
     std::size_t value = 0;
-    std::optional<std::size_t> error, method, branch, file;
+    std::optional<std::size_t> error, method, branch, elastomer, file, primary, cycle, reason;
     std::vector<std::size_t> groups;
     double factor = 1.0, error_factor = 1.0;
     std::string unit;  ///< SI
@@ -73,6 +73,10 @@ Places places_of(const TextTable& table, const ReplicateColumns& wanted, const s
     }
     places.method = table.find({"method"});
     places.branch = table.find({"branch"});
+    if (std::find(levels.begin(), levels.end(), "elastomer") == levels.end()) places.elastomer = table.find({"elastomer"});
+    places.primary = table.find({"primary"});
+    if (table.find({"contact"})) places.cycle = table.find({"cycle"});
+    places.reason = table.find({"reason"});
     places.file = table.find({"file"});
     const auto& unit = value.unit.empty() ? wanted.unit : value.unit;
     if (unit.empty()) throw FormatError(table.path, {}, fmt::format("column '{}' has no unit; write it as \"{} [mJ/m2]\" or give --unit", value.name, value.name));
@@ -128,18 +132,40 @@ std::vector<Candidate> chosen_rows(const std::vector<TextTable>& tables, const s
     std::vector<Candidate> rows;
     for (std::size_t t = 0; t < tables.size(); ++t)
         for (const auto& row : tables[t].rows) rows.push_back({&tables[t], &row, &places[t]});
-    const auto keep = [&](std::optional<std::size_t> Places::*column, const std::string& choice, const char* what) {
+    using Column = std::optional<std::size_t> Places::*;
+    const auto kinds = [&](Column column) {
         std::set<std::string> seen;
         for (const auto& row : rows)
             if (row.places->*column && !row.row->cells[row.places->value].empty()) seen.insert(row.row->cells[*(row.places->*column)]);
-        if (choice.empty() && seen.size() > 1)
-            throw InvalidArgument(fmt::format("several kinds of '{}': {}; the same loop would count more than once, choose one by --{}", what, fmt::join(seen, ", "), what));
-        if (choice.empty()) return;
-        std::erase_if(rows, [&](const Candidate& row) { return row.places->*column && row.row->cells[*(row.places->*column)] != choice; });
-        if (rows.empty()) throw UndefinedDataError(fmt::format("no row of {} '{}'; there are {}", what, choice, fmt::join(seen, ", ")));
+        return seen;
     };
-    keep(&Places::method, wanted.method, "method");
-    keep(&Places::branch, wanted.branch, "branch");
+    const bool by_primary = wanted.method.empty() || wanted.method == "primary";
+    struct Choice {
+        Column column;
+        std::string wanted;
+        const char* what;
+    };
+    const std::vector<Choice> choices{{&Places::elastomer, wanted.elastomer, "elastomer"}, {&Places::branch, wanted.branch, "branch"}, {&Places::method, by_primary ? "" : wanted.method, "method"}};
+    for (const auto& choice : choices) {
+        if (choice.wanted.empty()) continue;
+        const auto seen = kinds(choice.column);
+        std::erase_if(rows, [&](const Candidate& row) { return row.places->*choice.column && row.row->cells[*(row.places->*choice.column)] != choice.wanted; });
+        if (rows.empty()) throw UndefinedDataError(fmt::format("no row of {} '{}'; there are {}", choice.what, choice.wanted, fmt::join(seen, ", ")));
+    }
+    const bool named_primary = by_primary && std::all_of(places.begin(), places.end(), [](const Places& p) { return p.primary.has_value(); });
+    if (named_primary)  // a row without method says why a branch has no fit
+        std::erase_if(rows, [](const Candidate& row) {
+            return row.row->cells[*row.places->primary] != "yes" && !(row.places->method && row.row->cells[*row.places->method].empty());
+        });
+    for (const auto& choice : choices) {
+        if (!choice.wanted.empty() || (named_primary && choice.column == &Places::method)) continue;
+        if (const auto seen = kinds(choice.column); seen.size() > 1)
+            throw InvalidArgument(fmt::format("several kinds of '{}': {}; the same loop would count more than once, choose one by --{}", choice.what, fmt::join(seen, ", "), choice.what));
+    }
+    // a contact's whole loop and its cycles are the same energy twice
+    const auto whole = [](const Candidate& row) { return row.places->cycle && !row.places->branch && row.row->cells[*row.places->cycle].empty(); };
+    if (std::any_of(rows.begin(), rows.end(), whole))
+        std::erase_if(rows, [&](const Candidate& row) { return row.places->cycle && !whole(row); });
     return rows;
 }
 
@@ -243,7 +269,7 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
             excluded = &exclusions[i];
         }
         if (!std::isfinite(replicate.value)) {
-            bad(cells[at.value].empty() ? fmt::format("no {}", data.quantity) : fmt::format("{} is '{}'; expected a number", data.quantity, cells[at.value]));
+            bad(cells[at.value].empty() ? fmt::format("no {}{}", data.quantity, at.reason && !cells[*at.reason].empty() ? ": " + cells[*at.reason] : "") : fmt::format("{} is '{}'; expected a number", data.quantity, cells[at.value]));
             continue;
         }
         if (at.error) {

@@ -100,8 +100,9 @@ void add_jkr_summary(CLI::App& jkr_group, Action& action) {
     verb->add_option("--value", columns.value_column, "column of the values, where --quantity does not find it");
     verb->add_option("--error", columns.error_column, "column of their standard errors, likewise");
     verb->add_option("--unit", columns.unit, "unit of values whose column has none, such as mJ/m2");
-    verb->add_option("--method", columns.method, "fit wanted, where the tables have several");
+    verb->add_option("--method", columns.method, "fit wanted, where the tables have several; default: the primary one, where they name it");
     verb->add_option("--branch", columns.branch, "branch wanted, where the tables have several, such as loading");
+    verb->add_option("--elastomer", columns.elastomer, "elastomer wanted, where the tables have several; or group by it");
     verb->add_option("--exclude", arguments->exclude, "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")->allow_extra_args(false);
     verb->add_option("--exclusions", arguments->exclusions, "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
     verb->add_flag("--each-surface", arguments->each_surface, "variances of each surface by itself, not pooled");

@@ -77,6 +77,31 @@ TEST_F(ReplicateFiles, OfOtherProgramsNeedOnlyNames) {
     EXPECT_EQ(tables.data.rows.at(1).name, path + ":4");
 }
 
+TEST_F(ReplicateFiles, TakeThePrimaryFitOfEachLoopAndSayWhyThereIsNone) {
+    const auto path = write("tidy.csv",
+                            "file,surface,elastomer,lens,spot,contact,cycle,branch,method,W [J/m2],W_standard_error [J/m2],primary,reason\n"
+                            "a.csv,A,soft,1,1,1,1,loading,radius_force,0.04,0.001,no,\n"
+                            "a.csv,A,soft,1,1,1,1,loading,joint,0.05,0.001,yes,\n"
+                            "b.csv,A,soft,1,2,1,1,loading,,,,no,too few samples\n"
+                            "c.csv,A,hard,1,2,1,1,loading,joint,0.06,0.001,yes,\n");
+    const auto soft = read_replicates({path}, {.elastomer = "soft"}, {});
+    ASSERT_EQ(soft.data.rows.size(), 1U);
+    EXPECT_EQ(soft.data.rows[0].value, 0.05);
+    EXPECT_EQ(soft.bad_rows.at(0).reason, "no W: too few samples");
+    EXPECT_EQ(read_replicates({path}, {.method = "radius_force"}, {}).data.rows.at(0).value, 0.04);
+    EXPECT_EQ(read_replicates({path}, {.group_by = {"elastomer", "surface"}}, {}).data.rows.size(), 2U);
+    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {}, {}); }).find("choose one by --elastomer"), std::string::npos);
+}
+
+TEST_F(ReplicateFiles, CountAContactsEnergyOnce) {
+    const auto path = write("energies.csv",
+                            "file,surface,contact,cycle,E_loss [nJ],E_loss_standard_error [nJ],reason\n"
+                            "a.csv,A,1,,3,0.1,\na.csv,A,,1,1,0.1,\na.csv,A,,2,2,0.1,\nb.csv,A,1,,4,0.1,\n");
+    const auto tables = read_replicates({path}, {.quantity = "E_loss"}, {});
+    ASSERT_EQ(tables.data.rows.size(), 2U);
+    EXPECT_DOUBLE_EQ(tables.data.rows[1].value, 4e-9);
+}
+
 TEST_F(ReplicateFiles, NameTheLineOfABadRow) {
     const auto path = write("bad.csv", "surface,lens,W [J/m2],W_se [J/m2]\nA,1,0.04,0.001\nA,1,,0.001\nA,,0.05,0.001\nA,2,much,0.001\nA,2,0.04,-1\n");
     const auto tables = read_replicates({path}, {}, {});

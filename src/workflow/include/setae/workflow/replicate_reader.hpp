@@ -31,7 +31,7 @@ struct ReplicateColumns {
     std::string value_column;           ///< overrides what `quantity` finds
     std::string error_column;           ///< likewise, of the standard error
     std::string unit;                   ///< where the header has none
-    std::string method, branch;         ///< rows wanted, where the tables have such columns
+    std::string method, branch, elastomer;  ///< rows wanted, where the tables have such columns; no method, or "primary": those with "yes" in a column "primary"
 };
 
 /// A row that could not be used, with its place "path:line".
@@ -46,7 +46,7 @@ struct ReplicateTables {
 };
 
 /// Reads one quantity of tidy CSV tables: one row a fit, names with units in the header, "W [mJ/m2]"; separators are commas, semicolons
-/// or tabs. Standard errors stand in a column "NAME standard_error", "NAME_standard_error", "NAME_se", "NAME stderr" or "standard_error NAME";
+/// or tabs; those `setae jkr fit --tidy` and `setae jkr energy --tidy` write among them. Of a table with contacts and their cycles the contacts count. Standard errors stand in a column "NAME standard_error", "NAME_standard_error", "NAME_se", "NAME stderr" or "standard_error NAME";
 /// without one they are unknown. Rows without a number or a label are bad rows, the others are taken.
 /// @throws FileError; FormatError for a table without the columns asked for or without units; InvalidArgument where several methods or
 /// branches are left to choose from, for an exclusion that no row meets, a row met by two; UndefinedDataError where no row is left.
