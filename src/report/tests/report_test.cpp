@@ -82,7 +82,12 @@ TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
     auto result = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
     const auto before = numbers_that_agree(visible(as_html(result, {}, run)), workflow::to_json(result));
     result.replicates.push_back(tests::sample_replicates("PUNCD", hostile_name));
-    result.experiments.push_back({.input = {.file = "d.csv", .surface = "PUNCD", .elastomer = "E0.7", .exclusion = "the lens slipped"}});
+    workflow::ExperimentResult left_out;
+    left_out.input.file = "d.csv";
+    left_out.input.surface = "PUNCD";
+    left_out.input.elastomer = "E0.7";
+    left_out.input.exclusion = "the lens slipped";
+    result.experiments.push_back(left_out);
     const auto page = visible(as_html(result, {}, run));
     // mean with ± and interval, prediction, mean with the excluded, n, excluded, I²; two variances
     EXPECT_GE(numbers_that_agree(page, workflow::to_json(result)), before + 16);

@@ -158,7 +158,11 @@ TEST_F(ReplicateFiles, ExclusionsAreReadFromFilesToo) {
 /// A loop on a surface of which only the work of adhesion is known.
 ExperimentResult loop_of(const std::string& surface, const std::string& lens, const std::string& spot, double work) {
     ExperimentResult result;
-    result.input = {.file = surface + lens + spot + ".csv", .surface = surface, .elastomer = "soft", .lens = lens, .spot = spot};
+    result.input.file = surface + lens + spot + ".csv";
+    result.input.surface = surface;
+    result.input.elastomer = "soft";
+    result.input.lens = lens;
+    result.input.spot = spot;
     experiment::LoopAnalysis loop;
     loop.loading.radius_force = experiment::Outcome<experiment::JkrFit>(experiment::JkrFit{.method = "radius_force", .converged = true, .work_of_adhesion = {work, 0.001}});
     result.analysis = loop;
