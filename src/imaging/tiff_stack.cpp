@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tiff_stack.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
