@@ -140,6 +140,12 @@ bool small(const Vector3d& step, const Parameters& at, const Round& round, doubl
     return far_below_errors(step, round.normal, round.squares, freedom) || change(at, step) <= of_value;
 }
 
+/// Whether steps end in rounding: they are tiny and no longer fall.
+bool only_rounding(double changed, double last_change) {
+    constexpr double tiny = 1e-10;
+    return changed <= tiny && changed >= 0.5 * last_change;
+}
+
 double degrees_of_freedom(const Points& points) {
     const double directions = points.channels.displacement && points.channels.contact_radius ? 2.0 : 1.0;
     return std::max(1.0, directions * static_cast<double>(points.force.size()) - (points.channels.displacement ? 3.0 : 2.0));
@@ -180,6 +186,7 @@ Solution solve(const Points& points, const Parameters& start, Array1D radii, con
     const double freedom = degrees_of_freedom(points);
     Round round(points.force.size());
     bool settled = false;
+    double last_change = 1.0;
     for (;; ++solution.rounds) {
         evaluate(points, solution.parameters, solution.x, options.curvature, round);
         solution.squares = round.squares;
@@ -187,7 +194,9 @@ Solution solve(const Points& points, const Parameters& start, Array1D radii, con
         const Vector3d step = within_reach(solution.parameters, step_of(round, free_directions(points, solution.parameters, options.held)));
         if (!step.allFinite()) return solution;
         move(solution, round, step, options.held);
-        settled = solution.rounds >= 2 && small(step, solution.parameters, round, freedom);
+        const double changed = change(solution.parameters, step);
+        settled = solution.rounds >= 2 && (small(step, solution.parameters, round, freedom) || only_rounding(changed, last_change));
+        last_change = changed;
     }
     solution.converged = settled && std::isfinite(solution.squares);
     return solution;

@@ -38,7 +38,7 @@ template <int parameters, class Evaluate>
 [[nodiscard]] SmallMinimum<parameters> minimise_small(const Evaluate& evaluate, const Eigen::Matrix<double, parameters, 1>& start, double freedom) {
     using Vector = Eigen::Matrix<double, parameters, 1>;
     constexpr int most_rounds = 200;
-    constexpr double rounding = 1e-13, small = 1e-7, most_damping = 1e12;
+    constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12;
     SmallMinimum<parameters> found{.parameters_found = start};
     NormalEquations<parameters> here = evaluate(start);
     double damping = 0.0;
@@ -50,10 +50,11 @@ template <int parameters, class Evaluate>
         scaled.diagonal().array() += damping;
         const Vector step = scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(here.gradient)));
         const Vector next = found.parameters_found + step;
-        const double change = (step.array().abs() / (next.array().abs() + found.parameters_found.array().abs()).max(1e-300)).maxCoeff();
+        // of the curve: a parameter may be 0
+        const double change = std::sqrt(step.dot(here.normal * step) / found.parameters_found.dot(here.normal * found.parameters_found));
         const NormalEquations<parameters> there = evaluate(next);
         if (!(there.squares <= here.squares)) {
-            if (change <= small && damping == 0.0) {
+            if (change <= small) {
                 found.converged = true;
                 return found;
             }
