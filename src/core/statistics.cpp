@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
@@ -32,6 +33,14 @@ double student_t_quantile(double probability, double degrees_of_freedom) {
     if (!(degrees_of_freedom > 0.0)) throw InvalidArgument(fmt::format("{} degrees of freedom; expected more than 0", degrees_of_freedom));
     if (std::isinf(degrees_of_freedom)) return normal_quantile(probability);
     return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
+}
+
+double f_exceedance(double ratio, double numerator_degrees_of_freedom, double denominator_degrees_of_freedom) {
+    if (!(ratio >= 0.0 && numerator_degrees_of_freedom > 0.0 && denominator_degrees_of_freedom > 0.0))
+        throw InvalidArgument(fmt::format("an F ratio must be >= 0 and its degrees of freedom > 0, got {}, {} and {}", ratio,
+                                          numerator_degrees_of_freedom, denominator_degrees_of_freedom));
+    const boost::math::fisher_f distribution(numerator_degrees_of_freedom, denominator_degrees_of_freedom);
+    return boost::math::cdf(boost::math::complement(distribution, ratio));
 }
 
 double satterthwaite_degrees_of_freedom(std::span<const VarianceTerm> terms) {
