@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
@@ -39,6 +40,14 @@ double chi_squared_exceedance(double x, double degrees_of_freedom) {
     if (!(x >= 0.0 && degrees_of_freedom > 0.0))
         throw InvalidArgument(fmt::format("chi-squared of {} at {} degrees of freedom; expected one >= 0 at more than 0", x, degrees_of_freedom));
     return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
+}
+
+double f_exceedance(double ratio, double numerator_degrees_of_freedom, double denominator_degrees_of_freedom) {
+    if (!(ratio >= 0.0 && numerator_degrees_of_freedom > 0.0 && denominator_degrees_of_freedom > 0.0))
+        throw InvalidArgument(fmt::format("an F ratio must be >= 0 and its degrees of freedom > 0, got {}, {} and {}", ratio,
+                                          numerator_degrees_of_freedom, denominator_degrees_of_freedom));
+    const boost::math::fisher_f distribution(numerator_degrees_of_freedom, denominator_degrees_of_freedom);
+    return boost::math::cdf(boost::math::complement(distribution, ratio));
 }
 
 double satterthwaite_degrees_of_freedom(std::span<const VarianceTerm> terms) {

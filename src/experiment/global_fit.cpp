@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include <boost/math/special_functions/beta.hpp>
 #include <fmt/format.h>
 
 #include "fit_support.hpp"
 #include "model_estimates.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::experiment {
 namespace {
@@ -105,9 +105,7 @@ SharingTest sharing_test(const GlobalFit& fit, const std::vector<SolvedFit>& sep
                      .degrees_of_freedom = std::max(1.0, independent - parameters)};
     if (!(test.extra_parameters > 0.0)) return test;
     test.f_ratio = std::max(0.0, fit.chi2 - chi2) / test.extra_parameters / (chi2 / test.degrees_of_freedom);
-    // P(F > f) of Fisher's distribution
-    const double share = test.degrees_of_freedom / (test.degrees_of_freedom + test.extra_parameters * test.f_ratio);
-    test.p_value = boost::math::ibeta(0.5 * test.degrees_of_freedom, 0.5 * test.extra_parameters, share);
+    test.p_value = f_exceedance(test.f_ratio, test.extra_parameters, test.degrees_of_freedom);
     return test;
 }
 

@@ -15,6 +15,15 @@
 namespace setae {
 namespace {
 
+TEST(FExceedance, AgreesWithItsClosedForms) {
+    // of 2 and n degrees of freedom (1 + 2x/n)^(−n/2); of 1 and n the two tails of Student's t
+    EXPECT_NEAR(f_exceedance(3.0, 2.0, 10.0), std::pow(1.6, -5.0), 1e-14);
+    const double t = student_t_quantile(0.975, 7.0);
+    EXPECT_NEAR(f_exceedance(t * t, 1.0, 7.0), 0.05, 1e-12);
+    EXPECT_EQ(f_exceedance(0.0, 3.0, 4.0), 1.0);
+    EXPECT_THROW((void)f_exceedance(-1.0, 3.0, 4.0), InvalidArgument);
+}
+
 TEST(StudentTQuantile, AgreesWithItsClosedForms) {
     // one degree of freedom: tan(π(p − ½)); two: (2p − 1)/√(2p(1 − p)); Abramowitz & Stegun 26.7
     for (const double p : {0.6, 0.9, 0.975, 0.999}) {

@@ -25,6 +25,10 @@ namespace setae {
 /// @throws InvalidArgument unless x >= 0 and degrees_of_freedom > 0.
 [[nodiscard]] double chi_squared_exceedance(double x, double degrees_of_freedom);
 
+/// P(X > ratio), X distributed as Fisher's F: what chance alone gives to a ratio of two mean squares, or more.
+/// @throws InvalidArgument unless ratio >= 0 and both degrees of freedom are > 0.
+[[nodiscard]] double f_exceedance(double ratio, double numerator_degrees_of_freedom, double denominator_degrees_of_freedom);
+
 /// An independent contribution to a variance with the degrees of freedom it was estimated with.
 struct VarianceTerm {
     double variance = 0.0;
