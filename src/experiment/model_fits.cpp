@@ -95,6 +95,7 @@ void fill_residuals(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
     fit.fitted_radius.resize(problem.samples());
     for (Index i = 0; i < problem.samples(); ++i) fit.fitted_radius[i] = points[static_cast<std::size_t>(i)].radius;
     fit.force_residuals = channel(problem.force_residuals(points));
+    fit.runs = runs_test(fit.force_residuals.values);
     if (fit.errors != FitErrors::force_only) {
         fit.displacement_residuals = channel(problem.displacement_residuals(points, solution.at));
         fit.contact_radius_residuals = channel(problem.radius_residuals(points));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,11 +40,18 @@ double largest(const Array1D& values) {
     return most;
 }
 
+/// As axes spell units: mJ/m2.
+DisplayUnit typeset(DisplayUnit unit) {
+    constexpr std::string_view square = "²";
+    if (unit.name.ends_with(square)) unit.name.replace(unit.name.size() - square.size(), square.size(), "2");
+    return unit;
+}
+
 Units units_of(const DrawnLoop& loop) {
     const auto& record = loop.analysis.corrected;
     const auto range = record.displacement.size() > 0 ? record.displacement.maxCoeff() - record.displacement.minCoeff() : 0.0;
     return {display_unit(largest(record.force), "N"), display_unit(range, "m"), display_unit(loop.analysis.context.largest_contact_radius, "m"),
-            display_unit(largest(loop.analysis.loading.energy_release_rate.energy_release_rate), "J/m2")};
+            typeset(display_unit(largest(loop.analysis.loading.energy_release_rate.energy_release_rate), "J/m2"))};
 }
 
 figures::Axis axis(const char* quantity, const DisplayUnit& unit) { return {.quantity = quantity, .unit = unit.name}; }

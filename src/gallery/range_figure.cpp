@@ -19,6 +19,7 @@ using figures::Place;
 using figures::Series;
 
 constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
+constexpr double one_standard_error = 0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose shadow on each axis is one standard error
 
 /// One quantity of the fits that could be made, with one standard error.
 template <class Abscissa, class Value>
@@ -53,8 +54,8 @@ void add_plane(Panel& panel, const NamedScan& named, int colour) {
     add(named.scan.by_end, false);
     const auto& whole = *named.scan.by_end.back().fit;
     try {
-        const auto ellipse = experiment::error_ellipse(whole);
-        panel.series.push_back({.label = named.name + ", 95 %", .x = ellipse.contact_modulus * MPa, .y = ellipse.work_of_adhesion * mJ, .mark = Mark::line, .colour = colour, .dash = 0, .in_legend = false});
+        const auto ellipse = experiment::error_ellipse(whole, one_standard_error);
+        panel.series.push_back({.label = named.name + ", one standard error", .x = ellipse.contact_modulus * MPa, .y = ellipse.work_of_adhesion * mJ, .mark = Mark::line, .colour = colour, .dash = 0, .in_legend = false});
     } catch (const UndefinedDataError&) {
         // a fit without covariance has no ellipse; its point stands
     }
@@ -91,7 +92,7 @@ StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string&
     }
     drawn.figure = {.panels = std::move(panels), .columns = 3, .width_mm = page_mm, .height_mm = 110.0};
     drawn.caption = fmt::format("E* and W of the loading fit against where its range begins (A, D) and ends (B, E), bars one standard error, and against each other (C; hollow: other "
-                                "starts, filled: other ends; line: 95 % of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "
+                                "starts, filled: other ends; line: one standard error of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "
                                 "Where both agree, W and E* trade against each other, and a W that grows with the range is no growth of adhesion.",
                                 slopes);
     return drawn;

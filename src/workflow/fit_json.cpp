@@ -109,6 +109,7 @@ Json to_json(const experiment::ModelFit& fit) {
     json["noise_known"] = fit.noise.all_known;
     json["akaike"] = number(fit.akaike);
     json["correlated_samples"] = number(fit.correlated_samples);
+    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
     add_residuals(json, "force_residuals", fit.force_residuals, "N");
     add_residuals(json, "displacement_residuals", fit.displacement_residuals, "m");
     add_residuals(json, "contact_radius_residuals", fit.contact_radius_residuals, "m");

@@ -78,7 +78,7 @@ void print_ledger(const AnalysedLoop& loop) {
     const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<34} {}\n", what, value); };
     line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
     line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"), format_value(ledger->machine_stiffness, "N/m")));
-    line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
+    if (ledger->recovered_share > 0.0) line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
     line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
     line("loss per true area", fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
     for (std::size_t i = 0; i < loop.analysis.cycles.size() && loop.analysis.cycles.size() > 1; ++i) {

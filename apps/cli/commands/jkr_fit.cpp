@@ -64,6 +64,20 @@ void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
     text += '\n';
     const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<28} {}\n", what, value); };
     const auto value = [](const Estimate& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
+    if (a.contact_points) {
+        const auto& points = *a.contact_points;
+        workflow::TidyTable beside{"", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
+        for (const auto& estimate : points.estimates) {
+            if (!estimate.contact_point) continue;
+            const auto& fit = estimate.fit;
+            beside.rows.push_back({"  " + experiment::contact_point_name(estimate.method), fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
+                                   fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error), fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
+                                   fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
+        }
+        text += workflow::as_text(beside);
+        line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm", format_value(points.spread, "m"), 100.0 * points.spread_share,
+                                            1e-6 * points.work_by_contact_point));
+    }
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
     if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);

@@ -20,9 +20,9 @@ LoopBranch branch_named(const std::string& name) { return name == "loading" ? Lo
 
 experiment::ModelFitOptions options_of(const ModelArguments& arguments, ContactModel model) {
     experiment::ModelFitOptions options{.model = model};
-    options.errors = arguments.errors == "orthogonal_distance" ? experiment::FitErrors::orthogonal_distance
-                     : arguments.errors == "force_only"        ? experiment::FitErrors::force_only
-                                                               : experiment::FitErrors::effective_variance;
+    options.errors = arguments.errors == "effective_variance" ? experiment::FitErrors::effective_variance
+                     : arguments.errors == "force_only"       ? experiment::FitErrors::force_only
+                                                              : experiment::FitErrors::orthogonal_distance;
     if (!arguments.contact_point.empty()) options.contact_point = parse_quantity(arguments.contact_point, dimension::length);
     if (!arguments.cohesive_stress.empty() && model == ContactModel::maugis_dugdale)
         options.cohesive_stress = parse_quantity(arguments.cohesive_stress, dimension::pressure);
@@ -61,7 +61,7 @@ void add_row(workflow::TidyTable& table, const experiment::ModelFit& fit, double
 void ModelArguments::add_to(CLI::App& verb) {
     verb.add_option("--model", models, "also fit hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares them");
     verb.add_option("--branch", branch, "of --model, --profile and --share")->check(CLI::IsMember({"loading", "unloading"}))->capture_default_str();
-    verb.add_option("--errors", errors, "of --model and --share: effective_variance, orthogonal_distance, force_only")
+    verb.add_option("--errors", errors, "of --model and --share: orthogonal_distance, effective_variance, force_only")
         ->check(CLI::IsMember({"effective_variance", "orthogonal_distance", "force_only"}))->capture_default_str();
     verb.add_option("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted");
     verb.add_option("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted");

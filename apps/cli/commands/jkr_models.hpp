@@ -18,7 +18,7 @@ namespace setae::cli {
 struct ModelArguments {
     std::vector<std::string> models;  ///< names; "all" compares them
     std::string branch = "loading";
-    std::string errors = "effective_variance";
+    std::string errors = "orthogonal_distance";
     std::string contact_point, cohesive_stress;
     bool profile = false, crack_speed = false;
     std::optional<double> exponent;

@@ -93,7 +93,7 @@ enum class DepthErrors {
 /// fit_joint; of its two minima, which lie on either side of W = 0 where W is hardly known, that of W > 0 is preferred.
 ///
 /// Measured as for fit_radius_force: intervals cover 90–97 %. They are too short where W is not told from 0 (its error
-/// larger than itself): those of E* then cover 73–92 %; take the joint fit, or the profile likelihood.
+/// larger than itself): those of E* then cover 73–92 %; take the joint fit.
 /// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that falls as the force
 /// rises; InvalidArgument for R <= 0.
 [[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies,

@@ -88,7 +88,7 @@ struct ChannelResiduals {
 struct ModelFit {
     ContactModel model = ContactModel::jkr;
     Channels channels = Channels::force_radius;
-    FitErrors errors = FitErrors::effective_variance;
+    FitErrors errors = FitErrors::orthogonal_distance;
     bool converged = false;  ///< and the data determine all unknowns
     int iterations = 0;
     Estimate contact_modulus;                ///< E* [Pa]
@@ -113,6 +113,7 @@ struct ModelFit {
     ChannelNoise noise;
     Array1D fitted_radius;                   ///< t of each sample [m]
     ChannelResiduals force_residuals, displacement_residuals, contact_radius_residuals;
+    RunsTest runs;                           ///< of the signs of the force residuals
     std::optional<contact::tabor::Verdict> verdict;  ///< which model applies at the largest force; none where W <= 0
 };
 
