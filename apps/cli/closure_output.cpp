@@ -54,6 +54,8 @@ workflow::Json json_of(const std::vector<closure::SummaryRow>& rows) {
 }
 
 void write_closure(const std::vector<closure::SummaryRow>& rows, const std::string& name, const std::string& folder) {
+    std::error_code ignored;  // what cannot be made cannot be written to
+    std::filesystem::create_directories(folder, ignored);
     const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
     io::write_whole_file(path(".txt"), closure::summary_table(rows));
     const auto figure = closure::closure_figure(rows);

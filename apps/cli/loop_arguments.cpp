@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -162,7 +163,8 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
             try {
                 results[i].loop = analysed(request, files[first + i]);
             } catch (const Error& error) {
-                results[i].error = error.what();
+                const std::string& file = files[first + i];
+                results[i].error = std::string_view(error.what()).starts_with(file) ? error.what() : file + ": " + error.what();
             }
         });
         for (const auto& result : results) {

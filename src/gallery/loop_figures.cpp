@@ -134,6 +134,7 @@ Panel radius_panel(const DrawnLoop& loop, const Units& units) {
 
 Panel release_rate_panel(const DrawnLoop& loop, const Units& units) {
     Panel panel{.title = "C", .x = axis("contact radius *a*", units.radius), .y = axis("energy release rate *G*", units.release_rate)};
+    panel.y.from = 0.0;
     for (const auto& branch : branches_of(loop.analysis)) {
         const auto& rates = branch.branch->energy_release_rate;
         const Array1D radius = rates.contact_radius / units.radius.factor, rate = rates.energy_release_rate / units.release_rate.factor;
