@@ -79,7 +79,7 @@ struct Comparisons {
 
     void add(const std::string& item, const std::string& symbol, const std::string& method, const std::string& unit, double planted, const Estimate& found,
              Deviation measure = Deviation::relative) {
-        all.push_back({run, item, fmt::format("{} {}, {}", symbol, item, signal), method, unit, measure, planted, found});
+        all.push_back({run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, planted, found});
     }
     void add_fit(const PlantedBranch& branch, const std::string& method, const std::function<JkrFit()>& fit) {
         JkrFit found;
@@ -97,7 +97,7 @@ struct Comparisons {
 void add_fits(Comparisons& to, const PlantedBranch& branch, const BranchData& data, const LensAndCounterBody& bodies) {
     using experiment::RadiusErrors;
     to.add_fit(branch, "a(F)", [&] { return fit_radius_force(data, bodies); });
-    to.add_fit(branch, "a(F), both", [&] { return fit_radius_force(data, bodies, RadiusErrors::effective_variance); });
+    to.add_fit(branch, "a(F) both", [&] { return fit_radius_force(data, bodies, RadiusErrors::effective_variance); });
     to.add_fit(branch, "linear", [&] { return fit_linear_form(data, bodies); });
     to.add_fit(branch, "F-delta", [&] { return fit_force_displacement(data, bodies); });
     to.add_fit(branch, "joint", [&] { return fit_joint(data, bodies); });

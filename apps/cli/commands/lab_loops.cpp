@@ -20,7 +20,7 @@ constexpr const char* explanation =
     "SNR        largest force over sigma_F; displacement to the largest force over sigma_delta; a_max over sigma_a\n"
     "bias       mean of found/planted - 1, or of found - planted;  scatter, stated: standard deviation found, and claimed\n"
     "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
-    "a(F)       least squares in a alone, (1); a(F), both: effective variance; linear: the linear form; both known to be biased where noisy\n";
+    "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n";
 
 struct Arguments {
     Common common;

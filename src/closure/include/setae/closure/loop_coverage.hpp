@@ -25,7 +25,7 @@ struct LoopCoverageOptions {
 /// E*, W and the contact point of every route on branches of a known loop whose samples alone are noisy: loading from the jump-in, unloading from where the
 /// edge lets go to the pull-off under fixed grips.
 ///
-/// Item: "loading", "unloading". Quantity: "E*, SNR 5". Methods: the fits'. A fit that was refused gives no comparison.
+/// Item: "loading", "unloading". Quantity: "E* loading at SNR 5". Methods: the fits'. A fit that was refused gives no comparison.
 [[nodiscard]] std::vector<Comparison> branch_coverage(const LoopCoverageOptions& options);
 
 /// Whole records of the same loop through experiment::analyse(), free flight, jumps and all: E*, W of both branches, (S2), contact point and
