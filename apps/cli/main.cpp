@@ -5,6 +5,7 @@
 #include "commands/verbs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/parallel/memory.hpp"
 #include "setae/workflow/provenance.hpp"
 
 namespace {
@@ -23,6 +24,7 @@ std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace setae::cli;
+    setae::parallel::keep_freed_memory();
     CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
     program.set_version_flag("--version", "setae " + setae::workflow::version());
     program.require_subcommand(1);

@@ -92,14 +92,15 @@ LoopModels models_of(const AnalysedLoop& loop, const ModelArguments& arguments) 
 }
 
 void print_models(const LoopModels& models) {
-    std::string text;
+    std::string text, reasons;
     workflow::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};
     for (const auto& fit : models.fits) add_row(table, fit, undefined);
     if (models.comparison)
         for (const auto& model : models.comparison->models)
             if (model.fit) add_row(table, *model.fit, model.akaike_difference);
-            else table.rows.push_back({to_string(model.model), std::string("–"), std::string("–"), std::string("–"), std::string("–"), std::string("–"), model.fit.reason});
+            else reasons += fmt::format("  {}: {}\n", to_string(model.model), model.fit.reason);
     if (!table.rows.empty()) text += workflow::as_text(table);
+    text += reasons;
     for (const auto& fit : models.fits) {
         for (const auto& sentence : fit.undetermined) text += "  " + sentence + '\n';
         if (fit.verdict) text += "  " + fit.verdict->sentence + '\n';

@@ -16,6 +16,7 @@
 #include "setae/experiment/loop_energy.hpp"
 #include "setae/experiment/segments.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/parallel/memory.hpp"
 
 namespace {
 
@@ -30,6 +31,7 @@ constexpr LensAndCounterBody bodies{.radius = 1.25e-3, .counter_youngs_modulus =
 /// A loading branch each, noise of a hundredth of each channel's range.
 const std::vector<BranchData>& branches() {
     static const std::vector<BranchData> made = [] {
+        parallel::keep_freed_memory();  // as the program does
         BranchData clean;
         clean.force = Array1D::LinSpaced(samples, 0.8 * contact::jkr::pull_off_at_fixed_load(lens).force, 1e-3);
         clean.contact_radius = contact::jkr::contact_radius_at_force(clean.force, lens);
