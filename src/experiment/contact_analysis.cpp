@@ -11,6 +11,7 @@
 #include "jump.hpp"
 #include "pinned_stretch.hpp"
 #include "setae/contact/jkr.hpp"
+#include "setae/contact/tabor.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::experiment {
@@ -127,6 +128,9 @@ LoopContext find_context(const Loop& loop, const Segments& segments, const Conta
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
+    if (lens.work_of_adhesion > 0.0)
+        context.applicable_model =
+            contact::tabor::which_model(loop.force[contact.loading.last] - segments.before.force, lens, options.interaction_range).sentence;
     return context;
 }
 

@@ -177,6 +177,19 @@ Json to_json(const experiment::ProfileLikelihood& profile) {
             {"work_of_adhesion", json_of(profile.work_of_adhesion, "work_of_adhesion", "W", "J/m2")}};
 }
 
+Json to_json(const LoopModels& models) {
+    Json json = Json::object();
+    if (!models.fits.empty()) {
+        json["fits"] = Json::array();
+        for (const auto& fit : models.fits) json["fits"].push_back(to_json(fit));
+    }
+    if (models.comparison) json["comparison"] = to_json(*models.comparison);
+    if (models.profile) json["profile_likelihood"] = to_json(*models.profile);
+    if (models.crack_speed) json["crack_speed"] = to_json(*models.crack_speed);
+    if (!models.failures.empty()) json["failures"] = models.failures;
+    return json;
+}
+
 Json to_json(const experiment::RangeScan& scan) {
     Json json{{"by_start", Json::array()}, {"by_end", Json::array()}};
     for (const auto& fit : scan.by_start) json["by_start"].push_back(json_of(fit));

@@ -250,6 +250,7 @@ Json contact_json(const Contact& analysis) {
     add(json, radius);
     add(json, quantity("largest_contact_area", "pi a_max^2", analysis.context.largest_contact_area, "m2"));
     add(json, quantity("tabor_parameter", "mu", analysis.context.tabor_parameter, "1"));
+    json["applicable_model"] = analysis.context.applicable_model;
     return json;
 }
 

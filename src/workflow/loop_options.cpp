@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loop_options.hpp"
 
+#include <utility>
+
 #include "setae/core/errors.hpp"
 
 namespace setae::workflow {
@@ -47,6 +49,21 @@ experiment::AnalysisOptions read_loop_options(TomlReader& reader, experiment::An
         options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
     }
     if (const auto point = reader.text("contact_point")) parse_at(reader, "contact_point", [&] { options.contact_point = experiment::parse_contact_point(*point); });
+    return options;
+}
+
+LoopModelOptions read_loop_models(TomlReader& reader, LoopModelOptions options) {
+    if (auto models = reader.texts("models"); !models.empty()) options.models = std::move(models);
+    for (const auto& name : options.models)
+        if (name != "all") parse_at(reader, "models", [&] { (void)experiment::model_named(name); });
+    read_switch(reader, "profile", options.profile);
+    read_switch(reader, "crack_speed", options.crack_speed);
+    if (const auto exponent = reader.number("exponent")) options.exponent = exponent;
+    if (const auto errors = reader.text("fit_errors")) parse_at(reader, "fit_errors", [&] { options.errors = fit_errors_named(*errors); });
+    for (const auto& what : reader.texts("share")) {
+        if (what != "modulus" && what != "work") reader.fail("share", "'" + what + "', expected modulus or work");
+        (what == "modulus" ? options.share_contact_modulus : options.share_work_of_adhesion) = true;
+    }
     return options;
 }
 

@@ -3,6 +3,7 @@
 
 #include "setae/experiment/analysis.hpp"
 #include "setae/io/toml_reader.hpp"
+#include "setae/workflow/loop_models.hpp"
 
 namespace setae::workflow {
 
@@ -12,6 +13,10 @@ namespace setae::workflow {
 /// retraction_points, retraction_modulus_free, machine_stiffness, contact_point, baseline_share, contact_radius_noise, interaction_range.
 /// @throws FormatError at a key with a value of another kind.
 [[nodiscard]] experiment::AnalysisOptions read_loop_options(io::TomlReader& reader, experiment::AnalysisOptions defaults);
+
+/// What is fitted beside JKR's own routes: models, profile, crack_speed, exponent, fit_errors, share.
+/// @throws FormatError for a name that is none.
+[[nodiscard]] LoopModelOptions read_loop_models(io::TomlReader& reader, LoopModelOptions defaults);
 
 /// The same with `segments`, texts of segment edits that belong to one record.
 [[nodiscard]] experiment::AnalysisOptions read_loop_options_of_record(io::TomlReader& reader, const experiment::AnalysisOptions& defaults);

@@ -84,6 +84,7 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
             run.keep(key, *result.analysis);
         }
         result.alerts = result.analysis->alerts;
+        if (study.loop_models.any()) result.models = loop_models(*result.analysis, bodies, input.options, study.loop_models);
     } catch (const Error& error) {
         result.error = error.what();
     }
@@ -97,6 +98,20 @@ void expect_steps(const Study& study, Run& run) {
         run.expect(1, surface_work(study.analysis, surface.measurements.size()));
     }
     run.expect(study.experiments.size(), experiment_work);
+}
+
+/// One fit of all loops on an elastomer that are not excluded.
+Outcome<experiment::GlobalFit> share(const StudyResult& result, const std::string& elastomer) {
+    std::vector<experiment::GlobalBranch> loops;
+    const auto& options = result.study.loop_models;
+    try {
+        for (const auto& e : result.experiments)
+            if (e.analysis && e.input.elastomer == elastomer && !e.input.excluded() && (options.branch == experiment::LoopBranch::loading || e.analysis->unloading))
+                loops.push_back(branch_to_share(e.input.file, *e.analysis, e.bodies, e.input.options, options));
+        return {shared_fit(loops, options)};
+    } catch (const Error& error) {
+        return Outcome<experiment::GlobalFit>::missing(error.what());
+    }
 }
 
 void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
@@ -195,6 +210,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
         ElastomerResult elastomer;
         elastomer.input = input;
         set_modulus(elastomer, result);
+        if (result.study.loop_models.shared()) elastomer.shared_fit = share(result, elastomer.input.name);
         check_plausibility(elastomer);
         result.elastomers.push_back(std::move(elastomer));
     }

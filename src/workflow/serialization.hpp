@@ -149,7 +149,7 @@ SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual, radius_measured)
 SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)
 SETAE_KEEP(LoopEnergy, energy, without_drift, standard_error, opening, half_width)
-SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss, tabor_parameter)
+SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss, tabor_parameter, applicable_model)
 SETAE_KEEP(ContactPointEstimate, method, contact_point, fit)
 SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom, work_by_contact_point, modulus_by_contact_point)
 SETAE_KEEP(WorkEntry, range, energy, standard_error)

@@ -312,6 +312,7 @@ Study read_study(const std::string& path) {
     experiment::AnalysisOptions loop_options;
     reader.table("loops", [&](TomlReader inner) {
         loop_options = read_loop_options(inner, loop_options);
+        study.loop_models = read_loop_models(inner, study.loop_models);
         inner.finish();
     });
     reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path, loop_options)); });

@@ -4,6 +4,7 @@
 
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/workflow/fit_json.hpp"
 #include "setae/workflow/replicate_report.hpp"
 
 namespace setae::workflow {
@@ -162,6 +163,7 @@ Json elastomer_json(const ElastomerResult& elastomer) {
     add(json, quantity("contact_modulus", "E*", elastomer.contact_modulus, "Pa"));
     add(json, quantity("surface_energy", "gamma_1", elastomer.input.surface_energy, "J/m2"));
     if (elastomer.network_modulus) add(json, named("network_modulus", "rho R T/M_c", *elastomer.network_modulus, "Pa", "plausibility, not a measurement"));
+    if (elastomer.shared_fit) add_outcome(json, "shared_fit", *elastomer.shared_fit, [](const experiment::GlobalFit& fit) { return to_json(fit); });
     json["alerts"] = to_json(elastomer.alerts);
     return json;
 }
@@ -376,6 +378,7 @@ Json to_json(const StudyResult& result) {
         if (e.input.excluded()) entry["excluded"] = e.input.exclusion;
         if (e.failed()) entry["error"] = e.error;
         entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
+        if (e.models) entry["models"] = to_json(*e.models);
         json["experiments"].push_back(entry);
     }
     json["references"] = Json::array();

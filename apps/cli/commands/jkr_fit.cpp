@@ -84,6 +84,7 @@ void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
     line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
     line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
     line("largest contact radius", format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
+    if (!a.context.applicable_model.empty()) line("model", a.context.applicable_model);
     line("cycles", fmt::format("{}", a.cycles.size()));
     print(text);
 }
@@ -128,28 +129,42 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
     });
 }
 
+workflow::LoopModels models_of(const AnalysedLoop& loop, const workflow::LoopModelOptions& models) {
+    return workflow::loop_models(loop.analysis, loop.bodies, loop.options, models);
+}
+
+/// Adds a loop to those of a shared fit, where it has the branch.
+void share(const AnalysedLoop& loop, const workflow::LoopModelOptions& models, std::vector<experiment::GlobalBranch>& shared) {
+    try {
+        shared.push_back(workflow::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
+    } catch (const UndefinedDataError& error) {
+        complain(fmt::format("{}: not in the shared fit: {}", loop.file, error.what()));
+    }
+}
+
 /// Loops among them, with the fit they share where one is wanted.
 ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, workflow::Json& list, std::optional<experiment::GlobalFit>& global) {
     auto fits = workflow::fits_table();
     FigureFolder figures(arguments);
-    SharedFit shared(arguments.models);
+    const auto models = arguments.models.options();
+    std::vector<experiment::GlobalBranch> shared;
     const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         workflow::add_fits(fits, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (!arguments.figures.empty()) figures.add(loop);
-        if (shared.wanted()) shared.add(loop);
+        if (models.shared()) share(loop, models, shared);
         if (arguments.common.json) {
             auto json = workflow::to_json(loop.analysis);
             json["file"] = loop.file;
-            if (arguments.models.wanted()) json["models"] = json_of(models_of(loop, arguments.models));
+            if (models.any()) json["models"] = workflow::to_json(models_of(loop, models));
             list.push_back(std::move(json));
         } else {
             print_loop(loop.file, loop.analysis);
-            if (arguments.models.wanted()) print_models(models_of(loop, arguments.models));
+            if (models.any()) print_models(models_of(loop, models));
             show(loop.analysis.alerts);
         }
     });
     if (code == ExitCode::nothing_done) return code;
-    if (shared.wanted()) global = shared.fit();
+    if (models.shared()) global = workflow::shared_fit(shared, models);
     if (!arguments.figures.empty()) figures.write();
     if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(fits));
     return code;

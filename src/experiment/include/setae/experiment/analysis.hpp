@@ -93,6 +93,7 @@ struct LoopContext {
     double largest_contact_area = 0.0;       ///< π a_max² [m²]
     double ideal_smooth_sphere_loss = 0.0;   ///< of the jumps under fixed grips, with E* and W of loading [J]
     double tabor_parameter = 0.0;            ///< with W and E* of loading
+    std::string applicable_model;            ///< a sentence: which model of adhesion applies at the largest force; empty where W <= 0
 };
 
 /// One press and release. The first loading of a contact and the release that parts it are JKR branches; a partial

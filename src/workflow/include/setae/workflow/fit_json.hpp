@@ -10,6 +10,7 @@
 #include "setae/experiment/profile_likelihood.hpp"
 #include "setae/experiment/range_scan.hpp"
 #include "setae/workflow/json.hpp"
+#include "setae/workflow/loop_models.hpp"
 
 /// Fits of contact models as JSON: quantities as to_json(Quantity) has them, curves as lists of numbers in SI.
 namespace setae::workflow {
@@ -25,6 +26,9 @@ namespace setae::workflow {
 
 /// "contact_modulus", "work_of_adhesion": the estimate with the profile's interval, "values", "chi_squared_rise", "threshold".
 [[nodiscard]] Json to_json(const experiment::ProfileLikelihood& profile);
+
+/// "fits", "comparison", "profile_likelihood", "crack_speed", "failures", each where it was asked for.
+[[nodiscard]] Json to_json(const LoopModels& models);
 
 /// "by_start", "by_end", "slope", "ellipse_slope".
 [[nodiscard]] Json to_json(const experiment::RangeScan& scan);

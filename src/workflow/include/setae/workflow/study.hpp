@@ -14,6 +14,7 @@
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/options.hpp"
 #include "setae/topography/detrend.hpp"
+#include "setae/workflow/loop_models.hpp"
 #include "setae/workflow/loop_source.hpp"
 
 namespace setae::workflow {
@@ -128,6 +129,7 @@ struct Study {
     std::vector<SurfaceInput> surfaces;
     std::vector<ElastomerInput> elastomers;
     std::vector<ExperimentInput> experiments;
+    LoopModelOptions loop_models;  ///< what is fitted to every loop beside JKR's own routes
     std::vector<PublishedPair> published;
     std::vector<ReportedValue> reported;
 

@@ -26,6 +26,7 @@ struct ExperimentResult {
     experiment::LensAndCounterBody bodies;
     std::string error;
     std::optional<experiment::LoopAnalysis> analysis;
+    std::optional<LoopModels> models;  ///< where the study asks for them
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
@@ -38,6 +39,7 @@ struct ElastomerResult {
     bool modulus_from_loops = false;
     Estimate contact_modulus;  ///< E* against the rough solid [Pa]
     std::optional<double> network_modulus;  ///< ρRT/M_c [Pa]
+    std::optional<experiment::Outcome<experiment::GlobalFit>> shared_fit;  ///< of all loops on it, where the study asks for one
     std::vector<Alert> alerts;
 };
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/workflow/loop_models.hpp"
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::workflow {
+namespace {
+
+using experiment::ContactModel;
+using experiment::FitErrors;
+using experiment::LoopBranch;
+
+experiment::ModelFitOptions options_of(const LoopModelOptions& options, ContactModel model) {
+    experiment::ModelFitOptions fit{.model = model, .errors = options.errors, .contact_point = options.contact_point};
+    if (model == ContactModel::maugis_dugdale) fit.cohesive_stress = options.cohesive_stress;
+    return fit;
+}
+
+/// Does what was asked for; what the data do not allow becomes a sentence.
+template <class Computation>
+void attempt(LoopModels& models, const std::string& what, const Computation& computation) {
+    try {
+        computation();
+    } catch (const Error& error) {
+        models.failures.push_back(what + ": " + error.what());
+    }
+}
+
+experiment::CrackSpeedFit crack_speed_of(const experiment::LoopAnalysis& analysis, const experiment::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
+    const auto samples = experiment::branch_samples(analysis, LoopBranch::unloading, analysis_options);
+    if (samples.time.size() == 0) throw UndefinedDataError("the record has no time");
+    const auto& rates = analysis.unloading->energy_release_rate;
+    if (!rates.radius_measured) throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
+    const auto points = experiment::crack_speed_points(samples.time, rates.contact_radius, rates.energy_release_rate);
+    return experiment::fit_crack_speed(points, {.exponent = options.exponent});
+}
+
+experiment::ProfileLikelihood profile_of(const experiment::BranchData& data, const experiment::LensAndCounterBody& bodies) {
+    using experiment::ProfiledFit;
+    const auto fit = data.contact_radius.size() == 0 ? ProfiledFit::force_displacement : data.displacement.size() == 0 ? ProfiledFit::effective_variance : ProfiledFit::joint;
+    return experiment::profile_likelihood(data, bodies, {.fit = fit});
+}
+
+}  // namespace
+
+FitErrors fit_errors_named(const std::string& name) {
+    for (const auto errors : {FitErrors::orthogonal_distance, FitErrors::effective_variance, FitErrors::force_only})
+        if (to_string(errors) == name) return errors;
+    throw InvalidArgument(fmt::format("errors '{}'; expected orthogonal_distance, effective_variance or force_only", name));
+}
+
+LoopModels loop_models(const experiment::LoopAnalysis& analysis, const experiment::LensAndCounterBody& bodies, const experiment::AnalysisOptions& analysis_options,
+                       const LoopModelOptions& options) {
+    LoopModels models;
+    const auto samples = [&] { return experiment::branch_samples(analysis, options.branch, analysis_options).data; };
+    for (const auto& name : options.models) {
+        attempt(models, name, [&] {
+            if (name == "all") models.comparison = experiment::compare_models(samples(), bodies, options_of(options, ContactModel::jkr));
+            else models.fits.push_back(experiment::fit_model(samples(), bodies, options_of(options, experiment::model_named(name))));
+        });
+    }
+    if (options.profile) attempt(models, "profile likelihood", [&] { models.profile = profile_of(samples(), bodies); });
+    if (options.crack_speed) attempt(models, "crack speed", [&] { models.crack_speed = crack_speed_of(analysis, analysis_options, options); });
+    return models;
+}
+
+experiment::GlobalBranch branch_to_share(const std::string& name, const experiment::LoopAnalysis& analysis, const experiment::LensAndCounterBody& bodies,
+                                         const experiment::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
+    return {.name = name, .data = experiment::branch_samples(analysis, options.branch, analysis_options).data, .bodies = bodies};
+}
+
+experiment::GlobalFit shared_fit(const std::vector<experiment::GlobalBranch>& loops, const LoopModelOptions& options) {
+    if (loops.size() < 2) throw UndefinedDataError(fmt::format("{} of the loops can be fitted together, a shared fit needs at least 2", loops.size()));
+    const bool one = options.models.size() == 1 && options.models.front() != "all";
+    const auto model = one ? experiment::model_named(options.models.front()) : ContactModel::jkr;
+    return experiment::fit_globally(loops, {.share_contact_modulus = options.share_contact_modulus, .share_work_of_adhesion = options.share_work_of_adhesion,
+                                            .fit = options_of(options, model)});
+}
+
+}  // namespace setae::workflow
