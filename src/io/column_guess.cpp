@@ -292,7 +292,7 @@ void require_roles(const ColumnGuess& guess, const std::map<std::string, std::st
 
 }  // namespace
 
-Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen) {
+Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen, LoopColumns wanted) {
     require_roles(guess, chosen);
     Mapping mapping;
     mapping.file = guess.file;
@@ -312,7 +312,8 @@ Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::
         mapping.notes.push_back(fmt::format("{}: {}, {}", role.role, label(guess, candidate->column), candidate->reason));
         found.insert(role.role);
     }
-    if (!found.contains("force") || (!found.contains("displacement") && !found.contains("contact_radius"))) {
+    const bool enough = wanted == LoopColumns::force_record || found.contains("displacement") || found.contains("contact_radius");
+    if (!found.contains("force") || !enough) {
         std::vector<std::string> names;
         for (std::size_t k = 0; k < guess.columns.size(); ++k)
             names.push_back(guess.columns[k].note == undefined_note ? fmt::format("{} ({})", label(guess, k), undefined_note) : label(guess, k));

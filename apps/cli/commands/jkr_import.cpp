@@ -127,7 +127,8 @@ Understood understood(const Arguments& arguments, const std::string& file) {
     if (!is_foreign_table(file)) return {};
     Understood result{.guess = io::guess_columns(file, table_options(arguments))};
     if (!arguments.common.json) print(io::describe(*result.guess));
-    result.mapping = io::mapping_from(*result.guess, assignments(arguments.columns, "--column"));
+    result.mapping = io::mapping_from(*result.guess, assignments(arguments.columns, "--column"),
+                                      arguments.loops.camera.empty() ? io::LoopColumns::complete : io::LoopColumns::force_record);
     return result;
 }
 

@@ -56,9 +56,10 @@ struct ColumnGuess {
 
 /// The mapping a guess amounts to. `chosen` names a column for a role, by its header or by its position from 1, and
 /// overrules the guess.
-/// @throws FormatError where a role has two candidates and none was chosen (both are named), where force or both
-/// displacement and contact radius are missing, where a column has no unit or holds text. A column without any number is
+/// @throws FormatError where a role has two candidates and none was chosen (both are named), where force, or, unless the radius
+/// comes from elsewhere, both displacement and contact radius are missing, where a column has no unit or holds text. A column without any number is
 /// left out with a note, unless it was chosen.
-[[nodiscard]] Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen = {});
+[[nodiscard]] Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen = {},
+                                   LoopColumns wanted = LoopColumns::complete);
 
 }  // namespace setae::io
