@@ -14,12 +14,6 @@ void add_estimate(Json& json, const char* name, const char* symbol, const Outcom
     add_outcome(json, name, estimate, [&](const Estimate& e) { return to_json(quantity(name, symbol, e, unit)); });
 }
 
-Json matrix(const Eigen::MatrixXd& values) {
-    Json rows = Json::array();
-    for (Index i = 0; i < values.rows(); ++i) rows.push_back(numbers(values.row(i).array()));
-    return rows;
-}
-
 void add_residuals(Json& json, const char* name, const experiment::ChannelResiduals& residuals, const char* unit) {
     if (residuals.values.size() > 0) json[name] = {{"rms", number(residuals.rms)}, {"unit", unit}, {"values", numbers(residuals.values)}};
 }
@@ -109,7 +103,7 @@ Json to_json(const experiment::ModelFit& fit) {
     json["noise_known"] = fit.noise.all_known;
     json["akaike"] = number(fit.akaike);
     json["correlated_samples"] = number(fit.correlated_samples);
-    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
+    json["runs"] = to_json(fit.runs);
     add_residuals(json, "force_residuals", fit.force_residuals, "N");
     add_residuals(json, "displacement_residuals", fit.displacement_residuals, "m");
     add_residuals(json, "contact_radius_residuals", fit.contact_radius_residuals, "m");

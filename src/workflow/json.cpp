@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/workflow/json.hpp"
+#include "json_support.hpp"
 
 #include <cmath>
 
@@ -56,5 +56,13 @@ Quantity quantity(std::string name, std::string symbol, const Estimate& estimate
     q.estimate = estimate;
     return q;
 }
+
+Json matrix(const Eigen::MatrixXd& values) {
+    Json rows = Json::array();
+    for (Index i = 0; i < values.rows(); ++i) rows.push_back(numbers(values.row(i).array()));
+    return rows;
+}
+
+Json to_json(const experiment::RunsTest& test) { return {{"runs", test.runs}, {"above", test.above}, {"below", test.below}, {"p_value", number(test.p_value)}}; }
 
 }  // namespace setae::workflow

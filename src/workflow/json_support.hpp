@@ -22,6 +22,11 @@ void add_outcome(Json& json, const std::string& key, const experiment::Outcome<T
     if (!outcome) json[key + "_reason"] = outcome.reason;
 }
 
+/// Rows of numbers.
+[[nodiscard]] Json matrix(const Eigen::MatrixXd& values);
+
+[[nodiscard]] Json to_json(const experiment::RunsTest& test);
+
 /// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
 [[nodiscard]] Json to_json(const FittedSpectrum& fitted);
 

@@ -22,16 +22,14 @@ Json fit_json(const JkrFit& fit) {
     if (fit.contact_point.value == fit.contact_point.value) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["correlation"] = number(fit.correlation);
     json["correlated_samples"] = number(fit.correlated_samples);
-    Json covariance = Json::array();
-    for (Index i = 0; i < fit.covariance.rows(); ++i) covariance.push_back(numbers(fit.covariance.row(i).array()));
-    json["covariance"] = covariance;
+    json["covariance"] = matrix(fit.covariance);
     json["n"] = fit.n;
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);
     json["residuals"] = numbers(fit.residuals);
     if (fit.depth_residuals.size() > 0) json["depth_residuals"] = numbers(fit.depth_residuals);
-    json["runs"] = {{"runs", fit.runs.runs}, {"above", fit.runs.above}, {"below", fit.runs.below}, {"p_value", number(fit.runs.p_value)}};
+    json["runs"] = to_json(fit.runs);
     return json;
 }
 

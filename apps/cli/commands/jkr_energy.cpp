@@ -8,10 +8,9 @@
 #include <fmt/format.h>
 
 #include "loop_arguments.hpp"
+#include "loop_figures.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
 #include "setae/gallery/loop_figures.hpp"
-#include "setae/gallery/write_figures.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
 #include "setae/workflow/loop_tables.hpp"
@@ -94,17 +93,14 @@ public:
     explicit EnergyFigures(const Arguments& arguments) : arguments_(arguments) {}
 
     void add(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
-        const auto name = std::filesystem::path(loop.file).stem().string();
+        const auto name = figure_name(loop.file);
         figures_.push_back(gallery::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
-                                                  fmt::format("setae jkr energy {} --figures {}", shell_word(loop.file), shell_word(arguments_.figures))));
+                                                  figure_command("energy", {loop.file}, arguments_.figures)));
         if (const auto& ledger = loop.analysis.ledger) losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
     }
     void write() {
-        std::string files;
-        for (const auto& file : arguments_.request.loops.files) files += " " + shell_word(file);
-        figures_.push_back(gallery::loss_figure(losses_, fmt::format("setae jkr energy{} --figures {}", files, shell_word(arguments_.figures))));
-        for (const auto& written : gallery::write_figures(figures_, {.folder = arguments_.figures, .threads = arguments_.common.workers()}))
-            if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+        figures_.push_back(gallery::loss_figure(losses_, figure_command("energy", arguments_.request.loops.files, arguments_.figures)));
+        write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 
 private:
@@ -132,7 +128,7 @@ ExitCode run(const Arguments& arguments) {
         if (!courses) return;
         try {
             const auto course = course_of(loop);
-            const auto name = std::filesystem::path(loop.file).stem().string() + "_course.csv";
+            const auto name = figure_name(loop.file) + "_course.csv";
             if (!arguments.course.empty()) io::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
             if (!arguments.figures.empty()) figures.add(loop, course);
         } catch (const UndefinedDataError& error) {

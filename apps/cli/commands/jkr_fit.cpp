@@ -2,7 +2,6 @@
 #include "jkr_fit.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -11,10 +10,9 @@
 #include "jkr_curve.hpp"
 #include "jkr_models.hpp"
 #include "loop_arguments.hpp"
+#include "loop_figures.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
 #include "setae/gallery/loop_figures.hpp"
-#include "setae/gallery/write_figures.hpp"
 #include "setae/io/whole_file.hpp"
 #include "setae/workflow/fit_json.hpp"
 #include "setae/workflow/loop_tables.hpp"
@@ -95,10 +93,9 @@ public:
     FigureFolder(const Arguments& arguments) : arguments_(arguments) {}
 
     void add(const AnalysedLoop& loop) {
-        const auto name = std::filesystem::path(loop.file).stem().string();
-        const auto command = fmt::format("setae jkr fit {} --figures {}", shell_word(loop.file), shell_word(arguments_.figures));
+        const auto name = figure_name(loop.file);
         const gallery::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
-        for (auto& figure : gallery::loop_figures(drawn, command)) figures_.push_back(std::move(figure));
+        for (auto& figure : gallery::loop_figures(drawn, figure_command("fit", {loop.file}, arguments_.figures))) figures_.push_back(std::move(figure));
         try {
             scans_.push_back({name, experiment::scan_ranges(loop.analysis, loop.bodies, loop.options)});
         } catch (const UndefinedDataError& error) {
@@ -107,11 +104,8 @@ public:
     }
 
     void write() {
-        std::string files;
-        for (const auto& file : arguments_.request.loops.files) files += " " + shell_word(file);
-        figures_.push_back(gallery::range_figure(scans_, fmt::format("setae jkr fit{} --figures {}", files, shell_word(arguments_.figures))));
-        for (const auto& written : gallery::write_figures(figures_, {.folder = arguments_.figures, .threads = arguments_.common.workers()}))
-            if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+        figures_.push_back(gallery::range_figure(scans_, figure_command("fit", arguments_.request.loops.files, arguments_.figures)));
+        write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 
 private:

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loop_figures.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "session.hpp"
+#include "setae/core/text.hpp"
+#include "setae/gallery/write_figures.hpp"
+
+namespace setae::cli {
+
+std::string figure_name(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+std::string figure_command(const std::string& verb, const std::vector<std::string>& files, const std::string& folder) {
+    std::string command = "setae jkr " + verb;
+    for (const auto& file : files) command += " " + shell_word(file);
+    return command + " --figures " + shell_word(folder);
+}
+
+void write_loop_figures(const std::vector<gallery::StudyFigure>& figures, const std::string& folder, parallel::Threads threads) {
+    for (const auto& figure : figures)
+        if (!figure.drawable()) complain(fmt::format("no figure {}: {}", figure.name, figure.reason));
+    for (const auto& written : gallery::write_figures(figures, {.folder = folder, .threads = threads}))
+        if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+}
+
+}  // namespace setae::cli

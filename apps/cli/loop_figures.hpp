@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/gallery/study_figures.hpp"
+
+namespace setae::cli {
+
+/// What a loop is called in figures: its file without folder and ending.
+[[nodiscard]] std::string figure_name(const std::string& file);
+
+/// The command that draws figures again: "setae jkr VERB FILE… --figures FOLDER".
+[[nodiscard]] std::string figure_command(const std::string& verb, const std::vector<std::string>& files, const std::string& folder);
+
+/// Writes figures into a folder; what cannot be drawn is said on standard error.
+void write_loop_figures(const std::vector<gallery::StudyFigure>& figures, const std::string& folder, parallel::Threads threads);
+
+}  // namespace setae::cli
