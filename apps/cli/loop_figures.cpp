@@ -6,18 +6,11 @@
 #include <fmt/format.h>
 
 #include "session.hpp"
-#include "setae/core/text.hpp"
 #include "setae/gallery/write_figures.hpp"
 
 namespace setae::cli {
 
 std::string figure_name(const std::string& file) { return std::filesystem::path(file).stem().string(); }
-
-std::string figure_command(const std::string& verb, const std::vector<std::string>& files, const std::string& folder) {
-    std::string command = "setae jkr " + verb;
-    for (const auto& file : files) command += " " + shell_word(file);
-    return command + " --figures " + shell_word(folder);
-}
 
 void write_loop_figures(const std::vector<gallery::StudyFigure>& figures, const std::string& folder, parallel::Threads threads) {
     for (const auto& figure : figures)

@@ -11,9 +11,6 @@ namespace setae::cli {
 /// What a loop is called in figures: its file without folder and ending.
 [[nodiscard]] std::string figure_name(const std::string& file);
 
-/// The command that draws figures again: "setae jkr VERB FILE… --figures FOLDER".
-[[nodiscard]] std::string figure_command(const std::string& verb, const std::vector<std::string>& files, const std::string& folder);
-
 /// Writes figures into a folder; what cannot be drawn is said on standard error.
 void write_loop_figures(const std::vector<gallery::StudyFigure>& figures, const std::string& folder, parallel::Threads threads);
 

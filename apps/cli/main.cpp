@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "command_line.hpp"
 #include "commands/verbs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -25,6 +26,7 @@ std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace setae::cli;
     setae::parallel::keep_freed_memory();
+    remember_command_line(argc, argv);
     CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
     program.set_version_flag("--version", "setae " + setae::workflow::version());
     program.require_subcommand(1);

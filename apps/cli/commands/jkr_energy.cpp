@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "command_line.hpp"
 #include "loop_arguments.hpp"
 #include "loop_figures.hpp"
 #include "setae/core/errors.hpp"
@@ -95,11 +96,11 @@ public:
     void add(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
         const auto name = figure_name(loop.file);
         figures_.push_back(gallery::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
-                                                  figure_command("energy", {loop.file}, arguments_.figures)));
+                                                  command_line()));
         if (const auto& ledger = loop.analysis.ledger) losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
     }
     void write() {
-        figures_.push_back(gallery::loss_figure(losses_, figure_command("energy", arguments_.request.loops.files, arguments_.figures)));
+        figures_.push_back(gallery::loss_figure(losses_, command_line()));
         write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 

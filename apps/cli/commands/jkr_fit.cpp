@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "command_line.hpp"
 #include "jkr_curve.hpp"
 #include "jkr_models.hpp"
 #include "loop_arguments.hpp"
@@ -95,7 +96,7 @@ public:
     void add(const AnalysedLoop& loop) {
         const auto name = figure_name(loop.file);
         const gallery::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
-        for (auto& figure : gallery::loop_figures(drawn, figure_command("fit", {loop.file}, arguments_.figures))) figures_.push_back(std::move(figure));
+        for (auto& figure : gallery::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
         try {
             scans_.push_back({name, experiment::scan_ranges(loop.analysis, loop.bodies, loop.options)});
         } catch (const UndefinedDataError& error) {
@@ -104,7 +105,7 @@ public:
     }
 
     void write() {
-        figures_.push_back(gallery::range_figure(scans_, figure_command("fit", arguments_.request.loops.files, arguments_.figures)));
+        figures_.push_back(gallery::range_figure(scans_, command_line()));
         write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 
