@@ -46,6 +46,7 @@ double CurveTable::guess(double value, double CurvePoint::*member, std::size_t f
 }
 
 double CurveTable::at_force(double force, double CurvePoint::*member) const {
+    if (t.size() < 2) return points.front().*member;  // a trial curve that folds beyond every force
     const double where = guess(force, &CurvePoint::force, least_force);
     const auto above = std::lower_bound(t.begin(), t.end(), where);
     const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(above - t.begin()), 1, t.size() - 1);
