@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/experiment/branch_samples.hpp"
 
-#include "branch.hpp"
+#include "contact_analysis.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::experiment {
 namespace {
 
 Selection selection_of(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options) {
+    const Segments& segments = analysis.segments;
     if (branch == LoopBranch::loading)
-        return loading_selection(analysis.corrected, analysis.segments, analysis.segments.contacts.front(), options.samples_dropped);
+        return without_ignored(loading_selection(analysis.corrected, segments, segments.contacts.front(), options.samples_dropped), segments);
     if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
     const FitRange& range = analysis.unloading->range;
-    return range_selection({.first = range.first, .last = range.last}, range.name);
+    return without_ignored(range_selection({.first = range.first, .last = range.last}, range.name), segments);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "attempt.hpp"
-#include "branch.hpp"
+#include "contact_analysis.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::experiment {
@@ -19,7 +19,8 @@ struct Scan {
     Baseline zero;  ///< of the corrected record: its forces count from the baseline
 
     [[nodiscard]] Selection loading(Index dropped) const {
-        return loading_selection(analysis.corrected, analysis.segments, analysis.segments.contacts.front(), dropped);
+        const Segments& segments = analysis.segments;
+        return without_ignored(loading_selection(analysis.corrected, segments, segments.contacts.front(), dropped), segments);
     }
     [[nodiscard]] RangeFit fit(Index dropped, double force_share) const {
         Selection selection = loading(dropped);

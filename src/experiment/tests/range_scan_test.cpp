@@ -71,5 +71,22 @@ TEST(BranchSamples, AreThoseTheFitsRestOn) {
     }
 }
 
+TEST(BranchSamples, LeaveOutWhatTheFitsIgnore) {
+    const SyntheticLoop shape{.retraction_work = 0.060};
+    const LoopAnalysis whole = analysed(shape.make());
+    AnalysisOptions options;
+    for (const BranchAnalysis* branch : {&whole.loading, &*whole.unloading.value}) {
+        const Index first = branch->range.first + 20;
+        options.segments.edits.ignored.push_back({.range = IndexRange{.first = first, .last = first + 9}, .reason = "a knock"});
+    }
+    const LoopAnalysis analysis = analysed(shape.make(), options);
+    ASSERT_EQ(analysis.loading.range.n, whole.loading.range.n - 10);
+    EXPECT_EQ(branch_samples(analysis, LoopBranch::loading, options).data.force.size(), analysis.loading.range.n);
+    const BranchSamples unloading = branch_samples(analysis, LoopBranch::unloading, options);
+    EXPECT_EQ(unloading.data.force.size(), analysis.unloading->range.n);
+    EXPECT_EQ(unloading.time.size(), unloading.data.force.size());
+    EXPECT_EQ(scan_ranges(analysis, rubber_on_diamond(), options).by_end.back().fit->n, analysis.loading.range.n);
+}
+
 }  // namespace
 }  // namespace setae::experiment
