@@ -216,6 +216,11 @@ bool is_loop_file(std::string_view head) {
     return trimmed(line) == format_line;
 }
 
+bool is_loop_file(const Source& source) {
+    constexpr std::uint64_t beyond_first_line = 64;
+    return is_loop_file(source.head(beyond_first_line));
+}
+
 Table read_loop(const std::string& path) {
     const auto text = decoded(read_file(path), Encoding::utf8);
     Reader reader{path, split_lines(text)};

@@ -33,8 +33,7 @@ auto naming(const std::string& file, Computation&& computation) {
 
 Table read_unmapped(const LoopSource& source) {
     const auto file = io::file_source(source.file);
-    constexpr std::uint64_t first_line = 64;
-    if (io::is_loop_file(file.head(first_line))) return io::read_loop(source.file);
+    if (io::is_loop_file(file)) return io::read_loop(source.file);
     if (io::force_curve_format(file)) {
         auto curve = io::read_force_curve(file, source.force_curve);
         if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())

@@ -61,9 +61,8 @@ io::TableOptions table_options(const Arguments& arguments) {
 }
 
 bool is_foreign_table(const std::string& file) {
-    constexpr std::uint64_t first_line = 64;
     const auto source = io::file_source(file);
-    return !io::is_loop_file(source.head(first_line)) && !io::force_curve_format(source);
+    return !io::is_loop_file(source) && !io::force_curve_format(source);
 }
 
 workflow::Json json_of(const io::ColumnGuess& guess) {

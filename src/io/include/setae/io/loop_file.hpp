@@ -9,6 +9,7 @@
 
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
+#include "setae/io/source.hpp"
 
 namespace setae::io {
 
@@ -45,6 +46,9 @@ void write_loop(const std::string& path, const Table& table, const std::map<std:
 
 /// Whether bytes begin as a loop file.
 [[nodiscard]] bool is_loop_file(std::string_view head);
+
+/// Whether a source is one, by its first line. @throws FileError.
+[[nodiscard]] bool is_loop_file(const Source& source);
 
 /// A loop file: columns in SI, metadata as written and "file". What write_loop wrote comes back to the last digit.
 /// @throws FileError; FormatError with the line: no loop file, a version setae does not know, a malformed key or
