@@ -28,8 +28,8 @@ struct TraceOptions {
     double least_length = 50.0;                ///< shorter segments are left out
 };
 
-/// One stretch of the boundary between vacuum and sample, vacuum on its left where y points downwards … the sample on the right
-/// hand of who walks along it with x to the right and y downwards.
+/// One stretch of the boundary, vacuum on the left hand of who walks along it as the picture is seen: above a curve that runs to
+/// the right.
 struct ContourSegment {
     Array1D x, y;              ///< [px]; about one point a pixel of length
     Array1D standard_error;    ///< of each place along the normal [px]; 0 where the picture has two grey levels alone
