@@ -3,6 +3,7 @@
 
 #include "micrograph_building.hpp"
 #include "picture.hpp"
+#include "png_chunks.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -12,18 +13,11 @@ constexpr double coarsest = 20e-6;  // [m]; larger pixels are what printers and 
 
 /// Width and height of a pixel by the chunk pHYs. Source: PNG specification (third edition), 11.3.4.3.
 std::optional<PixelSize> png_pixel_size(std::string_view bytes) {
-    for (std::uint64_t at = 8; at + 12 <= bytes.size();) {
-        const auto length = number_in(bytes, at, 4, true);
-        const auto kind = bytes.substr(at + 4, 4);
-        if (kind == "IDAT" || kind == "IEND") return std::nullopt;
-        if (kind == "pHYs" && length == 9 && at + 17 <= bytes.size()) {
-            const auto x = number_in(bytes, at + 8, 4, true), y = number_in(bytes, at + 12, 4, true);
-            if (x == 0 || y == 0 || bytes[at + 16] != 1) return std::nullopt;  // 1: per metre
-            return PixelSize{1.0 / static_cast<double>(x), 1.0 / static_cast<double>(y)};
-        }
-        at += 12 + length;
-    }
-    return std::nullopt;
+    const auto chunk = png_chunk(bytes, "pHYs");
+    if (chunk.size() != 9 || chunk[8] != 1) return std::nullopt;  // 1: per metre
+    const auto x = number_in(chunk, 0, 4, true), y = number_in(chunk, 4, 4, true);
+    if (x == 0 || y == 0) return std::nullopt;
+    return PixelSize{1.0 / static_cast<double>(x), 1.0 / static_cast<double>(y)};
 }
 
 std::string format_of(PictureKind kind) { return kind == PictureKind::png ? "png" : kind == PictureKind::jpeg ? "jpeg" : "bmp"; }

@@ -97,9 +97,9 @@ void TiffStack::read_directories() {
         const auto count = at(count_bytes, 0, counter);
         if (count == 0 || count > most_entries) return damaged(fmt::format("has {} entries: damaged", count));
         directories_bytes += counter + count * length + word;
-        if (directories_bytes > file_.size()) return damaged("overlaps others: damaged");
         const auto bytes = file_.read(offset + counter, count * length + word);
         if (bytes.size() < count * length + word) return damaged("is cut: truncated");
+        if (directories_bytes > file_.size()) return damaged("overlaps others: damaged");
         for (std::size_t i = 0; i < count; ++i) {
             const auto entry_at = i * length;
             TiffEntry entry{static_cast<int>(at(bytes, entry_at + 2, 2)), at(bytes, entry_at + 4, word), {}};
