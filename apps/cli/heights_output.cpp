@@ -8,6 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/io/netcdf.hpp"
 #include "setae/io/npy.hpp"
+#include "setae/io/profile_file.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
 
@@ -32,7 +33,12 @@ struct CsvWriter {
     std::string path;
     void operator()(const topography::HeightMap& map) const { write_matrix(path, map.heights); }
     void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
-    void operator()(const topography::Profile& profile) const { write_line(path, profile.positions, profile.heights); }
+    void operator()(const topography::Profile& profile) const {
+        if (profile.response || profile.standard_error.size() > 0)
+            io::write_profile(path, profile);
+        else
+            write_line(path, profile.positions, profile.heights);
+    }
 };
 
 }  // namespace
