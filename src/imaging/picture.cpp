@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.hpp"
 
-
 #include <fmt/format.h>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "png_chunks.hpp"
 #include "random_access.hpp"
 
 namespace setae::imaging {
@@ -31,7 +31,7 @@ std::optional<PictureSize> jpeg_size(std::string_view bytes) {
 /// Whether a picture ends as its format says; decoders fill what is missing with grey.
 bool ends_whole(std::string_view bytes) {
     switch (picture_kind(bytes)) {
-        case PictureKind::png: return bytes.find("IEND") != std::string_view::npos;
+        case PictureKind::png: return png_is_whole(bytes);
         case PictureKind::jpeg: return bytes.rfind("\xFF\xD9") != std::string_view::npos;
         case PictureKind::bmp: return bytes.size() >= number_in(bytes, 2, 4);
         default: return true;
@@ -64,7 +64,7 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
 }
 
 FrameRead decoded_picture(std::string_view bytes) {
-    if (!ends_whole(bytes)) return {{}, fmt::format("truncated: {} bytes without the end its format has", bytes.size())};
+    if (!ends_whole(bytes)) return {{}, fmt::format("truncated or damaged: {} bytes without the end its format has", bytes.size())};
     [[maybe_unused]] static const auto silent = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
     cv::Mat image;
     try {

@@ -58,16 +58,21 @@ bool natural_order(std::string_view first, std::string_view second) {
     return i == first.size();
 }
 
-std::vector<std::string> pictures_in(const std::string& folder) {
+std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const RandomAccess&)>& wanted) {
     std::vector<std::string> paths;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         if (!entry->is_regular_file() || entry->path().filename().string().starts_with('.')) continue;
-        if (picture_kind(RandomAccess(entry->path().string()).read(0, 32)) != PictureKind::none) paths.push_back(entry->path().string());
+        if (wanted(RandomAccess(entry->path().string()))) paths.push_back(entry->path().string());
     }
     if (error) throw FileError(folder + ": cannot list the folder: " + error.message());
-    if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected PNG, JPEG, TIFF or BMP files");
     std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
+    return paths;
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+    auto paths = files_in(folder, [](const RandomAccess& file) { return picture_kind(file.read(0, 32)) != PictureKind::none; });
+    if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected PNG, JPEG, TIFF or BMP files");
     return paths;
 }
 

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "picture.hpp"
+#include "random_access.hpp"
 
 namespace setae::imaging {
 
 /// Whether `first` comes before `second` where runs of digits count as numbers: "a2" before "a10".
 [[nodiscard]] bool natural_order(std::string_view first, std::string_view second);
+
+/// Files of a folder that `wanted` takes, in natural order; hidden files are left out. @throws FileError.
+[[nodiscard]] std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const RandomAccess&)>& wanted);
 
 /// Pictures in a folder, in natural order; hidden files and what is no PNG, JPEG, TIFF or BMP are left out.
 /// @throws FileError; FormatError for a folder without pictures.

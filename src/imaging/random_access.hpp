@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,8 @@ class RandomAccess {
 public:
     /// @throws FileError where it cannot be opened.
     explicit RandomAccess(const std::string& path);
+    /// Bytes in memory read as if they were a file; they must outlive what reads them.
+    RandomAccess(std::string name, std::string_view bytes);
     ~RandomAccess();
     RandomAccess(RandomAccess&& other) noexcept;
     RandomAccess& operator=(RandomAccess&&) = delete;
@@ -20,11 +23,16 @@ public:
     [[nodiscard]] const std::string& path() const { return path_; }
     /// Up to `count` bytes from `offset`; fewer at the end of the file. @throws FileError where the system fails.
     [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
+    /// The same into memory of the caller; the number of bytes read.
+    std::uint64_t read_into(char* target, std::uint64_t offset, std::uint64_t count) const;
+    /// The bytes, where they lie in memory; nothing of a file on disk.
+    [[nodiscard]] std::optional<std::string_view> memory() const;
 
 private:
     std::string path_;
     int descriptor_ = -1;
     std::uint64_t size_ = 0;
+    std::string_view memory_;  ///< where there is no descriptor
 };
 
 /// Whole number of `count` ≤ 8 bytes; the caller has checked that they are there.

@@ -6,11 +6,12 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "micrograph_building.hpp"
+#include "raw_pixels.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
@@ -25,6 +26,7 @@ constexpr int width = 256, height = 257, bits = 258, compression = 259, photomet
 
 constexpr std::uint64_t most_entries = 4096;     // of a directory; real ones have some twenty
 constexpr std::size_t most_pages = 1'000'000;
+constexpr std::uint64_t longest_side = 1U << 30;
 
 std::uint64_t bytes_of_type(int type) {
     constexpr std::array<std::uint64_t, 19> bytes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
@@ -49,20 +51,28 @@ std::optional<double> metres(std::string_view unit) {
     return std::nullopt;
 }
 
-template <class Value>
-FrameRead converted(std::string bytes, PictureSize size, int channels, bool swap) {
-    if (swap && sizeof(Value) > 1)
-        for (std::size_t i = 0; i + sizeof(Value) <= bytes.size(); i += sizeof(Value)) std::reverse(bytes.data() + i, bytes.data() + i + sizeof(Value));
-    std::vector<Value> values(bytes.size() / sizeof(Value));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
-    return {luminance(values.data(), size, channels, size.width * channels), {}};
+std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) {
+    switch (10 * bits + format) {
+        case 81: return SampleType::uint8;
+        case 82: return SampleType::int8;
+        case 161: return SampleType::uint16;
+        case 162: return SampleType::int16;
+        case 163: return SampleType::float16;
+        case 321: return SampleType::uint32;
+        case 322: return SampleType::int32;
+        case 323: return SampleType::float32;
+        case 641: return SampleType::uint64;
+        case 642: return SampleType::int64;
+        case 643: return SampleType::float64;
+        default: return std::nullopt;
+    }
 }
 
 }  // namespace
 
-TiffStack::TiffStack(const std::string& path) : file_(path) {
+TiffStack::TiffStack(RandomAccess file) : file_(std::move(file)) {
     read_directories();
-    if (pages_.empty()) throw FormatError(path, {.offset = 0}, "a TIFF without a page; the file may be truncated");
+    if (pages_.empty()) throw FormatError(file_.path(), {.offset = 0}, "a TIFF without a page; the file may be truncated");
     add_pages_without_directory();
 }
 
@@ -76,24 +86,33 @@ void TiffStack::read_directories() {
     const std::size_t word = big_tiff_ ? 8 : 4, counter = big_tiff_ ? 8 : 2, length = big_tiff_ ? 20 : 12;
     auto offset = at(head, big_tiff_ ? 8 : 4, word);
     std::set<std::uint64_t> seen;
+    std::uint64_t directories_bytes = 0, values_bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
     while (offset != 0 && pages_.size() < most_pages) {
         auto& page = pages_.emplace_back();
+        page.directory = offset;
         const auto damaged = [&](std::string_view what) { page.fault = fmt::format("its directory at byte {} {}", offset, what); };
         if (!seen.insert(offset).second) return pages_.pop_back();  // a ring of pages
         const auto count_bytes = file_.read(offset, counter);
         if (count_bytes.size() < counter) return damaged("lies beyond the end of the file: truncated");
         const auto count = at(count_bytes, 0, counter);
         if (count == 0 || count > most_entries) return damaged(fmt::format("has {} entries: damaged", count));
+        directories_bytes += counter + count * length + word;
         const auto bytes = file_.read(offset + counter, count * length + word);
         if (bytes.size() < count * length + word) return damaged("is cut: truncated");
+        if (directories_bytes > file_.size()) return damaged("overlaps others: damaged");
         for (std::size_t i = 0; i < count; ++i) {
             const auto entry_at = i * length;
             TiffEntry entry{static_cast<int>(at(bytes, entry_at + 2, 2)), at(bytes, entry_at + 4, word), {}};
             const auto unit = bytes_of_type(entry.type);
-            if (unit == 0 || entry.count > file_.size()) continue;
-            const auto size = unit * entry.count;
-            entry.value = size <= word ? bytes.substr(entry_at + 4 + word, size) : file_.read(at(bytes, entry_at + 4 + word, word), size);
-            if (entry.value.size() == size) page.entries.emplace(static_cast<int>(at(bytes, entry_at, 2)), std::move(entry));
+            if (unit == 0) continue;
+            const auto number = static_cast<int>(at(bytes, entry_at, 2));
+            const bool readable = entry.count <= file_.size();
+            const auto size = readable ? unit * entry.count : 0;
+            if (size > word) values_bytes += size;
+            if (values_bytes > file_.size()) return damaged("shares values with others: damaged");
+            if (readable) entry.value = size <= word ? bytes.substr(entry_at + 4 + word, size) : file_.read(at(bytes, entry_at + 4 + word, word), size);
+            if (readable && entry.value.size() == size) page.entries.emplace(number, std::move(entry));
+            else page.lost = fmt::format("the value of its tag {} lies beyond the end of the file: truncated", number);
         }
         offset = at(bytes, count * length, word);
     }
@@ -110,8 +129,10 @@ void TiffStack::add_pages_without_directory() {
     const bool contiguous = pages_.size() == 1 && start && number(first, tag::compression).value_or(1) == 1;
     while (static_cast<double>(pages_.size()) < *count) {
         const auto offset = start.value_or(0) + pages_.size() * page_bytes;
-        if (contiguous && page_bytes > 0 && offset < file_.size()) pages_.push_back({first.entries, {}, offset});
-        else pages_.push_back({{}, fmt::format("ImageJ announces {} images, the file holds fewer: truncated", *images), {}});
+        TiffPage page;
+        if (contiguous && page_bytes > 0 && offset < file_.size()) page.entries = first.entries, page.offset = offset;
+        else page.fault = fmt::format("ImageJ announces {} images, the file holds fewer: truncated", *images);
+        pages_.push_back(std::move(page));
     }
     if (contiguous) pages_.front().offset = start;
 }
@@ -124,6 +145,23 @@ std::optional<std::uint64_t> TiffStack::number(const TiffPage& page, int tag, st
     return number_in(found->second.value, index * size, size, big_endian_);
 }
 
+std::optional<double> TiffStack::real(const TiffPage& page, int tag) const {
+    const auto found = page.entries.find(tag);
+    if (found == page.entries.end() || found->second.count < 1) return std::nullopt;
+    const auto& [type, count, value] = found->second;
+    std::optional<double> number;
+    if (type == 5) number = ratio(page, tag);
+    else if (type == 11) number = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(number_in(value, 0, 4, big_endian_))));
+    else if (type == 12) number = std::bit_cast<double>(number_in(value, 0, 8, big_endian_));
+    else if (type == 3 || type == 4 || type == 16) number = static_cast<double>(number_in(value, 0, bytes_of_type(type), big_endian_));
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string TiffStack::text(const TiffPage& page, int tag) const {
+    const auto found = page.entries.find(tag);
+    return found == page.entries.end() ? std::string() : text_of(found->second.value);
+}
+
 std::optional<double> TiffStack::ratio(const TiffPage& page, int tag) const {
     const auto found = page.entries.find(tag);
     if (found == page.entries.end() || found->second.type != 5 || found->second.count < 1) return std::nullopt;
@@ -133,10 +171,11 @@ std::optional<double> TiffStack::ratio(const TiffPage& page, int tag) const {
 }
 
 PictureSize TiffStack::size_of(std::size_t page) const {
-    return {static_cast<long>(number(pages_[page], tag::width).value_or(0)), static_cast<long>(number(pages_[page], tag::height).value_or(0))};
+    const auto width = number(pages_[page], tag::width).value_or(0), height = number(pages_[page], tag::height).value_or(0);
+    if (width > longest_side || height > longest_side) return {};
+    return {static_cast<long>(width), static_cast<long>(height)};
 }
 
-/// The value of "key=value" in the first page's description.
 std::optional<std::string> TiffStack::description(const std::string& key) const {
     const auto found = pages_.front().entries.find(tag::description);
     if (found == pages_.front().entries.end() || !found->second.value.starts_with("ImageJ=")) return std::nullopt;
@@ -186,18 +225,28 @@ std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
         fault = "damaged: its directory names no pixels";
         return {};
     }
+    std::uint64_t total = 0;
+    for (std::uint64_t i = 0; i < found->second.count; ++i) {
+        total += std::min(number(page, counts, i).value_or(0), file_.size());
+        if (total > file_.size()) {
+            fault = "truncated or damaged: its pixels are more than the file";
+            return {};
+        }
+    }
+    pixels.reserve(total);
     for (std::uint64_t i = 0; i < found->second.count; ++i) {
         const auto start = number(page, offsets, i), bytes = number(page, counts, i);
         if (!start || !bytes) {
             fault = "damaged: its directory is incomplete";
             return {};
         }
-        const auto strip = file_.read(*start, *bytes);
-        if (strip.size() < *bytes) {
-            fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", strip.size(), *bytes, *start);
+        const auto before = pixels.size();
+        pixels.resize(before + *bytes);
+        const auto got = file_.read_into(pixels.data() + before, *start, *bytes);
+        if (got < *bytes) {
+            fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", got, *bytes, *start);
             return {};
         }
-        pixels += strip;
     }
     return pixels;
 }
@@ -206,21 +255,16 @@ std::optional<FrameRead> TiffStack::plain(const TiffPage& page, const std::strin
     if (number(page, tag::compression).value_or(1) != 1 || page.entries.contains(tag::tile_offsets)) return std::nullopt;
     const auto channels = number(page, tag::samples).value_or(1);
     const auto photometric = number(page, tag::photometric).value_or(1);
-    if (channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1)) return std::nullopt;
+    if (channels < 1 || channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1)) return std::nullopt;
     const PictureSize size{static_cast<long>(number(page, tag::width).value_or(0)), static_cast<long>(number(page, tag::height).value_or(0))};
-    const auto bits = number(page, tag::bits).value_or(1), format = number(page, tag::sample_format).value_or(1);
-    const auto bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * channels * bits / 8;
-    if (strips.size() < bytes) return FrameRead{{}, fmt::format("truncated: {} of {} bytes of pixels", strips.size(), bytes)};
-    const bool swap = big_endian_ != (std::endian::native == std::endian::big);
-    const int n = static_cast<int>(channels);
-    std::optional<FrameRead> frame;
-    if (bits == 8 && format == 1) frame = converted<std::uint8_t>(strips.substr(0, bytes), size, n, swap);
-    else if (bits == 16 && format == 1) frame = converted<std::uint16_t>(strips.substr(0, bytes), size, n, swap);
-    else if (bits == 16 && format == 2) frame = converted<std::int16_t>(strips.substr(0, bytes), size, n, swap);
-    else if (bits == 32 && format == 1) frame = converted<std::uint32_t>(strips.substr(0, bytes), size, n, swap);
-    else if (bits == 32 && format == 3) frame = converted<float>(strips.substr(0, bytes), size, n, swap);
-    else if (bits == 64 && format == 3) frame = converted<double>(strips.substr(0, bytes), size, n, swap);
-    if (frame && photometric == 0) frame->pixels = frame->pixels.maxCoeff() - frame->pixels;  // white is 0
+    const auto bits = number(page, tag::bits).value_or(1);
+    const auto type = sample_type(bits, number(page, tag::sample_format).value_or(1));
+    if (!type) return std::nullopt;
+    auto pixels = pixels_in(strips, {.type = *type, .big_endian = big_endian_, .size = size}, static_cast<int>(channels));
+    if (!pixels)
+        return FrameRead{{}, fmt::format("truncated: {} of {} bytes of pixels", strips.size(), static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * channels * bits / 8)};
+    FrameRead frame{std::move(*pixels), {}};
+    if (photometric == 0) frame.pixels = frame.pixels.maxCoeff() - frame.pixels;  // white is 0
     return frame;
 }
 
@@ -239,7 +283,7 @@ std::string TiffStack::single_page(const TiffPage& page, const std::string& stri
     const auto parts = page.entries.at(offsets).count;
     kept[counts] = {4, parts, {}};
     kept[offsets] = {4, parts, std::string(4 * parts, '\0')};
-    for (std::uint64_t i = 0; i < parts; ++i) put(kept[counts].value, *number(page, counts, i), 4);
+    for (std::uint64_t i = 0; i < parts; ++i) put(kept[counts].value, number(page, counts, i).value_or(0), 4);
     const auto values_at = 8 + 2 + 12 * kept.size() + 4;
     std::uint64_t length = 0;
     for (const auto& [tag, entry] : kept) length += entry.value.size() > 4 ? entry.value.size() + entry.value.size() % 2 : 0;
@@ -247,7 +291,7 @@ std::string TiffStack::single_page(const TiffPage& page, const std::string& stri
     kept[offsets].value.clear();
     for (std::uint64_t i = 0; i < parts; ++i) {
         put(kept[offsets].value, strip_at, 4);
-        strip_at += *number(page, counts, i);
+        strip_at += number(page, counts, i).value_or(0);
     }
     put(directory, kept.size(), 2);
     for (const auto& [tag, entry] : kept) {

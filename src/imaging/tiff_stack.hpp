@@ -22,6 +22,8 @@ struct TiffEntry {
 struct TiffPage {
     std::map<int, TiffEntry> entries;
     std::string fault;                    ///< where the directory could not be read
+    std::string lost;                     ///< an entry whose value lies beyond the end of the file
+    std::uint64_t directory = 0;          ///< its place in the file
     std::optional<std::uint64_t> offset;  ///< of the pixels of a page without directory of its own (ImageJ beyond 4 GiB)
 };
 
@@ -30,7 +32,8 @@ struct TiffPage {
 class TiffStack {
 public:
     /// @throws FileError; FormatError for a file without a page.
-    explicit TiffStack(const std::string& path);
+    explicit TiffStack(const std::string& path) : TiffStack(RandomAccess(path)) {}
+    explicit TiffStack(RandomAccess file);
 
     [[nodiscard]] std::size_t size() const { return pages_.size(); }
     [[nodiscard]] PictureSize size_of(std::size_t page) const;  ///< 0 × 0 where the directory is damaged
@@ -41,15 +44,24 @@ public:
     /// Frames a second by ImageJ's "fps" or "finterval".
     [[nodiscard]] std::optional<double> frame_rate() const;
 
-private:
+    [[nodiscard]] const TiffPage& page(std::size_t index) const { return pages_[index]; }
+    [[nodiscard]] const RandomAccess& file() const { return file_; }
+    /// Whole number of an entry; nothing where the page has none.
     [[nodiscard]] std::optional<std::uint64_t> number(const TiffPage& page, int tag, std::uint64_t index = 0) const;
+    /// First number of an entry of any type; nothing where it is none or not finite.
+    [[nodiscard]] std::optional<double> real(const TiffPage& page, int tag) const;
+    /// Text of an entry as UTF-8; empty where the page has none.
+    [[nodiscard]] std::string text(const TiffPage& page, int tag) const;
+    /// The value of "key=value" in ImageJ's description on the first page.
+    [[nodiscard]] std::optional<std::string> description(const std::string& key) const;
+
+private:
     [[nodiscard]] std::optional<double> ratio(const TiffPage& page, int tag) const;
     [[nodiscard]] std::string strips(const TiffPage& page, std::string& fault) const;
     [[nodiscard]] std::string single_page(const TiffPage& page, const std::string& strips) const;
     [[nodiscard]] std::optional<FrameRead> plain(const TiffPage& page, const std::string& strips) const;
     void read_directories();
     void add_pages_without_directory();
-    [[nodiscard]] std::optional<std::string> description(const std::string& key) const;
 
     RandomAccess file_;
     bool big_endian_ = false, big_tiff_ = false;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "micrograph_building.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::imaging {
+namespace {
+
+constexpr double square_within = 1e-3;
+
+/// Words for units as programs of microscopes write them.
+std::string_view symbol_of(std::string_view unit) {
+    struct Word {
+        std::string_view word, symbol;
+    };
+    static constexpr std::array words{Word{"micrometer", "um"}, Word{"micrometre", "um"}, Word{"nanometer", "nm"}, Word{"nanometre", "nm"}, Word{"picometer", "pm"},
+                                      Word{"Angstrom", "angstrom"}, Word{"\xE2\x84\xAB", "angstrom"}, Word{"meter", "m"}, Word{"\\u00B5m", "um"}};
+    for (const auto& [word, symbol] : words)
+        if (unit == word) return symbol;
+    return unit;
+}
+
+std::optional<double> metres_of(std::string_view unit) {
+    try {
+        return unit_factor(symbol_of(unit), dimension::length);
+    } catch (const InvalidArgument&) {
+        return std::nullopt;
+    }
+}
+
+bool no_unit(std::string_view unit) { return unit.empty() || unit == "pixels" || unit == "pixel" || unit == "px"; }
+
+bool reciprocal(std::string_view unit) { return unit.find("1/") != std::string_view::npos || unit.find("-1") != std::string_view::npos || unit.find("\xE2\x81\xBB\xC2\xB9") != std::string_view::npos; }
+
+void put_utf8(std::string& text, std::uint32_t point) {
+    const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
+    if (point < 0x80) byte(point);
+    else if (point < 0x800) byte(0xC0 | (point >> 6)), byte(0x80 | (point & 63));
+    else if (point < 0x10000) byte(0xE0 | (point >> 12)), byte(0x80 | ((point >> 6) & 63)), byte(0x80 | (point & 63));
+    else byte(0xF0 | (point >> 18)), byte(0x80 | ((point >> 12) & 63)), byte(0x80 | ((point >> 6) & 63)), byte(0x80 | (point & 63));
+}
+
+}  // namespace
+
+Micrograph unread_micrograph(const RandomAccess& file, std::string format) {
+    Micrograph micrograph;
+    micrograph.format = std::move(format);
+    micrograph.file = file.path();
+    micrograph.name = std::filesystem::path(file.path()).filename().string();
+    return micrograph;
+}
+
+void add_alert(Micrograph& micrograph, std::string code, std::string message, std::string action) {
+    micrograph.alerts.push_back({std::move(code), micrograph.name, std::move(message), std::move(action)});
+}
+
+void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale& y, const std::string& source) {
+    const auto unit_x = std::string(trimmed(x.unit)), unit_y = std::string(trimmed(y.unit));
+    if (no_unit(unit_x) && no_unit(unit_y)) return;
+    micrograph.unit = unit_x == unit_y ? unit_x : unit_x + ", " + unit_y;
+    const std::string remedy = "give the pixel size, or calibrate on the scale bar";
+    const auto metres_x = metres_of(unit_x), metres_y = metres_of(unit_y);
+    if (!metres_x || !metres_y) {
+        if (reciprocal(unit_x) || reciprocal(unit_y))
+            return add_alert(micrograph, "RECIPROCAL_UNITS", fmt::format("{} has axes in '{}': a diffraction pattern or a Fourier transform", source, micrograph.unit), "read the image itself");
+        return add_alert(micrograph, "UNKNOWN_UNIT", fmt::format("{} has the unit '{}', which is no length", source, micrograph.unit), remedy);
+    }
+    const PixelSize size{std::abs(x.scale) * *metres_x, std::abs(y.scale) * *metres_y};  // a negative scale turns an axis round
+    if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
+        return add_alert(micrograph, "BAD_CALIBRATION", fmt::format("{} states pixels of {:g} {} × {:g} {}", source, x.scale, unit_x, y.scale, unit_y), remedy);
+    micrograph.pixel_size = size;
+    micrograph.pixel_size_source = source;
+    if (std::abs(size.x / size.y - 1.0) > square_within)
+        add_alert(micrograph, "PIXELS_NOT_SQUARE", fmt::format("pixels are {} wide and {} high", format_value(size.x, "m"), format_value(size.y, "m")),
+                  "nothing, both sizes are used; check them if the camera has square pixels");
+}
+
+bool is_energy(std::string_view unit) {
+    unit = trimmed(unit);
+    return unit == "eV" || unit == "keV" || unit == "meV" || unit == "MeV";
+}
+
+PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height, const MicrographOptions& options) {
+    if (width == 0 || height == 0) throw FormatError(file.path(), {.offset = offset}, fmt::format("a picture of {} × {} pixels; the file is damaged", width, height));
+    if (width == 1 || height == 1)
+        throw FormatError(file.path(), {.offset = offset}, fmt::format("{} × {} numbers: a spectrum or a line, not a picture; choose the file with the image", width, height));
+    const auto most = static_cast<std::uint64_t>(std::max(0L, options.most_pixels));
+    if (width > most / height)
+        throw FormatError(file.path(), {.offset = offset},
+                          fmt::format("{} × {} pixels, more than the {} that are read; crop the picture to the edge, or bin it, with ImageJ or the microscope's program", width, height, most));
+    return {static_cast<long>(width), static_cast<long>(height)};
+}
+
+void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options) {
+    if (options.image >= images)
+        throw InvalidArgument(fmt::format("{}: no image {}; the file has {}, counted from 0", micrograph.file, options.image, images));
+    if (images > 1)
+        add_alert(micrograph, "SEVERAL_IMAGES", fmt::format("the file holds {} images, number {} is read", images, options.image), "ask for another by its number, counted from 0");
+}
+
+std::string text_of(std::string_view bytes) {
+    bytes = bytes.substr(0, bytes.find('\0'));
+    bool utf8 = true;
+    for (std::size_t at = 0; at < bytes.size() && utf8;) {
+        const auto length = utf8_length(bytes.substr(at));
+        utf8 = length > 0;
+        at += length;
+    }
+    if (utf8) return std::string(bytes);
+    std::string text;
+    for (const char c : bytes) put_utf8(text, static_cast<unsigned char>(c));
+    return text;
+}
+
+std::string text_of_utf16(std::string_view bytes, bool big_endian) {
+    std::string text;
+    for (std::size_t at = 0; at + 2 <= bytes.size(); at += 2) {
+        auto point = static_cast<std::uint32_t>(number_in(bytes, at, 2, big_endian));
+        if (point == 0) break;
+        if (point >= 0xD800 && point < 0xDC00 && at + 4 <= bytes.size()) {
+            const auto low = static_cast<std::uint32_t>(number_in(bytes, at + 2, 2, big_endian));
+            if (low >= 0xDC00 && low < 0xE000) {
+                point = 0x10000 + ((point - 0xD800) << 10) + (low - 0xDC00);
+                at += 2;
+            }
+        }
+        put_utf8(text, point >= 0xD800 && point < 0xE000 ? 0xFFFD : point);
+    }
+    return text;
+}
+
+std::optional<double> number_of(std::string_view text) {
+    text = trimmed(text);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+}  // namespace setae::imaging

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "picture.hpp"
+#include "random_access.hpp"
+#include "setae/imaging/micrograph.hpp"
+
+namespace setae::imaging {
+
+/// What a file says of one axis of a picture.
+struct AxisScale {
+    double scale = 0;
+    std::string unit;  ///< UTF-8, as the file spells it
+};
+
+/// A micrograph that knows its file and format, and nothing else yet.
+[[nodiscard]] Micrograph unread_micrograph(const RandomAccess& file, std::string format);
+
+/// Puts a pixel size into a micrograph, or the alert that says why there is none: RECIPROCAL_UNITS, UNKNOWN_UNIT,
+/// BAD_CALIBRATION; PIXELS_NOT_SQUARE where width and height differ by more than 0.1 %.
+void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale& y, const std::string& source);
+
+/// Whether a unit is one of energy, as axes of spectra have: "eV", "keV".
+[[nodiscard]] bool is_energy(std::string_view unit);
+
+void add_alert(Micrograph& micrograph, std::string code, std::string message, std::string action);
+
+/// Width and height as a file states them, found fit for a picture.
+/// @throws FormatError for one row or column (a spectrum) and for more pixels than the options allow.
+[[nodiscard]] PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height, const MicrographOptions& options);
+
+/// Checks that the file has the image asked for and says what is passed over: alert SEVERAL_IMAGES.
+/// @throws InvalidArgument for an image the file has not.
+void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options);
+
+/// Text of the bytes of an ISO 8859-1 string up to its first zero, or of UTF-8 where it is that.
+[[nodiscard]] std::string text_of(std::string_view bytes);
+
+/// Text of UTF-16 code units up to the first zero; what is no character becomes U+FFFD.
+[[nodiscard]] std::string text_of_utf16(std::string_view bytes, bool big_endian);
+
+/// A finite number that is the whole text; nothing for other text.
+[[nodiscard]] std::optional<double> number_of(std::string_view text);
+
+}  // namespace setae::imaging

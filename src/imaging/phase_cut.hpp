@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "two_phases.hpp"
+
+namespace setae::imaging {
+
+/// One number a square of pixels.
+using CellMap = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The division of least energy, Σ over squares labelled vacuum of −difference, + border_cost · sides between unlike squares (diagonals
+/// 1/√2 of it, all scaled to the length of a border).
+/// difference: cost of sample minus cost of vacuum. Squares with free = 0 keep their label.
+[[nodiscard]] PixelMask minimum_cut(const CellMap& difference, double border_cost, const PixelMask& free, const PixelMask& labels);
+
+/// Cuts again within `width` squares of the border: each square against Gaussians with mean and deviation of either phase
+/// within 12 squares around it.
+[[nodiscard]] PixelMask cut_in_band(const CellMap& mean, const CellMap& weight, const PixelMask& labels, long width, double border_cost);
+
+/// 1 where no other label lies within `distance` squares along rows and columns.
+[[nodiscard]] PixelMask away_from_border(const PixelMask& labels, long distance);
+
+}  // namespace setae::imaging
