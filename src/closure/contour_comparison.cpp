@@ -21,6 +21,7 @@ constexpr double metres = 1e-9;         // a pixel is a nanometre
 constexpr double traced_within = 3.0;   // px
 constexpr double border = 4.0;          // px: a curve is not asked for closer to the picture's border
 constexpr double least_false = 1.0;     // px
+constexpr double longest_noise_wave = 200.0, shortest_noise_wave = 50.0;  // px: smoothing leaves these as they are
 constexpr double above_floor = 10.0;
 constexpr int cells_a_decade = 10;
 
@@ -79,8 +80,8 @@ TracedCurve in_metres(const imaging::ContourTrace& trace) {
     if (segment.standard_error.size() == segment.x.size()) curve.standard_error = metres * segment.standard_error;
     curve.closed = segment.closed;
     const double step = segment.length / static_cast<double>(segment.x.size() - 1);
-    curve.response = topography::TraceResponse{.blur = metres * trace.edge_width, .smoothing_length = metres * trace.smoothing_length,
-                                               .step = metres * step, .noise_density = metres * metres * metres * trace.noise_density};
+    curve.response = topography::TraceResponse{.blur = metres * segment.edge_width, .smoothing_length = metres * segment.smoothing_length,
+                                               .step = metres * step, .noise_density = metres * metres * metres * segment.noise_density};
     return curve;
 }
 
@@ -93,8 +94,8 @@ double mean_between(const spectra::PowerSpectrum1D& spectrum, double lower, doub
     return count > 0 ? sum / count : undefined;
 }
 
-/// Ratios of spectra in half decades, over tenths of a decade that stand out of the floor.
-std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const topography::Profile& known) {
+/// Ratios of spectra in half decades, over tenths of a decade that hold waves of the curve and stand out of the floor.
+std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const topography::Profile& known, double shortest_wave) {
     const double length = traced.size(), shortest = shortest_compared_wave * metres;
     const auto modes = static_cast<Index>(length / shortest);
     const Array1D q = Array1D::LinSpaced(modes, 1.0, static_cast<double>(modes)) * (2.0 * pi / length);
@@ -109,6 +110,7 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
         int count = 0;
         for (int cell = 0; cell < cells; ++cell) {
             const double from = lower * std::pow(upper / lower, static_cast<double>(cell) / cells), to = lower * std::pow(upper / lower, static_cast<double>(cell + 1) / cells);
+            if (to * shortest_wave * metres > 2.0 * pi * (1.0 + 1e-9)) continue;
             const double expected = mean_between(planted, from, to);
             const double floor = traced.response ? traced.response->noise_density * std::exp(std::pow(0.5 * (from + to) * traced.response->blur, 2)) : 0.0;
             if (!(expected > above_floor * floor)) continue;
@@ -120,10 +122,10 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
     return ratios;
 }
 
-/// C1D [px³] of the trace's errors along its length, where smoothing leaves them as they are.
+/// C1D [px³] of the trace's errors along its length.
 double error_density(const Array1D& errors, double length) {
     const auto spectrum = spectra::power_spectrum(topography::LineScan{.heights = errors, .size = length}, {.threads = {1}});
-    return mean_between(spectrum, 2.0 * pi / 200.0, 2.0 * pi / 30.0);
+    return mean_between(spectrum, 2.0 * pi / longest_noise_wave, 2.0 * pi / shortest_noise_wave);
 }
 
 void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& levelled, const PixelCurve& trace, const std::vector<laboratory::Overhang>& planted) {
@@ -160,7 +162,7 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
     const auto there = distances(curve, CurveIndex(rendered.truth.curve));
     const Array1D back = distances_of_truth(trace, rendered);
 
-    ContourTrial trial{.segments = static_cast<int>(trace.segments.size()), .smoothing_length = trace.smoothing_length, .edge_width = trace.edge_width};
+    ContourTrial trial{.segments = static_cast<int>(trace.segments.size()), .smoothing_length = segment.smoothing_length, .edge_width = segment.edge_width};
     trial.completeness = (back.abs() < traced_within).cast<double>().mean();
     trial.rms_error = std::max(rms(there.of_trace), rms(back));
     trial.largest_error = std::max(there.of_trace.abs().maxCoeff(), back.abs().maxCoeff());
@@ -168,12 +170,12 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
     trial.within_two_errors = segment.standard_error.size() == there.of_trace.size() ? (there.of_trace.abs() < 2.0 * segment.standard_error).cast<double>().mean() : undefined;
 
     const double length = length_along(curve).tail(1)[0];
-    trial.floor_ratio = trace.noise_density / error_density(there.of_trace, length);
+    trial.floor_ratio = error_density(there.of_trace, length) / segment.noise_density;
     const auto traced = in_metres(trace), known = in_metres(covered_part(rendered.truth.curve, there.places.front(), there.places.back()));
     compare_overhangs(trial, levelled(traced, topography::Reentrance::envelope), curve, rendered.truth.overhangs);
     const auto profile = levelled(traced, topography::Reentrance::cut).profile, expected = levelled(known, topography::Reentrance::cut).profile;
     trial.rms_height_ratio = roughness::real_space_parameters(profile).rms_height / roughness::real_space_parameters(expected).rms_height;
-    trial.spectrum_ratio = spectrum_ratios(profile, expected);
+    trial.spectrum_ratio = spectrum_ratios(profile, expected, rendered.shortest_wave);
     return trial;
 }
 

@@ -63,9 +63,9 @@ std::array<double, 2> band_ends(std::size_t band) {
 }
 
 std::string percent(const OverRuns& ratio) {
-    if (ratio.count == 0) return fmt::format("{:>15}", "-");
+    if (ratio.count == 0) return "-";
     const auto error = std::isfinite(ratio.standard_error) ? fmt::format("{:.1f}", 100.0 * ratio.standard_error) : std::string("?");
-    return fmt::format("{:>+7.1f} ± {:<5}", 100.0 * (ratio.mean - 1.0), error);
+    return fmt::format("{:+.1f} ± {}", 100.0 * (ratio.mean - 1.0), error);
 }
 
 void judge(std::vector<ContourVerdict>& verdicts, const ContourRow& row) {
@@ -84,7 +84,7 @@ void judge(std::vector<ContourVerdict>& verdicts, const ContourRow& row) {
         if (ratio.count == 0) continue;
         const auto [longest, shortest] = band_ends(band);
         add(fmt::format("C1D of waves of {:.0f} to {:.0f} px within {:g} % on average", longest, shortest, 100.0 * spectrum_tolerance), std::abs(ratio.mean - 1.0) <= spectrum_tolerance,
-            fmt::format("{:+.1f} ± {:.1f} % of {} runs", 100.0 * (ratio.mean - 1.0), 100.0 * ratio.standard_error, ratio.count));
+            percent(ratio) + fmt::format(" % in {} runs", ratio.count));
     }
 }
 
@@ -113,14 +113,14 @@ std::string contour_table(const std::vector<ContourRow>& rows) {
     std::string text = fmt::format("{:<22} {:>4} {:>7} {:>7} {:>6} {:>6} {:>8} {:>8} {:>6} {:>8} {:>8} {:>6} {:>11} {:>5}\n", "kind", "n", "refused", "traced", "rms", "worst", "largest", "offset",
                                    "in 2σ", "Rq [%]", "worst", "floor", "overhangs", "false");
     for (const auto& row : rows)
-        text += fmt::format("{:<22} {:>4} {:>7} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.2f} {:>+8.3f} {:>6.3f} {:>+8.2f} {:>+8.2f} {:>6.2f} {:>11} {:>5}\n", row.kind, row.runs, row.refused, row.completeness.mean,
+        text += fmt::format("{:<22} {:>4} {:>7} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.2f} {:>+8.3f} {:>6.3f} {:>+8.2f} {:>+8.2f} {:>6.3g} {:>11} {:>5}\n", row.kind, row.runs, row.refused, row.completeness.mean,
                             row.rms_error.mean, row.rms_error.worst, row.largest_error.worst, row.offset.mean, row.within_two_errors.mean, 100.0 * (row.rms_height_ratio.mean - 1.0),
                             100.0 * (row.rms_height_ratio.worst - 1.0), row.floor_ratio.mean, fmt::format("{}/{}", row.overhangs_found, row.overhangs), row.overhangs_false);
     text += fmt::format("\n{:<22}", "C1D [%], waves [px]");
     for (std::size_t band = 0; band < spectrum_band_ends.size(); ++band) text += fmt::format(" {:>15}", fmt::format("{:.0f} to {:.0f}", band_ends(band)[0], band_ends(band)[1]));
     for (const auto& row : rows) {
         text += fmt::format("\n{:<22}", row.kind);
-        for (const auto& ratio : row.spectrum_ratio) text += " " + percent(ratio);
+        for (const auto& ratio : row.spectrum_ratio) text += fmt::format(" {:>15}", percent(ratio));
     }
     text += "\n\n";
     const auto verdicts = contour_verdicts(rows);

@@ -44,7 +44,7 @@ Rendered rendered(const ContourKind& kind, const ContourTrialOptions& options, s
     auto picture = kind.picture;
     picture.width = picture.height = options.size;
     picture.key = {options.first_seed + run, picture_stream};
-    Rendered result{{}, {laboratory::rough_curve(curve), options.size, options.size}};
+    Rendered result{{}, {laboratory::rough_curve(curve), options.size, options.size, curve.cutoff_wavelength}};
     result.pixels = laboratory::render_micrograph(result.contour.truth.curve, picture);
     if (kind.transposed) {
         result.pixels = imaging::FramePixels(result.pixels.transpose());

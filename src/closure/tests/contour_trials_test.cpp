@@ -38,7 +38,7 @@ imaging::ContourTrace moved(const RenderedContour& rendered, const std::function
 }
 
 RenderedContour contour(int bulges = 0, double rms_height = 16.0) {
-    return {laboratory::rough_curve({.width = 800, .height = 800, .rms_height = rms_height, .rolloff_wavelength = 800.0, .bulges = bulges, .key = {11, 0}}), 800, 800};
+    return {laboratory::rough_curve({.width = 800, .height = 800, .rms_height = rms_height, .rolloff_wavelength = 800.0, .bulges = bulges, .key = {11, 0}}), 800, 800, 10.0};
 }
 
 /// Places of the edge in columns of a picture without noise: how much of each column is vacuum.
@@ -89,11 +89,11 @@ TEST(ContourComparison, FindsScatterAndItsDensity) {
     const auto rendered = contour();
     const auto noise = synthesis::normal_numbers({5, 0}, 0, rendered.truth.curve.x.size());
     auto trace = moved(rendered, [&](Index i) { return 0.3 * noise[i]; });
-    trace.noise_density = 0.09;  // variance times the distance of points, about 1 px of the level line
+    trace.segments.front().noise_density = 0.09;  // variance times the distance of points, about 1 px of the level line
     const auto trial = compared(trace, rendered);
     EXPECT_NEAR(trial.rms_error, 0.3, 0.03);           // of 800 points: 2.5 %; nearest distances are a little less
     EXPECT_NEAR(trial.within_two_errors, 0.954, 0.03);  // 0.7 % of 800 points
-    EXPECT_NEAR(trial.floor_ratio, 1.0, 0.5);          // 22 modes: 21 %
+    EXPECT_NEAR(trial.floor_ratio, 1.0, 0.75);         // 12 modes, fewer behind a window: 3 · 0.35 of it at most; seen 1.1
     EXPECT_TRUE(std::isfinite(trial.spectrum_ratio[1]));
     EXPECT_TRUE(std::isnan(trial.spectrum_ratio[4]));   // below the curve's shortest waves
 }

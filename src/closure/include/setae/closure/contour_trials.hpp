@@ -35,7 +35,8 @@ struct ContourTrialOptions {
     long size = 1000;                    ///< of a picture's side [px], >= 200
     std::vector<std::string> kinds;      ///< by name; empty: all
     std::string pictures;                ///< folder for every picture with truth and trace drawn in, and the truth's points; empty: none
-    std::function<imaging::ContourTrace(const imaging::FramePixels&)> tracer;  ///< of vacuum brighter or darker than the sample
+    /// What traces a picture; throws UndefinedDataError where it refuses one.
+    std::function<imaging::ContourTrace(const imaging::FramePixels&)> tracer = [](const imaging::FramePixels& pixels) { return imaging::trace_contour(pixels); };
     parallel::Threads threads;
     std::function<void(int)> progress;   ///< pictures done; one call at a time
 };
@@ -57,8 +58,8 @@ struct ContourTrial {
     double offset = 0.0;               ///< mean of the trace's signed distance, positive where it lies in vacuum
     double within_two_errors = 0.0;    ///< share of the trace's points closer to the curve than two of their standard errors
     double rms_height_ratio = 0.0;     ///< Rq of the levelled trace over that of the curve
-    std::array<double, 5> spectrum_ratio{};  ///< mean over tenths of a decade in which the curve's C1D exceeds ten times the trace's floor
-    double floor_ratio = 0.0;          ///< noise density as the trace states it, over C1D of its errors between waves of 200 and 30 px
+    std::array<double, 5> spectrum_ratio{};  ///< C1D of the trace over the curve's: mean over tenths of a decade with waves of the curve, ten times above the floor
+    double floor_ratio = 0.0;          ///< C1D of the trace's errors between waves of 200 and 50 px, over the noise density that it states
     double smoothing_length = 0.0, edge_width = 0.0;  ///< as the trace states them
     int overhangs = 0, overhangs_found = 0, overhangs_false = 0;  ///< false: deeper than 1 px where the curve does not turn back
     double overhang_depth_ratio = 0.0; ///< mean, of those found
