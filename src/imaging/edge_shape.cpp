@@ -15,6 +15,8 @@ constexpr double narrowest = 0.29, widest = 4.0;            // px; a pixel's own
 constexpr double narrowest_fringe = 0.8, widest_fringe = 10.0;
 constexpr double least_gain = 30.0;                         // of χ² by which a fringe stands out
 constexpr double farthest = 3.0;                            // px between the place a fit begins at and the edge
+constexpr double least_scatter = 1e-3;                      // of a profile's range: pixels are squares
+constexpr double least_fringe = 0.05;                       // of the step
 constexpr int most_steps = 60;
 
 using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width, fringe, ln fringe width
@@ -100,7 +102,10 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
 std::vector<double> weights_of(const EdgeProfile& profile) {
     double variance = 0, count = 0;
     for (std::size_t i = 0; i < profile.mean.size(); ++i) variance += profile.count[i] * profile.variance[i], count += profile.count[i];
-    const double typical = std::max(1e-300, variance / std::max(1.0, count));
+    double low = 1e300, high = -1e300;
+    for (std::size_t i = 0; i < profile.mean.size(); ++i)
+        if (profile.count[i] > 0) low = std::min(low, profile.mean[i]), high = std::max(high, profile.mean[i]);
+    const double typical = std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
     std::vector<double> weights;
     for (std::size_t i = 0; i < profile.mean.size(); ++i) weights.push_back(profile.count[i] / std::max(0.05 * typical, profile.variance[i]));
     return weights;
@@ -128,7 +133,8 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
         from[5] = std::log(width);
         from[4] = 0.01 * std::abs(from[1]);
         auto with_fringe = least_squares(profile, weights, from, 6);
-        if (with_fringe.squares < best.squares - least_gain && same_edge(shape_of(with_fringe.parameters), start)) best = with_fringe;
+        const bool seen = std::abs(with_fringe.parameters[4]) > least_fringe * std::abs(with_fringe.parameters[1]);
+        if (seen && with_fringe.squares < best.squares - least_gain && same_edge(shape_of(with_fringe.parameters), start)) best = with_fringe;
     }
     auto shape = shape_of(best.parameters);
     if (shape.fringe_rules()) shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest, widest);
