@@ -163,7 +163,7 @@ void add_alerts(ContourTrace& trace, const TwoPhases& phases, bool helped) {
             trace.alerts.push_back({"LOW_CONTRAST", subject, fmt::format("the edge is {:.2g} times the noise of a pixel; its places scatter by {:.2g} px", segment.contrast_to_noise, segment.standard_error.mean()),
                                     "look at the overlay; anchors keep the trace where the eye sees the edge"});
         if (!segment.converged)
-            trace.alerts.push_back({"NOT_CONVERGED", subject, "the trace still moved by more than 0.01 px r.m.s. in its last round", "look at the overlay; anchors or a given smoothing length settle it"});
+            trace.alerts.push_back({"NOT_CONVERGED", subject, "more than a twentieth of the trace still moved by more than 0.02 px in its last round", "look at the overlay; anchors or a given smoothing length settle it"});
     }
 }
 

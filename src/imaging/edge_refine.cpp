@@ -13,7 +13,7 @@ namespace {
 constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3, most_choices = 4;
 constexpr double search_reach = 10.0;     // px
 constexpr double first_smoothing = 3.0;   // px
-constexpr double at_rest = 0.01;          // px
+constexpr double at_rest = 0.02;          // px
 constexpr double most_move = 1.5;         // px a round
 constexpr double level_stretch = 30.0;    // px along the curve over which level and contrast are taken (standard deviation)
 constexpr double least_error = 0.02;      // px: what pixels of a picture without noise leave
@@ -202,8 +202,17 @@ private:
         const Array1D wish = solver.solve(right.matrix()).array();
         const Array1D delta = (round < rounds_of_full_steps ? 1.0 : 0.5) * wish.max(-most_move).min(most_move);
         curve_.x += delta * normals_.x, curve_.y += delta * normals_.y;
-        last_move_ = std::sqrt(delta.square().mean());
+        moved_ = delta.abs();
+        last_move_ = most_of(moved_);
         even_out();
+    }
+
+    /// The move that nineteen points in twenty do not exceed.
+    [[nodiscard]] static double most_of(const Array1D& moves) {
+        std::vector<double> sorted(moves.begin(), moves.end());
+        const auto at = sorted.begin() + static_cast<long>(0.95 * static_cast<double>(sorted.size() - 1));
+        std::nth_element(sorted.begin(), at, sorted.end());
+        return *at;
     }
 
     /// Anchors draw the place nearest to them along its normal.
@@ -224,7 +233,12 @@ private:
             const double d = std::hypot(curve_.x[curve_.at(k + 1)] - curve_.x[k], curve_.y[curve_.at(k + 1)] - curve_.y[k]);
             shortest = std::min(shortest, d), longest = std::max(longest, d);
         }
-        if (shortest < 0.75 || longest > 1.3) curve_ = resampled(curve_, 1.0, true);
+        if (shortest >= 0.75 && longest <= 1.3) return;
+        const auto before = curve_.size();
+        curve_ = resampled(curve_, 1.0, true);
+        const Array1D moved = moved_;
+        moved_.resize(curve_.size());
+        for (Index k = 0; k < curve_.size(); ++k) moved_[k] = moved[k * before / curve_.size()];
     }
 
     [[nodiscard]] Array1D local_information() const {
@@ -334,7 +348,7 @@ private:
     RefinedEdge result(bool converged) {
         RefinedEdge edge;
         const Array1D information = local_information();
-        edge.standard_error = (error_squares_ * information.mean() / information + least_error * least_error).sqrt();
+        edge.standard_error = (error_squares_ * information.mean() / information + least_error * least_error + moved_.square()).sqrt();
         edge.blur = shape_.width;
         edge.curve = curve_;
         edge.shape = shape_;
@@ -356,6 +370,7 @@ private:
     Normals normals_;
     Evidence evidence_;
     double reach_ = search_reach, smoothing_ = first_smoothing, last_move_ = 1e300;
+    Array1D moved_;  ///< by which points moved in the last round [px]
     double vacuum_noise_ = 0, sample_noise_ = 0;
     double noise_ = 0, error_squares_ = 0;  ///< N and the expected error, once measured
 };

@@ -33,7 +33,8 @@ struct RefinedEdge {
 /// ι: the sum of b²I'²/σ² of one point: at rest a wave of the edge is followed by K(q) = 1/(1 + ℓ⁴ (2 − 2 cos q)²), q per px.
 /// Repeated until it rests, with shape and scatter σ(d) renewed. ℓ, where not given, has the least expected error
 /// ∫ [(1 − K)² S + K² N] dq, S: spectrum of the places before smoothing less N. N, the noise's, is measured by the same sums a
-/// few pixels beside the edge on either side: structure of the sample and noise that neighbours share count as they are.
+/// few pixels beside the edge on either side: structure of the sample and noise that neighbours share count as they are. It
+/// rests where 19 points in 20 move by less than 0.02 px; what a point moved last counts as error of its own.
 [[nodiscard]] RefinedEdge refined_edge(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors, std::optional<double> smoothing_length);
 
 }  // namespace setae::imaging

@@ -16,10 +16,11 @@ namespace {
 
 using Map = CellMap;
 
-constexpr long coarse_cells = 64;        // across the shorter side, where levels are found
+constexpr long coarse_cells = 48;        // across the shorter side, where levels are found
 constexpr double border_cost = 2.0;      // of a side of a square, in units of ln likelihood
 constexpr double most_difference = 8.0;  // one square counts no more: glare and dust are outliers
-constexpr int most_turns = 8;
+constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
+constexpr std::size_t best_starts = 3;
 constexpr long band = 3;                 // squares on either side of a border cut anew
 
 /// Means and ln of variances over squares of pixels.
@@ -202,11 +203,11 @@ struct LeastScatter {
     double level, structure;
 };
 
-Division settled(const Cells& cells, PixelMask labels, const LeastScatter& least) {
+Division settled(const Cells& cells, PixelMask labels, const LeastScatter& least, int turns) {
     Division best;
     PhaseModel model;
     model.scatter = {1, 1};
-    for (int turn = 0; turn < most_turns; ++turn) {
+    for (int turn = 0; turn < turns; ++turn) {
         if (!fit(model, cells, labels, least.level, least.structure)) break;
         const auto wish = preference(model, cells, labels);
         const double energy = wish.energy + border_cost * border(labels);
@@ -214,6 +215,19 @@ Division settled(const Cells& cells, PixelMask labels, const LeastScatter& least
         const auto next = minimum_cut(wish.difference, border_cost, PixelMask::Ones(labels.rows(), labels.cols()), labels);
         if ((next == labels).all()) break;
         labels = next;
+    }
+    return best;
+}
+
+Division best_division(const Cells& cells, const LeastScatter& least) {
+    std::vector<Division> tried;
+    for (auto& start : starts(cells)) tried.push_back(settled(cells, std::move(start), least, first_turns));
+    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.energy < b.energy; });
+    Division best;
+    for (std::size_t i = 0; i < std::min(best_starts, tried.size()); ++i) {
+        if (tried[i].labels.size() == 0) continue;
+        auto found = settled(cells, std::move(tried[i].labels), least, most_turns);
+        if (found.energy < best.energy) best = std::move(found);
     }
     return best;
 }
@@ -263,11 +277,7 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     const auto coarse = cells_of(pixels, hidden, side);
     const double range = coarse.mean.maxCoeff() - coarse.mean.minCoeff();
     const LeastScatter least{std::max(1e-12, 1e-3 * range), side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
-    Division best;
-    for (auto& start : starts(coarse)) {
-        auto found = settled(coarse, std::move(start), least);
-        if (found.energy < best.energy) best = std::move(found);
-    }
+    const auto best = best_division(coarse, least);
     TwoPhases result;
     result.cells = static_cast<double>(coarse.mean.size());
     if (best.labels.size() == 0) return result;
@@ -281,17 +291,16 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     }
     result.sample = labels.rows() == pixels.rows() && labels.cols() == pixels.cols() ? labels : enlarged(labels, pixels.rows(), pixels.cols(), 1);
 
-    // levels and noise away from the border: noise from differences of neighbours but one, which structure of long waves does not enter
-    std::array<std::vector<double>, 2> levels, deviations;
+    std::array<std::vector<double>, 2> levels;
     const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
-    for (long row = 0; row < pixels.rows(); row += 1)
-        for (long column = 0; column < pixels.cols(); column += 1)
+    for (long row = 0; row < pixels.rows(); ++row)
+        for (long column = 0; column < pixels.cols(); ++column)
             if (inner(row, column) != 0 && hidden(row, column) == 0) levels[result.sample(row, column)].push_back(static_cast<double>(pixels(row, column)));
     std::array<double, 2> level{}, noise{};
     for (int label : {0, 1}) {
         if (levels[label].empty()) continue;
         level[label] = median_of(levels[label]);
-        noise[label] = std::exp(0.5 * best.model.structure[label]);
+        noise[label] = side > 1 ? std::exp(0.5 * best.model.structure[label]) : best.model.scatter[label];
     }
     const double ratio = noise[1] > 0 && noise[0] > 0 ? noise[1] / noise[0] : 1.0;
     // label 0 is vacuum where it has less structure; of like structure where it is brighter

@@ -8,6 +8,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "../png_chunks.hpp"
+#include "electron_files.hpp"
+#include "emd_files.hpp"
 #include "micrograph_files.hpp"
 
 namespace setae::imaging::tests {
@@ -44,6 +46,13 @@ inline std::vector<Sample> micrograph_samples() {
                                 {"tiff", tiff.bytes()},
                                 {"tiff big endian", big_endian.bytes({{big_endian.text(34682, "[Scan]\nPixelWidth=1e-9\nPixelHeight=1e-9\n")}})},
                                 {"tiff BigTIFF", big_tiff.bytes({{big_tiff.text(65003, "nm"), big_tiff.text(65004, "nm"), big_tiff.real(65009, 0.5), big_tiff.real(65010, 0.5)}})},
+                                {"mrc", mrc_file().bytes()},
+                                {"mrc big endian", mrc_file(true).bytes()},
+                                {"ser", ser_file().bytes()},
+                                {"ser 64 bit", ser_file(0x0220).bytes()},
+                                {"emd", EmdFile{}.bytes()},
+                                {"emd packed", EmdFile{.packed = true}.bytes()},
+                                {"emd Velox", EmdFile{.velox = true, .unit_x = "m"}.bytes()},
                                 {"png", png_picture()},
                                 {"png colour 16 bit", encoded_picture(".png", 24, 16, CV_16U)},
                                 {"png of a known scale", with_pixels_a_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
@@ -73,7 +82,11 @@ inline std::vector<Sample> micrographs_of(std::uint64_t side) {
     jpeg.replace(jpeg.find("\xFF\xC0") + 5, 4, big.whole(side, 2) + big.whole(side, 2));
     auto bmp = encoded_picture(".bmp");
     bmp.replace(18, 8, little.whole(side, 4) + little.whole(side, 4));
-    return {{"dm4", cut}, {"tiff", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side)}})},
+    auto mrc = mrc_file().bytes();
+    mrc.replace(0, 8, little.whole(side, 4) + little.whole(side, 4));
+    auto ser = ser_file().bytes();
+    ser.replace(ser.size() - 24 - 8, 8, little.whole(side, 4) + little.whole(side, 4));
+    return {{"dm4", cut}, {"mrc", mrc}, {"ser", ser}, {"tiff", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side)}})},
             {"tiff LZW", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side), tiff.shorts(259, 5)}})}, {"png", png}, {"jpeg", jpeg}, {"bmp", bmp}};
 }
 

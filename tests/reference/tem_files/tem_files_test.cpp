@@ -154,7 +154,7 @@ TEST(TemFiles, OfSpectraAreRefused) {
     }
 }
 
-TEST(TemFiles, CutAnywhereAreRefused) {
+TEST(TemFiles, CutAnywhereAreRefusedUnlessOnlyUnusedTagsAreLost) {
     SETAE_REQUIRE_REFERENCE_DATA(folder, "tem");
     for (const auto& expected : pictures) {
         const auto content = content_of(folder / expected.file);
@@ -162,8 +162,8 @@ TEST(TemFiles, CutAnywhereAreRefused) {
             const auto length = content.size() * cut / 64;
             const Copy copy(expected.file, content.substr(0, length));
             try {
-                (void)read_micrograph(copy.path());
-                ADD_FAILURE() << expected.file << " cut to " << length << " of " << content.size() << " bytes is read";
+                expect_as(read_micrograph(copy.path()), expected);
+                EXPECT_EQ(std::string(expected.file), "olympus_SIS.tif") << "cut to " << length;  // blocks of its program follow the image
             } catch (const FormatError& error) {
                 EXPECT_NE(std::string(error.what()).find("at byte"), std::string::npos) << error.what();
             }

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emd_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <nlohmann/json.hpp>
+
+#include "micrograph_building.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::imaging {
+namespace {
+
+constexpr int deepest_group = 8;
+constexpr std::size_t most_members = 10'000;
+constexpr std::uint64_t most_metadata = 1 << 20, longest_text = 1 << 12;
+constexpr std::uint64_t cache_bytes_a_pixel = 16;  // of a chunk, against most_pixels
+
+/// An identifier of HDF5, closed with its scope.
+class Handle {
+public:
+    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Handle& operator=(Handle&&) = delete;
+    explicit operator bool() const { return id_ >= 0; }
+    operator hid_t() const { return id_; }
+
+private:
+    hid_t id_;
+    herr_t (*close_)(hid_t);
+};
+
+Handle opened(const RandomAccess& file) {
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
+    if (const auto bytes = file.memory()) {
+        H5Pset_fapl_core(access, 1 << 16, 0);
+        H5Pset_file_image(access, const_cast<char*>(bytes->data()), bytes->size());
+    }
+    Handle opened_file(H5Fopen(file.path().c_str(), H5F_ACC_RDONLY, access), &H5Fclose);
+    if (!opened_file) throw FormatError(file.path(), {.offset = 0}, "HDF5 cannot open it: truncated or damaged");
+    return opened_file;
+}
+
+bool exists(hid_t place, const std::string& name) { return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0 && H5Oexists_by_name(place, name.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<hsize_t> sides_of(hid_t data) {
+    const Handle space(H5Dget_space(data), &H5Sclose);
+    const int rank = space ? H5Sget_simple_extent_ndims(space) : -1;
+    std::vector<hsize_t> sides(static_cast<std::size_t>(std::max(rank, 0)));
+    if (rank > 0) H5Sget_simple_extent_dims(space, sides.data(), nullptr);
+    return sides;
+}
+
+/// Text of an attribute, of fixed or variable length; empty where there is none.
+std::string text_attribute(hid_t object, const char* name) {
+    if (H5Aexists(object, name) <= 0) return {};
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose);
+    if (!attribute) return {};
+    const Handle type(H5Aget_type(attribute), &H5Tclose), space(H5Aget_space(attribute), &H5Sclose);
+    if (!type || !space || H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return {};
+    if (H5Tis_variable_str(type) > 0) {
+        char* text = nullptr;
+        if (H5Aread(attribute, type, &text) < 0 || !text) return {};
+        auto copied = text_of(text);
+        H5free_memory(text);
+        return copied;
+    }
+    std::string text(std::min<std::size_t>(H5Tget_size(type), longest_text), '\0');
+    if (text.size() < H5Tget_size(type) || H5Aread(attribute, type, text.data()) < 0) return {};
+    return text_of(text);
+}
+
+/// First two numbers of a dimension's positions.
+std::optional<double> step_of(hid_t group, const std::string& name) {
+    if (!exists(group, name)) return std::nullopt;
+    const Handle data(H5Dopen2(group, name.c_str(), H5P_DEFAULT), &H5Dclose);
+    if (!data) return std::nullopt;
+    const auto sides = sides_of(data);
+    if (sides.size() != 1 || sides[0] < 2) return std::nullopt;
+    const Handle space(H5Dget_space(data), &H5Sclose);
+    const hsize_t start = 0, count = 2;
+    const Handle memory(H5Screate_simple(1, &count, nullptr), &H5Sclose);
+    double positions[2]{};
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr) < 0 || H5Dread(data, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, positions) < 0) return std::nullopt;
+    return positions[1] - positions[0];
+}
+
+/// "[n_m]" as EMD writes units, without brackets and the lines between prefix and unit.
+std::string emd_unit(std::string unit) {
+    std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '_'; });
+    return unit;
+}
+
+/// Names of the members of a group, sorted.
+std::vector<std::string> members_of(hid_t group) {
+    std::vector<std::string> names;
+    H5G_info_t info;
+    if (H5Gget_info(group, &info) < 0) return names;
+    for (hsize_t i = 0; i < std::min<hsize_t>(info.nlinks, most_members); ++i) {
+        const auto length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
+        if (length <= 0 || static_cast<std::uint64_t>(length) > longest_text) continue;
+        std::string name(static_cast<std::size_t>(length) + 1, '\0');
+        H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
+        name.pop_back();
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+bool is_ncem_image(hid_t group) {
+    if (H5Aexists(group, "emd_group_type") <= 0 || !exists(group, "data")) return false;
+    const Handle attribute(H5Aopen(group, "emd_group_type", H5P_DEFAULT), &H5Aclose);
+    const Handle space(H5Aget_space(attribute), &H5Sclose), type(H5Aget_type(attribute), &H5Tclose);
+    int value = 0;
+    return space && type && H5Tget_class(type) == H5T_INTEGER && H5Sget_simple_extent_npoints(space) == 1 && H5Aread(attribute, H5T_NATIVE_INT, &value) >= 0 && value == 1;
+}
+
+/// Paths of groups that hold an image in NCEM's layout.
+void find_ncem_images(hid_t group, const std::string& path, int depth, std::vector<std::string>& found, std::size_t& visited) {
+    if (is_ncem_image(group)) found.push_back(path);
+    if (depth > deepest_group) return;
+    for (const auto& name : members_of(group)) {
+        if (++visited > most_members) return;
+        if (!exists(group, name)) continue;
+        const Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
+        if (member && H5Iget_type(member) == H5I_GROUP) find_ncem_images(member, path + "/" + name, depth + 1, found, visited);
+    }
+}
+
+struct Plane {
+    std::size_t row_axis, column_axis;
+};
+
+/// Grey levels of the first plane of a dataset. @throws FormatError.
+FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsize_t>& sides, Plane plane, const MicrographOptions& options) {
+    const auto damaged = [&](const std::string& what) { return FormatError(file.path(), {.offset = 0}, what); };
+    const auto size = picture_size(file, 0, sides[plane.column_axis], sides[plane.row_axis], options);
+    const Handle type(H5Dget_type(data), &H5Tclose);
+    const auto kind = H5Tget_class(type);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) throw damaged("pixels that are no plain numbers; convert complex or coloured images to real ones");
+    const Handle properties(H5Dget_create_plist(data), &H5Pclose);
+    if (H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) == H5D_VIRTUAL) throw damaged("pixels that lie in other files; copy them into one");
+    if (H5Pget_layout(properties) == H5D_CHUNKED) {
+        std::vector<hsize_t> chunk(sides.size());
+        H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+        double bytes = static_cast<double>(H5Tget_size(type));
+        for (const auto side : chunk) bytes *= static_cast<double>(side);
+        if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels)) throw damaged(fmt::format("pixels packed in pieces of {:.3g} bytes; export the image as a file of its own", bytes));
+    } else if (H5Dget_storage_size(data) > file.size()) {
+        throw damaged("more pixels than the file has bytes: truncated or damaged");
+    }
+    const Handle space(H5Dget_space(data), &H5Sclose);
+    const std::vector<hsize_t> start(sides.size(), 0);
+    std::vector<hsize_t> count(sides.size(), 1);
+    count[plane.row_axis] = sides[plane.row_axis];
+    count[plane.column_axis] = sides[plane.column_axis];
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0) throw damaged("a plane HDF5 cannot select: damaged");
+    const hsize_t numbers = sides[plane.row_axis] * sides[plane.column_axis];
+    const Handle memory(H5Screate_simple(1, &numbers, nullptr), &H5Sclose);
+    FramePixels pixels(size.height, size.width);
+    if (H5Dread(data, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, pixels.data()) < 0) throw damaged("HDF5 cannot read the pixels: truncated or damaged");
+    return pixels;
+}
+
+void note_planes(Micrograph& micrograph, const std::vector<hsize_t>& sides, Plane plane) {
+    double planes = 1;
+    for (std::size_t axis = 0; axis < sides.size(); ++axis)
+        if (axis != plane.row_axis && axis != plane.column_axis) planes *= static_cast<double>(sides[axis]);
+    if (planes > 1) add_alert(micrograph, "STACK", fmt::format("the image is a stack of {:g} planes; the first is read", planes), "save the plane wanted as a file of its own");
+}
+
+void read_ncem(const RandomAccess& file, hid_t group, Micrograph& micrograph, const MicrographOptions& options) {
+    const Handle data(H5Dopen2(group, "data", H5P_DEFAULT), &H5Dclose);
+    if (!data) throw FormatError(file.path(), {.offset = 0}, "an image whose data is no dataset: damaged");
+    const auto sides = sides_of(data);
+    std::vector<AxisScale> axes;
+    for (std::size_t axis = 0; axis < sides.size(); ++axis) {
+        const auto name = fmt::format("dim{}", axis + 1);
+        const auto step = step_of(group, name);
+        std::string unit;
+        if (step) {
+            const Handle dimension(H5Dopen2(group, name.c_str(), H5P_DEFAULT), &H5Dclose);
+            unit = emd_unit(text_attribute(dimension, "units"));
+        }
+        axes.push_back({step.value_or(0), unit});
+        if (is_energy(unit)) throw FormatError(file.path(), {.offset = 0}, fmt::format("axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image", axis, unit));
+    }
+    if (sides.size() < 2) throw FormatError(file.path(), {.offset = 0}, "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
+    const Plane plane{sides.size() - 2, sides.size() - 1};
+    micrograph.pixels = plane_of(file, data, sides, plane, options);
+    note_planes(micrograph, sides, plane);
+    set_pixel_size(micrograph, axes[plane.column_axis], axes[plane.row_axis], "EMD dimensions");
+}
+
+/// Velox' metadata of the first frame: a column of bytes that hold JSON.
+nlohmann::json velox_metadata(hid_t image) {
+    if (!exists(image, "Metadata")) return nullptr;
+    const Handle data(H5Dopen2(image, "Metadata", H5P_DEFAULT), &H5Dclose);
+    if (!data) return nullptr;
+    const auto sides = sides_of(data);
+    if (sides.size() != 2 || sides[0] == 0 || sides[1] == 0 || sides[0] > most_metadata) return nullptr;
+    const Handle space(H5Dget_space(data), &H5Sclose);
+    const hsize_t start[] = {0, 0}, count[] = {sides[0], 1};
+    const Handle memory(H5Screate_simple(1, count, nullptr), &H5Sclose);
+    std::string text(sides[0], '\0');
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 || H5Dread(data, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, text.data()) < 0) return nullptr;
+    return nlohmann::json::parse(text.substr(0, text.find('\0')), nullptr, false);
+}
+
+/// The value at a path of JSON as text; empty where there is none.
+std::string json_text(const nlohmann::json& json, const std::string& path) {
+    const nlohmann::json::json_pointer pointer(path);
+    if (json.is_discarded() || !json.contains(pointer)) return {};
+    const auto& value = json.at(pointer);
+    return value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : std::string();
+}
+
+void read_velox(const RandomAccess& file, hid_t image, Micrograph& micrograph, const MicrographOptions& options) {
+    const Handle data(H5Dopen2(image, "Data", H5P_DEFAULT), &H5Dclose);
+    if (!data) throw FormatError(file.path(), {.offset = 0}, "an image whose Data is no dataset: damaged");
+    const auto sides = sides_of(data);
+    if (sides.size() < 2) throw FormatError(file.path(), {.offset = 0}, "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
+    const Plane plane{0, 1};  // frames along the last axis
+    micrograph.pixels = plane_of(file, data, sides, plane, options);
+    note_planes(micrograph, sides, plane);
+    const auto metadata = velox_metadata(image);
+    const auto width = number_of(json_text(metadata, "/BinaryResult/PixelSize/width")), height = number_of(json_text(metadata, "/BinaryResult/PixelSize/height"));
+    if (width && height) set_pixel_size(micrograph, {*width, json_text(metadata, "/BinaryResult/PixelUnitX")}, {*height, json_text(metadata, "/BinaryResult/PixelUnitY")}, "Velox metadata");
+    micrograph.instrument = json_text(metadata, "/Instrument/InstrumentClass");
+    micrograph.acquisition_time = json_text(metadata, "/Acquisition/AcquisitionStartDatetime/DateTime");
+    for (const auto& [name, path, unit] : {std::tuple{"voltage", "/Optics/AccelerationVoltage", " V"}, {"magnification", "/Optics/NominalMagnification", ""}, {"detector", "/BinaryResult/Detector", ""}})
+        if (const auto text = json_text(metadata, path); !text.empty()) micrograph.attributes[name] = text + unit;
+}
+
+}  // namespace
+
+bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1A\n"); }
+
+Micrograph read_emd(const RandomAccess& file, const MicrographOptions& options) {
+    static std::mutex one_at_a_time;  // HDF5 may be built without care for threads
+    const std::lock_guard lock(one_at_a_time);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // a library does not print
+    auto micrograph = unread_micrograph(file, "emd");
+    const auto root = opened(file);
+    std::vector<std::string> images;
+    const std::string velox = "/Data/Image";
+    const bool is_velox = exists(root, "/Data") && exists(root, velox);
+    if (is_velox) {
+        const Handle group(H5Oopen(root, velox.c_str(), H5P_DEFAULT), &H5Oclose);
+        if (group && H5Iget_type(group) == H5I_GROUP)
+            for (const auto& name : members_of(group))
+                if (exists(group, name) && exists(root, velox + "/" + name + "/Data")) images.push_back(velox + "/" + name);
+    } else {
+        const Handle group(H5Oopen(root, "/", H5P_DEFAULT), &H5Oclose);
+        std::size_t visited = 0;
+        find_ncem_images(group, "", 0, images, visited);
+    }
+    if (images.empty()) throw FormatError(file.path(), {.offset = 0}, "an HDF5 file without an image in the layout of EMD (emd_group_type or Data/Image)");
+    choose_image(micrograph, images.size(), options);
+    const Handle image(H5Oopen(root, images[options.image].empty() ? "/" : images[options.image].c_str(), H5P_DEFAULT), &H5Oclose);
+    if (!image || H5Iget_type(image) != H5I_GROUP) throw FormatError(file.path(), {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
+    if (is_velox) read_velox(file, image, micrograph, options);
+    else read_ncem(file, image, micrograph, options);
+    add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand", "compare picture and pixel size with another program's");
+    return micrograph;
+}
+
+}  // namespace setae::imaging

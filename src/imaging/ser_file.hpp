@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "random_access.hpp"
+#include "setae/imaging/micrograph.hpp"
+
+namespace setae::imaging {
+
+/// Whether bytes begin as a series of TIA (Emispec).
+[[nodiscard]] bool is_ser(std::string_view head);
+
+/// Reads an image of a series; rows are stored from the bottom up, lengths in metres. Untested on real files.
+/// @throws as read_micrograph does.
+/// Source: C. Boothroyd, "TIA (Emispec) file format" (2006), as openNCEM reads it.
+[[nodiscard]] Micrograph read_ser(const RandomAccess& file, const MicrographOptions& options);
+
+/// Adds what the EMI of a series says of microscope and time: the XML between other bytes. Nothing where there is none.
+void read_emi(std::string_view emi, Micrograph& micrograph);
+
+/// Name of the EMI that belongs to a series: "a.emi" for "a_1.ser".
+[[nodiscard]] std::string emi_beside(const std::string& ser);
+
+}  // namespace setae::imaging
