@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -55,9 +56,8 @@ PixelMask away_from_border(const PixelMask& labels, long distance) { return (gro
 
 PixelMask minimum_cut(const CellMap& difference, double border_cost, const PixelMask& free, const PixelMask& labels) {
     const long rows = labels.rows(), columns = labels.cols();
-    // weights of sides and diagonals that give the border its length (Boykov, Kolmogorov, ICCV 2003): π/8 and π/(8√2)
-    constexpr double side_share = 0.39269908169872414, diagonal_share = 0.2776801836348979;
-    const double side = border_cost * side_share * 2, diagonal = border_cost * diagonal_share;
+    constexpr double side_share = std::numbers::pi / 4, diagonal_share = std::numbers::pi / (8 * std::numbers::sqrt2);
+    const double side = border_cost * side_share, diagonal = border_cost * diagonal_share;
     Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> vertex = decltype(vertex)::Constant(rows, columns, -1);
     const long count = (free != 0).count();
     cv::detail::GCGraph<double> graph(static_cast<unsigned>(count), static_cast<unsigned>(8 * count));
@@ -112,7 +112,7 @@ void remove_islands(PixelMask& sample, double least_area) {
     for (const int label : {1, 0}) {
         PixelMask own = (sample == static_cast<std::uint8_t>(label)).cast<std::uint8_t>();
         cv::Mat parts, statistics, centres;
-        const int count = cv::connectedComponentsWithStats(view(own), parts, statistics, centres, label == 1 ? 4 : 4, CV_32S);
+        const int count = cv::connectedComponentsWithStats(view(own), parts, statistics, centres, 4, CV_32S);
         int largest = 0;
         for (int part = 1; part < count; ++part)
             if (largest == 0 || statistics.at<int>(part, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA)) largest = part;

@@ -10,9 +10,12 @@ namespace setae::imaging {
 /// One number a square of pixels.
 using CellMap = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The division of least energy, Σ over squares labelled vacuum of −difference, + border_cost · sides between unlike squares (diagonals
-/// 1/√2 of it, all scaled to the length of a border).
-/// difference: cost of sample minus cost of vacuum. Squares with free = 0 keep their label.
+/// The division of least energy
+///
+///   Σ over squares labelled sample of difference + border_cost · length of the border [squares]
+///
+/// difference: cost of sample minus cost of vacuum. The border's length by the sides and diagonals it cuts, π/4 and π/(8√2) each
+/// (Boykov, Kolmogorov, ICCV 2003). Squares with free = 0 keep their label.
 [[nodiscard]] PixelMask minimum_cut(const CellMap& difference, double border_cost, const PixelMask& free, const PixelMask& labels);
 
 /// Cuts again within `width` squares of the border: each square against Gaussians with mean and deviation of either phase

@@ -12,8 +12,8 @@
 namespace setae::imaging {
 namespace {
 
-using test::EdgePicture;
-using test::Wave;
+using tests::EdgePicture;
+using tests::Wave;
 
 double line(double x, double y) { return 80.3 + 0.2 * x - y; }  // times cos of the slope, nearly 1
 

@@ -7,7 +7,7 @@
 
 #include "setae/imaging/frames.hpp"
 
-namespace setae::imaging::test {
+namespace setae::imaging::tests {
 
 /// A picture whose edge is known by its signed distance [px], positive in vacuum.
 struct EdgePicture {
@@ -40,4 +40,4 @@ struct Wave {
     }
 };
 
-}  // namespace setae::imaging::test
+}  // namespace setae::imaging::tests
