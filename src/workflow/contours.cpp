@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/display_unit.hpp"
+#include "foil_alert.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contour_overlay.hpp"
 #include "setae/imaging/contour_profile.hpp"
@@ -16,8 +16,6 @@
 
 namespace setae::workflow {
 namespace {
-
-constexpr double felt_beyond = 10.0;  // wavelengths below this many thicknesses read low, docs/tem-projection.md
 
 /// (1/L) ∫ h² dx over straight segments.
 double mean_square(const topography::Profile& profile) {
@@ -38,7 +36,10 @@ ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPi
     metadata.instrument.type = "tem";
     metadata.instrument.name = picture.micrograph.instrument;
     metadata.acquisition_time = picture.micrograph.acquisition_time;
-    if (options.foil_thickness) metadata.attributes["foil_thickness"] = fmt::format("{} m", *options.foil_thickness);
+    if (options.foil_thickness) {
+        if (!(*options.foil_thickness > 0)) throw InvalidArgument(fmt::format("foil thickness {} m, expected more than 0", *options.foil_thickness));
+        metadata.attributes["foil_thickness"] = fmt::format("{} m", *options.foil_thickness);
+    }
     profile.levelled = topography::levelled(profile.curve, options.shape == ContourShape::cut ? topography::Reentrance::cut : topography::Reentrance::envelope);
     profile.statistics = topography::parametric_statistics(profile.curve);
     const auto& errors = profile.levelled.profile.standard_error;
@@ -48,13 +49,9 @@ ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPi
 }
 
 Alert foil_alert(const std::string& subject, const std::optional<double>& thickness) {
-    if (!thickness)
-        return {"FOIL_THICKNESS", subject, "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
-                "give --foil-thickness; docs/tem-projection.md says how much is hidden"};
-    return {"FOIL_PROJECTION", subject,
-            fmt::format("the contour is the silhouette of a foil {:.3g} nm thick: C1D reads low for wavelengths below about {:.3g} nm, by a fifth below {:.3g} nm where H is near 0.8",
-                        *thickness / 1e-9, felt_beyond * *thickness / 1e-9, 2 * *thickness / 1e-9),
-            "see docs/tem-projection.md; thinner places of the foil hide less"};
+    if (thickness) return foil_projection_alert(subject, *thickness);
+    return {"FOIL_THICKNESS", subject, "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
+            "give --foil-thickness; docs/tem-projection.md says how much is hidden"};
 }
 
 void take(std::vector<Alert>& alerts, std::vector<Alert> more, const std::string& subject) {
