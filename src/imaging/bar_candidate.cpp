@@ -163,20 +163,33 @@ private:
         return cleaner || clean || extreme;
     }
 
+    /// Whether the lines above and below go round the ends.
+    [[nodiscard]] bool framed(const BarCandidate& bar, int outline, double level) const {
+        for (const int way : {-1, 1}) {
+            const int end = way < 0 ? bar.left : bar.right;
+            double farthest = 0;  // towards the outline's level, in its difference from the bar's
+            for (int k = 1; k <= outline + 1; ++k) {
+                const int x = std::clamp(end + k * way, 0, levels_.cols - 1);
+                farthest = std::max(farthest, (moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) / (level - bar.level));
+            }
+            const int beyond = std::clamp(end + (outline + 2) * way, 0, levels_.cols - 1);
+            const auto ground = moments_of(levels_, {beyond, bar.top, 1, bar.thickness()});
+            const double other = 0.1 * std::abs(bar.contrast);
+            if (farthest < 0.4 || (std::abs(ground.mean - level) < other && ground.deviation < other)) return false;
+        }
+        return true;
+    }
+
     void find_outline(BarCandidate& bar) const {
         const double tolerance = 0.15 * std::abs(bar.contrast);
         double first = 0;
         for (int k = 1; k <= most_outline + 1; ++k) {
             const int left = bar.left - k, right = bar.right + k, top = bar.top - k, bottom = bar.bottom + k;
             if (left < 0 || top < 0 || right >= levels_.cols || bottom >= levels_.rows) return;
-            std::vector<double> ring;
-            for (int x = left; x <= right; ++x) {
+            std::vector<double> ring;  // ends of bars may cover parts of pixels, rows are whole
+            for (int x = bar.left; x <= bar.right; ++x) {
                 ring.push_back(at(top, x));
                 ring.push_back(at(bottom, x));
-            }
-            for (int y = top + 1; y < bottom; ++y) {
-                ring.push_back(at(y, left));
-                ring.push_back(at(y, right));
             }
             const double level = median(ring);
             const auto off = std::count_if(ring.begin(), ring.end(), [&](double value) { return std::abs(value - level) > tolerance; });
@@ -186,6 +199,7 @@ private:
                 if (!one_level) return;
                 first = level;
             } else if (mixed || std::abs(level - first) > tolerance) {
+                if (!framed(bar, k - 1, first)) return;
                 bar.outline = k - 1;
                 bar.outline_level = first;
                 return;
@@ -196,27 +210,42 @@ private:
     }
 
     /// A tick at one end: narrow, near it, and standing out by three rows, or by as many above as below.
-    [[nodiscard]] std::optional<Tick> tick(const BarCandidate& bar, int end, int inwards) const {
+    [[nodiscard]] std::optional<BarTick> tick(const BarCandidate& bar, int end, int inwards) const {
         const int most = std::min(bar.length() / 4, bar.thickness() + 6);
         const auto reach = [&](int x, int row, int way) {
             int count = 0;
             for (int y = row + way; y >= 0 && y < levels_.rows && count <= 2 * thickest_bar && std::abs(apart(bar, y, x)) < 0.3; y += way) ++count;
             return count;
         };
-        std::optional<Tick> found;
+        int first = -1, last = -1, up = 0, down = 0;
         for (int k = 0; k < most; ++k) {
-            const int x = end + k * inwards, up = reach(x, bar.top, -1), down = reach(x, bar.bottom, 1);
-            const bool stands_out = std::max(up, down) >= 3 || (up == down && up > 0);
-            if (!stands_out) {
-                if (found) return found;
-                if (k > 1) return std::nullopt;
-            } else {
-                if (!found) found = Tick{k, k, 0};
-                found->last = k;
-                found->reach = std::max({found->reach, up, down});
+            const int x = end + k * inwards, above = reach(x, bar.top, -1), below = reach(x, bar.bottom, 1);
+            if (std::max(above, below) >= 3 || (above == below && above > 0)) {
+                if (first < 0) first = k;
+                last = k;
+                up = std::max(up, above);
+                down = std::max(down, below);
+            } else if (first >= 0 || k > 1) {
+                break;
             }
         }
-        return std::nullopt;
+        if (first < 0 || last >= most - 1) return std::nullopt;
+        // edges of the tick by the share of pixels, from the rows that stand out
+        double weight = 0, middle = 0;
+        for (int k = first - 1; k <= last + 1; ++k) {
+            const int x = end + k * inwards;
+            if (x < 0 || x >= levels_.cols) continue;
+            double covered = 0;
+            for (int step = 1; step <= std::max(up, down); ++step) {
+                if (step <= up) covered += std::clamp(1 - apart(bar, bar.top - step, x), 0.0, 1.0);
+                if (step <= down) covered += std::clamp(1 - apart(bar, bar.bottom + step, x), 0.0, 1.0);
+            }
+            covered /= up + down;
+            if (covered < 0.3 && (k < first || k > last)) continue;  // the ground beside it
+            weight += covered;
+            middle += covered * x;
+        }
+        return BarTick{middle / weight, weight, std::max(up, down)};
     }
 
     void find_ticks(BarCandidate& bar) const {

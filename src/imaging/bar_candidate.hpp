@@ -6,17 +6,11 @@
 
 #include <opencv2/core.hpp>
 
+#include "drawn_bars.hpp"
+
 namespace setae::imaging {
 
 constexpr int thickest_bar = 40;  ///< px
-
-/// Columns, counted from the end of a bar inwards, that stand out above or below it.
-struct Tick {
-    int first = 0, last = 0;
-    int reach = 0;  // rows
-    [[nodiscard]] int width() const { return last - first + 1; }
-    [[nodiscard]] double middle() const { return 0.5 * (first + last + 1); }  // from the end of the bar
-};
 
 /// A candidate: its whole pixels, both ends included, and how it stands out.
 struct BarCandidate {
@@ -26,7 +20,7 @@ struct BarCandidate {
     bool drawn = false;   // clean enough to be drawn, not photographed
     int outline = 0;
     double outline_level = 0;
-    std::optional<Tick> left_tick, right_tick;
+    std::optional<BarTick> left_tick, right_tick;
     [[nodiscard]] int length() const { return right - left + 1; }
     [[nodiscard]] int thickness() const { return bottom - top + 1; }
     [[nodiscard]] cv::Rect box() const {

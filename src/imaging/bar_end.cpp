@@ -31,7 +31,7 @@ struct ColumnMoments {
 
 }  // namespace
 
-BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation) {
+BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation, const std::optional<double>& outline) {
     const int columns = rows.cols;
     std::vector<ColumnMoments> moments(static_cast<std::size_t>(columns));
     for (int x = 0; x < columns; ++x) {
@@ -46,6 +46,10 @@ BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation
         const auto& column = moments[static_cast<std::size_t>(x)];
         outside += column.mean / (columns - first_outside);
         outside_square += (column.variance + column.mean * column.mean) / (columns - first_outside);
+    }
+    if (outline) {
+        outside = *outline;
+        outside_square = outside * outside;
     }
     const double contrast = std::abs(outside - level);
     const double floor = std::max(deviation, 0.01 * contrast);

@@ -52,17 +52,13 @@ bool repeats(const BarCandidate& bar, const std::vector<BarCandidate>& all) {
     return count >= 2;
 }
 
-std::optional<BarTick> tick_of(const std::optional<Tick>& tick) {
-    if (!tick) return std::nullopt;
-    return BarTick{tick->middle(), static_cast<double>(tick->width()), tick->reach};
-}
-
 /// Where both ends have the same tick, the length runs between their middles.
 void settle_ticks(DrawnBar& bar) {
     const auto &left = bar.left_tick, &right = bar.right_tick;
-    if (!left || !right || std::abs(left->middle - right->middle) > 1 || std::abs(left->width - right->width) > 1 || std::abs(left->reach - right->reach) > 2) return;
-    bar.begin_x += left->middle;
-    bar.end_x -= right->middle;
+    const double asymmetry = left && right ? (left->middle - bar.begin_x) - (bar.end_x - right->middle) : 0;
+    if (!left || !right || std::abs(asymmetry) > 1.5 || std::abs(left->width - right->width) > 1 || std::abs(left->reach - right->reach) > 2) return;
+    bar.begin_x = left->middle;
+    bar.end_x = right->middle;
     bar.length_standard_error = std::hypot(bar.length_standard_error, left->width / std::sqrt(12.0));
     bar.left_tick.reset();
     bar.right_tick.reset();
@@ -70,14 +66,15 @@ void settle_ticks(DrawnBar& bar) {
 
 DrawnBar measured(const cv::Mat1f& levels, const BarCandidate& bar) {
     constexpr int inside = 4, around = 7;
+    DrawnBar drawn;
+    if (bar.outline > 0) drawn.outline_level = bar.outline_level;
     const int outside = bar.outline > 0 ? bar.outline : around;
     const int before = std::min(bar.left, outside), after = std::min(levels.cols - 1 - bar.right, outside);
     cv::Mat1f left, right = levels(cv::Rect(bar.right + 1 - inside, bar.top, inside + after, bar.thickness()));
     cv::flip(levels(cv::Rect(bar.left - before, bar.top, inside + before, bar.thickness())), left, 1);
-    const auto begin = bar_end(left, inside, bar.level, bar.deviation), end = bar_end(right, inside, bar.level, bar.deviation);
+    const auto begin = bar_end(left, inside, bar.level, bar.deviation, drawn.outline_level), end = bar_end(right, inside, bar.level, bar.deviation, drawn.outline_level);
     // programs place corners of an outlined bar in the middle of the outline
     const double half_outline = 0.5 * bar.outline;
-    DrawnBar drawn;
     drawn.begin_x = bar.left - 0.5 - begin.place - half_outline;
     drawn.end_x = bar.right + 0.5 + end.place + half_outline;
     const double outline_error = bar.outline / std::sqrt(3.0);
@@ -87,10 +84,9 @@ DrawnBar measured(const cv::Mat1f& levels, const BarCandidate& bar) {
     drawn.box = bar.box();
     drawn.level = bar.level;
     drawn.contrast = std::abs(bar.contrast);
-    if (bar.outline > 0) drawn.outline_level = bar.outline_level;
     const double clean = 1 - bar.deviation / (0.12 * drawn.contrast);
-    drawn.left_tick = tick_of(bar.left_tick);
-    drawn.right_tick = tick_of(bar.right_tick);
+    drawn.left_tick = bar.left_tick;
+    drawn.right_tick = bar.right_tick;
     drawn.quality = std::clamp(0.5 * std::min(1.0, drawn.contrast / 0.4) + 0.5 * clean, 0.0, 1.0);
     return drawn;
 }

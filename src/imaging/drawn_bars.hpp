@@ -16,7 +16,7 @@ namespace setae::imaging {
 
 /// An ornament at an end of a bar: where the bar is higher.
 struct BarTick {
-    double middle = 0, width = 0;  ///< [px]; its middle from the end of the bar inwards
+    double middle = 0, width = 0;  ///< [px]; as FramePixels
     int reach = 0;                 ///< rows that it stands out
 };
 
@@ -50,7 +50,7 @@ struct BarEnd {
 /// c: coverage of the pixel by a bar with the edge at `place`, blurred by a normal kernel; m, s: level and deviation of the bar;
 /// o, u: mean and deviation of what surrounds it. Edges between whole pixels have prior odds of 50:1, as programs draw them;
 /// otherwise place and error are those of the posterior.
-/// rows: the bar's, columns from `inside` pixels before the edge of the last whole pixel outwards.
-[[nodiscard]] BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation);
+/// rows: the bar's, columns from `inside` pixels before the edge of the last whole pixel outwards. outline: o where it is known.
+[[nodiscard]] BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation, const std::optional<double>& outline = {});
 
 }  // namespace setae::imaging

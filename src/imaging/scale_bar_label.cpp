@@ -84,10 +84,26 @@ cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
     return mask;
 }
 
+/// What the readings of the nearest line that holds a length agree on; nothing where none holds one.
+std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
+    const Reading* best = nullptr;
+    for (const auto& reading : readings)
+        if (reading.meaning.length && (!best || reading.distance < best->distance)) best = &reading;
+    if (!best) return std::nullopt;
+    int agreeing = 0, other = 0;
+    for (const auto& reading : readings)
+        if (reading.meaning.length && (reading.box & best->box).area() > 0) ++(*reading.meaning.length == *best->meaning.length ? agreeing : other);
+    BarLabel label{.text = best->meaning.text, .box = best->box};
+    if (other > 0) label.fault = fmt::format("label read as '{}' and as something else", label.text);
+    else if (agreeing < 2) label.fault = fmt::format("label read as '{}' once alone", label.text);
+    else label.length = best->meaning.length;
+    return label;
+}
+
 }  // namespace
 
 BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader) {
-    const int pad_x = std::max(60, levels.cols / 8), pad_y = std::max(40, levels.rows / 14);
+    const int pad_x = std::max(100, levels.cols / 5), pad_y = std::max(40, levels.rows / 14);
     const cv::Rect patch = cv::Rect(bar.box.x - pad_x, bar.box.y - pad_y, bar.box.width + 2 * pad_x, bar.box.height + 2 * pad_y) & cv::Rect(0, 0, levels.cols, levels.rows);
     std::vector<cv::Rect> own{bar.box - patch.tl()};
     cv::Rect near = own.front();
@@ -96,13 +112,14 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
         own = {{own[0].x, own[0].y, near.x - own[0].x, own[0].height}, {near.br().x, own[0].y, own[0].br().x - near.br().x, own[0].height}};
     }
     // letters in the level of the bar: exactly, and with edges that are blurred; in that of the outline
-    std::vector<Ink> inks{{bar.level, 0.12 * bar.contrast}, {bar.level, 0.5 * bar.contrast}};
+    std::vector<Ink> inks{{bar.level, 0.12 * bar.contrast}, {bar.level, 0.5 * bar.contrast}, {bar.level, 0.3 * bar.contrast}};
     if (bar.outline_level) inks.push_back({*bar.outline_level, 0.12 * bar.contrast});
 
     std::vector<Reading> readings;
     std::vector<LetterLine> seen;
     BarLabel label;
     for (const auto& ink : inks) {
+        if (const auto vote = agreed(readings); vote && vote->length) break;
         auto lines = letter_lines(mask_of(levels(patch), ink), own);
         std::erase_if(lines, [&](const LetterLine& line) { return line.letters.size() > 24 || distance_between(line.box, near) > 3.0 * line.box.height + 0.5 * bar.box.width; });
         std::stable_sort(lines.begin(), lines.end(), [&](const LetterLine& a, const LetterLine& b) { return distance_between(a.box, near) < distance_between(b.box, near); });
@@ -119,19 +136,11 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
         label.fault = reader.fault();
         return label;
     }
-    // the nearest line that holds a length, or else a label that is none
-    const Reading* best = nullptr;
-    for (const auto& reading : readings)
-        if (reading.meaning.length && (!best || reading.distance < best->distance)) best = &reading;
-    if (best) {
-        int agreeing = 0, other = 0;
-        for (const auto& reading : readings)
-            if (reading.meaning.length && (reading.box & best->box).area() > 0) ++(*reading.meaning.length == *best->meaning.length ? agreeing : other);
-        label.text = best->meaning.text;
-        label.box = best->box + patch.tl();
-        if (other > 0) label.fault = fmt::format("label read as '{}' and as something else", label.text);
-        else if (agreeing < 2) label.fault = fmt::format("label read as '{}' once alone", label.text);
-        else label.length = best->meaning.length;
+    if (const auto vote = agreed(readings)) {
+        label.text = vote->text;
+        label.box = *vote->box + patch.tl();
+        label.length = vote->length;
+        label.fault = vote->fault;
         return label;
     }
     for (const auto& reading : readings) {
