@@ -65,7 +65,7 @@ LabelMeaning meaning_of_label(std::string_view reading) {
         meaning.fault = fmt::format("label read as '{}', which bars hardly have; it may be misread", meaning.text);
         return meaning;
     }
-    meaning.length = number * std::pow(10.0, unit->exponent);
+    meaning.length = number / std::pow(10.0, -unit->exponent);  // a power of ten that is exact
     return meaning;
 }
 
