@@ -160,6 +160,8 @@ private:
         const bool cleaner = inside <= 0.5 * around && bar.deviation <= 0.1 * contrast;
         const bool clean = bar.deviation <= 0.03 * contrast && around <= 0.02 * contrast;
         const bool extreme = (bar.level <= 0.1 || bar.level >= 0.9) && bar.thickness() >= 3 && contrast >= 8 * bar.deviation && contrast >= 0.4;
+        // a few pixels of a texture may happen to be alike
+        if (bar.length() * bar.thickness() < 50 && bar.deviation > 0.03 * contrast) return false;
         return cleaner || clean || extreme;
     }
 

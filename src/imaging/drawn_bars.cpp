@@ -12,6 +12,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr double shortest_share = 0.03;   // of the picture's width
+constexpr double least_quality = 0.5;
 constexpr int shortest = 12;              // px
 constexpr double rounding = 0.3;          // px: standard error of a length that a program rounded to whole pixels
 
@@ -20,21 +21,28 @@ double length_overlap(const BarCandidate& first, const BarCandidate& second) {
     return static_cast<double>(common) / std::min(first.length(), second.length());
 }
 
+struct Search {
+    int least_length = 0;
+    double sign = 0;  // 1: brighter bars
+    double byte = 0;  // a step of 8 bits, as scaled_levels
+};
+
 /// Candidates of one polarity: what a long opening along rows keeps and one across them removes.
-void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, int least_length, double sign, std::vector<BarCandidate>& found) {
+void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& search, std::vector<BarCandidate>& found) {
+    const int least_length = search.least_length;
     cv::Mat1b rows, thick, raised, mask;
     cv::morphologyEx(bytes, rows, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {least_length, 1}));
     cv::morphologyEx(rows, thick, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, thickest_bar + 3}));
     raised = rows - thick;
     cv::Mat labels, statistics, centres;
-    for (const int threshold : {24, 48, 96, 160}) {
+    for (const int threshold : {12, 24, 48, 96, 160}) {
         mask = raised > threshold;
         const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centres, 4, CV_32S);
         for (int k = 1; k < count; ++k) {
             const int* box = statistics.ptr<int>(k);
             if (box[cv::CC_STAT_HEIGHT] > thickest_bar + 3 || box[cv::CC_STAT_WIDTH] < least_length) continue;
             const cv::Rect where(box[cv::CC_STAT_LEFT], box[cv::CC_STAT_TOP], box[cv::CC_STAT_WIDTH], box[cv::CC_STAT_HEIGHT]);
-            const auto bar = bar_within(levels, {where, threshold / 255.0, sign}, least_length);
+            const auto bar = bar_within(levels, {where, threshold * search.byte, search.sign}, least_length);
             const auto same = [&](const BarCandidate& other) { return other.left == bar->left && other.right == bar->right && other.top == bar->top && other.bottom == bar->bottom; };
             if (bar && std::none_of(found.begin(), found.end(), same)) found.push_back(*bar);
         }
@@ -156,12 +164,19 @@ cv::Mat1f scaled_levels(const FramePixels& pixels) {
 std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     const int least_length = std::max(shortest, static_cast<int>(std::ceil(shortest_share * levels.cols)));
     if (levels.rows < 8 || levels.cols < least_length + 6) return {};
+    // bars may be darker or brighter than all of the picture, single pixels far more so
+    double low = 0, high = 0;
+    cv::minMaxLoc(levels, &low, &high);
+    low = std::max(low, -1.0);
+    high = std::min(high, 2.0);
+    if (!(high > low)) return {};
+    const double byte = (high - low) / 255;
     cv::Mat1b bytes, inverse;
-    levels.convertTo(bytes, CV_8U, 255.0);
+    levels.convertTo(bytes, CV_8U, 1 / byte, -low / byte);
     std::vector<BarCandidate> found;
-    collect(bytes, levels, least_length, 1.0, found);
+    collect(bytes, levels, {least_length, 1.0, byte}, found);
     cv::bitwise_not(bytes, inverse);
-    collect(inverse, levels, least_length, -1.0, found);
+    collect(inverse, levels, {least_length, -1.0, byte}, found);
 
     std::vector<BarCandidate> chosen;
     for (const auto& bar : found)
@@ -177,6 +192,7 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
         const cv::Rect near(box.x - 2, box.y - 2, box.width + 4, box.height + 4);
         if (std::none_of(bars.begin(), bars.end(), [&](const DrawnBar& other) { return (other.box & near).area() > 0; })) bars.push_back(measured(levels, bar));
     }
+    std::erase_if(bars, [](const DrawnBar& bar) { return bar.quality < least_quality; });
     bars = joined(levels, std::move(bars));
     for (auto& bar : bars) settle_ticks(bar);
     std::stable_sort(bars.begin(), bars.end(), [](const DrawnBar& a, const DrawnBar& b) { return a.quality > b.quality; });

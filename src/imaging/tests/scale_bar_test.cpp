@@ -57,7 +57,7 @@ TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
     for (const auto& style : styles()) {
         auto bare = style;
         bare.bar.label.clear();  // the reader is looked at elsewhere
-        const auto bars = find_scale_bars(rendered(bare, {.width = 400, .height = 512, .noise = GetParam(), .seed = seed++}));
+        const auto bars = find_scale_bars(rendered(bare, {.width = 512, .height = 512, .noise = GetParam(), .seed = seed++}));
         ASSERT_EQ(bars.size(), 1U) << style.name;
         const auto& bar = bars.front();
         EXPECT_NEAR(bar.length, style.bar.length, 0.5) << style.name;
@@ -181,7 +181,7 @@ TEST(ScaleBars, NeverReadAnotherLengthThroughNoise) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const auto bars = find_scale_bars(picture_with_bar({.noise = 30, .seed = seed}, {.label = U"0.5 \u00b5m"}));
         ASSERT_EQ(bars.size(), 1U);
-        if (bars.front().labelled_length) EXPECT_DOUBLE_EQ(*bars.front().labelled_length, 0.5e-6);
+        EXPECT_DOUBLE_EQ(bars.front().labelled_length.value_or(0.5e-6), 0.5e-6) << bars.front().label;
     }
 }
 
