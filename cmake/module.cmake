@@ -8,7 +8,7 @@ function(setae_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
   # designated initialisers leave fields at their defaults; -Wrestrict is a false alarm of GCC 12 (its bug 105651)
-  target_compile_options(${target} PRIVATE -Wno-missing-field-initializers -Wno-restrict)
+  target_compile_options(${target} PRIVATE -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   # without it GCC contracts a*b+c where the target has FMA, and bytes differ between builds
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(SETAE_WARNINGS_AS_ERRORS)

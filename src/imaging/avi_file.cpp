@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ std::string printable(std::string text) {
 
 bool is_avi(std::string_view head) { return head.size() >= 12 && head.starts_with("RIFF") && head.substr(8, 4) == "AVI "; }
 
-AviFile::AviFile(const std::string& path) : file_(path) {
+AviFile::AviFile(RandomAccess file) : file_(std::move(file)) {
+    const auto& path = file_.path();
     read_list(0, file_.size(), 0);
     if (!video_ || size_.width <= 0 || size_.height <= 0) throw FormatError(path, {.offset = 0}, "an AVI without video; the file may be truncated");
     if (frames_.empty()) throw FormatError(path, {.offset = 0}, "an AVI without frames; the file may be truncated");

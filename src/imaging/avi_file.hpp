@@ -18,7 +18,8 @@ namespace setae::imaging {
 class AviFile {
 public:
     /// @throws FileError; FormatError for an AVI without video, or of a codec that needs other frames to decode one.
-    explicit AviFile(const std::string& path);
+    explicit AviFile(const std::string& path) : AviFile(RandomAccess(path)) {}
+    explicit AviFile(RandomAccess file);
 
     [[nodiscard]] std::size_t size() const { return frames_.size(); }
     [[nodiscard]] PictureSize picture_size() const { return size_; }

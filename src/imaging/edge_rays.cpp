@@ -15,7 +15,6 @@ constexpr double arc_a_ray = 6.0;         // px of perimeter
 constexpr double narrowest = 0.3, widest = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
 constexpr double bin = 0.5;               // px of distance, of profiles
 constexpr double least_contrast = 0.3;    // of the median ray's
-constexpr double agreement = 4.0;         // robust standard deviations
 constexpr int most_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
 constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 

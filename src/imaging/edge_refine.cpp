@@ -18,7 +18,7 @@ constexpr double most_move = 1.5;         // px a round
 constexpr double level_stretch = 30.0;    // px along the curve over which level and contrast are taken (standard deviation)
 constexpr double least_error = 0.02;      // px: what pixels of a picture without noise leave
 constexpr double narrowest = 0.29, widest = 4.0;  // px
-constexpr double anchor_weight = 1e5;     // over the information of one point
+constexpr double anchor_weight = 1e7;     // over the information of one point
 
 /// What pixels say at each point of a curve.
 struct Evidence {
@@ -178,7 +178,7 @@ private:
     void move(int round) {
         const Index n = curve_.size();
         const Array1D stiffness = local_information() * std::pow(smoothing_, 4);
-        Array1D diagonal = evidence_.information, right = evidence_.score;
+        Array1D right = evidence_.score;
         std::vector<Eigen::Triplet<double>> entries;
         entries.reserve(static_cast<std::size_t>(12 * n));
         const auto add = [&](Index i, Index j, double value) { entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value); };
@@ -193,9 +193,9 @@ private:
                 for (std::size_t j = 0; j < 3; ++j) add(at[i], at[j], stiffness[k] * part[i] * part[j] * (nx * normals_.x[at[j]] + ny * normals_.y[at[j]]));
             }
         }
-        hold_anchors(diagonal, right);
+        hold_anchors(right, entries);
         const double ridge = 1e-6 * std::max(1e-300, evidence_.information.mean());
-        for (Index k = 0; k < n; ++k) add(k, k, diagonal[k] + ridge);
+        for (Index k = 0; k < n; ++k) add(k, k, evidence_.information[k] + ridge);
         Eigen::SparseMatrix<double> matrix(static_cast<int>(n), static_cast<int>(n));
         matrix.setFromTriplets(entries.begin(), entries.end());
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
@@ -215,16 +215,40 @@ private:
         return *at;
     }
 
-    /// Anchors draw the place nearest to them along its normal.
-    void hold_anchors(Array1D& diagonal, Array1D& right) const {
+    /// Anchors draw the place nearest to them, between two points, along the normal there.
+    void hold_anchors(Array1D& right, std::vector<Eigen::Triplet<double>>& entries) const {
         const double weight = anchor_weight * std::max(1e-300, evidence_.information.mean());
         for (const auto& anchor : anchors_) {
-            Index nearest = 0;
-            ((curve_.x - anchor.x).square() + (curve_.y - anchor.y).square()).minCoeff(&nearest);
-            const double off = (anchor.x - curve_.x[nearest]) * normals_.x[nearest] + (anchor.y - curve_.y[nearest]) * normals_.y[nearest];
-            diagonal[nearest] += weight;
-            right[nearest] += weight * off;
+            const auto at = nearest_place(anchor);
+            const Index next = curve_.at(at.index + 1);
+            const std::array<Index, 2> points{at.index, next};
+            const std::array<double, 2> share{1 - at.fraction, at.fraction};
+            const double nx = share[0] * normals_.x[at.index] + share[1] * normals_.x[next], ny = share[0] * normals_.y[at.index] + share[1] * normals_.y[next];
+            const double off_x = anchor.x - share[0] * curve_.x[at.index] - share[1] * curve_.x[next], off_y = anchor.y - share[0] * curve_.y[at.index] - share[1] * curve_.y[next];
+            const double off = (off_x * nx + off_y * ny) / (nx * nx + ny * ny);
+            for (std::size_t i = 0; i < 2; ++i) {
+                right[points[i]] += weight * share[i] * off;
+                for (std::size_t j = 0; j < 2; ++j) entries.emplace_back(static_cast<int>(points[i]), static_cast<int>(points[j]), weight * share[i] * share[j]);
+            }
         }
+    }
+
+    struct Place {
+        Index index = 0;
+        double fraction = 0;
+    };
+
+    [[nodiscard]] Place nearest_place(const Anchor& anchor) const {
+        Place best;
+        double least = 1e300;
+        for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
+            const Index next = curve_.at(k + 1);
+            const double ex = curve_.x[next] - curve_.x[k], ey = curve_.y[next] - curve_.y[k], px = anchor.x - curve_.x[k], py = anchor.y - curve_.y[k];
+            const double t = std::clamp((px * ex + py * ey) / std::max(1e-300, ex * ex + ey * ey), 0.0, 1.0);
+            const double squared = (px - t * ex) * (px - t * ex) + (py - t * ey) * (py - t * ey);
+            if (squared < least) least = squared, best = {k, t};
+        }
+        return best;
     }
 
     void even_out() {

@@ -17,6 +17,8 @@ constexpr double least_gain = 30.0;                         // of χ² by which 
 constexpr double farthest = 3.0;                            // px between the place a fit begins at and the edge
 constexpr double least_scatter = 1e-3;                      // of a profile's range: pixels are squares
 constexpr double least_fringe = 0.05;                       // of the step
+constexpr double least_spread = 1.7;                        // of the fringe over the step's width
+constexpr double bin = 0.25;                                // px
 constexpr int most_steps = 60;
 
 using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width, fringe, ln fringe width
@@ -45,7 +47,7 @@ double squares_of(const EdgeProfile& profile, const std::vector<double>& weights
     const auto shape = shape_of(p);
     double sum = 0;
     for (std::size_t i = 0; i < profile.mean.size(); ++i) {
-        const double residual = profile.mean[i] - shape.level - shape.value(profile.distance(i) - shape.place);
+        const double residual = profile.mean[i] - shape.level - shape.value(profile.distance[i] - shape.place);
         sum += weights[i] * residual * residual;
     }
     return sum;
@@ -63,7 +65,7 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
         const auto shape = shape_of(fit.parameters);
         for (std::size_t i = 0; i < profile.mean.size(); ++i) {
             if (weights[i] == 0) continue;
-            const double t = profile.distance(i) - shape.place, u = t / shape.width, v = t / shape.fringe_width;
+            const double t = profile.distance[i] - shape.place, u = t / shape.width, v = t / shape.fringe_width;
             const double bell = std::exp(-0.5 * u * u) * std::numbers::inv_sqrtpi / std::numbers::sqrt2, wave = std::exp(0.5 - 0.5 * v * v);
             Parameters derivative;
             derivative << 1, 0.5 * std::erf(u / std::numbers::sqrt2), -shape.slope(t), -shape.step * bell * u, v * wave, shape.fringe * wave * v * (v * v - 1);
@@ -79,7 +81,7 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
             damped.diagonal().array() += 1e-12 * normal.trace();
             Parameters next = fit.parameters + damped.ldlt().solve(right);
             next[3] = std::clamp(next[3], std::log(narrowest), std::log(widest));
-            next[2] = std::clamp(next[2], profile.first, -profile.first);
+            next[2] = std::clamp(next[2], -profile.reach, profile.reach);
             next[5] = std::clamp(next[5], std::log(narrowest_fringe), std::log(widest_fringe));
             const double squares = squares_of(profile, weights, next);
             if (squares < fit.squares) {
@@ -107,7 +109,7 @@ std::vector<double> weights_of(const EdgeProfile& profile) {
         if (profile.count[i] > 0) low = std::min(low, profile.mean[i]), high = std::max(high, profile.mean[i]);
     const double typical = std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
     std::vector<double> weights;
-    for (std::size_t i = 0; i < profile.mean.size(); ++i) weights.push_back(profile.count[i] / std::max(0.05 * typical, profile.variance[i]));
+    for (std::size_t i = 0; i < profile.mean.size(); ++i) weights.push_back(profile.count[i] / std::max(0.25 * typical, profile.variance[i]));
     return weights;
 }
 
@@ -118,6 +120,11 @@ bool same_edge(const EdgeShape& shape, const EdgeShape& start) {
     for (double t = -2 * shape.fringe_width; t <= 2 * shape.fringe_width; t += 0.1 * shape.fringe_width)
         if (std::abs(shape.slope(t)) > 1.001 * steepest) return false;
     return true;
+}
+
+/// A narrow one would only be a step of another width: the derivative of a step by its width is such a wave.
+bool is_fringe(const EdgeShape& shape) {
+    return shape.fringe_rules() || (std::abs(shape.fringe) > least_fringe * std::abs(shape.step) && shape.fringe_width > least_spread * shape.width);
 }
 
 EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
@@ -133,8 +140,7 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
         from[5] = std::log(width);
         from[4] = 0.01 * std::abs(from[1]);
         auto with_fringe = least_squares(profile, weights, from, 6);
-        const bool seen = std::abs(with_fringe.parameters[4]) > least_fringe * std::abs(with_fringe.parameters[1]);
-        if (seen && with_fringe.squares < best.squares - least_gain && same_edge(shape_of(with_fringe.parameters), start)) best = with_fringe;
+        if (with_fringe.squares < best.squares - least_gain && is_fringe(shape_of(with_fringe.parameters)) && same_edge(shape_of(with_fringe.parameters), start)) best = with_fringe;
     }
     auto shape = shape_of(best.parameters);
     if (shape.fringe_rules()) shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest, widest);
@@ -161,14 +167,16 @@ bool EdgeShape::fringe_rules() const {
 }
 
 EdgeProfile edge_profile(const std::vector<BandPixel>& pixels, double reach) {
-    EdgeProfile profile;
-    const auto bins = static_cast<std::size_t>(std::ceil(2 * reach / profile.bin));
-    profile.first = -reach + 0.5 * profile.bin;
-    profile.count.assign(bins, 0), profile.mean.assign(bins, 0), profile.variance.assign(bins, 0);
-    const auto bin_of = [&](const BandPixel& p) { return std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, (p.distance + reach) / profile.bin))); };
-    for (const auto& p : pixels) profile.count[bin_of(p)] += 1, profile.mean[bin_of(p)] += p.value;
+    EdgeProfile profile{reach};
+    const auto bins = static_cast<std::size_t>(std::ceil(2 * reach / bin));
+    for (auto* values : {&profile.count, &profile.distance, &profile.mean, &profile.variance}) values->assign(bins, 0.0);
+    const auto bin_of = [&](const BandPixel& p) { return std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, (p.distance + reach) / bin))); };
+    for (const auto& p : pixels) {
+        const auto i = bin_of(p);
+        profile.count[i] += 1, profile.distance[i] += p.distance, profile.mean[i] += p.value;
+    }
     for (std::size_t i = 0; i < bins; ++i)
-        if (profile.count[i] > 0) profile.mean[i] /= profile.count[i];
+        if (profile.count[i] > 0) profile.distance[i] /= profile.count[i], profile.mean[i] /= profile.count[i];
     for (const auto& p : pixels) {
         const auto i = bin_of(p);
         profile.variance[i] += (p.value - profile.mean[i]) * (p.value - profile.mean[i]) / profile.count[i];
@@ -198,7 +206,7 @@ EdgeShape fitted_shape(const EdgeProfile& profile) {
     EdgeShape start;
     start.level = mean_over(0, n);
     start.step = upwards ? steepest_up : -steepest_down;
-    start.place = profile.first + profile.bin * (static_cast<double>(upwards ? up : down) - 0.5);
+    start.place = -profile.reach + bin * static_cast<double>(upwards ? up : down);
     start.width = 1.2;
     return best_shape(profile, start);
 }

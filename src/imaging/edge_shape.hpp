@@ -24,12 +24,10 @@ struct EdgeShape {
     [[nodiscard]] bool fringe_rules() const;
 };
 
-/// Mean and scatter of grey levels by distance from a curve.
+/// Mean and scatter of grey levels by distance from a curve, in bins a quarter of a pixel wide.
 struct EdgeProfile {
-    double first = 0, bin = 0.25;  ///< distance of the first bin's middle, and between bins
-    std::vector<double> count, mean, variance;
-
-    [[nodiscard]] double distance(std::size_t i) const { return first + bin * static_cast<double>(i); }
+    double reach = 0;                                   ///< bins from −reach to reach [px]
+    std::vector<double> count, distance, mean, variance;  ///< distance: mean over a bin's pixels
 };
 [[nodiscard]] EdgeProfile edge_profile(const std::vector<BandPixel>& pixels, double reach);
 

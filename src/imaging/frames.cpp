@@ -30,6 +30,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang 16 does not deduce it
 
 Store opened(std::vector<std::string> paths) {
     if (paths.empty()) throw InvalidArgument("no frames; expected a TIFF stack, an AVI, a folder of pictures or pictures");

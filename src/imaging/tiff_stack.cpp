@@ -20,13 +20,14 @@ namespace {
 
 namespace tag {
 constexpr int width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270, strip_offsets = 273, samples = 277,
-              strip_bytes = 279, x_resolution = 282, y_resolution = 283, planar = 284, resolution_unit = 296, tile_offsets = 324, tile_bytes = 325,
+              strip_bytes = 279, x_resolution = 282, y_resolution = 283, planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323, tile_offsets = 324, tile_bytes = 325,
               sample_format = 339;
 }
 
 constexpr std::uint64_t most_entries = 4096;     // of a directory; real ones have some twenty
 constexpr std::size_t most_pages = 1'000'000;
 constexpr std::uint64_t longest_side = 1U << 30;
+constexpr std::uint64_t most_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
 
 std::uint64_t bytes_of_type(int type) {
     constexpr std::array<std::uint64_t, 19> bytes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
@@ -241,8 +242,8 @@ std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
             return {};
         }
         const auto before = pixels.size();
-        pixels.resize(before + *bytes);
-        const auto got = file_.read_into(pixels.data() + before, *start, *bytes);
+        pixels.resize(before + std::min(*bytes, file_.size()));
+        const auto got = file_.read_into(pixels.data() + before, *start, pixels.size() - before);
         if (got < *bytes) {
             fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", got, *bytes, *start);
             return {};
@@ -316,7 +317,9 @@ FrameRead TiffStack::read(std::size_t index) const {
     std::string fault;
     const auto pixels = strips(page, fault);
     if (!fault.empty()) return {{}, fault};
-    if (const auto frame = plain(page, pixels)) return *frame;
+    if (auto frame = plain(page, pixels)) return std::move(*frame);
+    const auto tile = number(page, tag::tile_width).value_or(1), tile_height = number(page, tag::tile_height).value_or(1);
+    if (tile > most_tile_pixels || tile_height > most_tile_pixels / std::max<std::uint64_t>(1, tile)) return {{}, fmt::format("damaged: tiles of {} × {} pixels", tile, tile_height)};
     return decoded_picture(single_page(page, pixels));
 }
 

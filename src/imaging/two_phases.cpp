@@ -21,38 +21,8 @@ constexpr double border_cost = 2.0;      // of a side of a square, in units of l
 constexpr double most_difference = 8.0;  // one square counts no more: glare and dust are outliers
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
+constexpr long most_samples = 1'000'000; // of pixels for a median
 constexpr long band = 3;                 // squares on either side of a border cut anew
-
-/// Means and ln of variances over squares of pixels.
-struct Cells {
-    long side = 1;
-    Map mean, log_variance, weight;  ///< weight 0 where most of a square is hidden
-};
-
-Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side) {
-    const long rows = pixels.rows() / side, columns = pixels.cols() / side;
-    Cells cells{side, Map::Zero(rows, columns), Map::Zero(rows, columns), Map::Zero(rows, columns)};
-    for (long row = 0; row < rows; ++row)
-        for (long column = 0; column < columns; ++column) {
-            double sum = 0, squares = 0, count = 0;
-            const double origin = static_cast<double>(pixels(row * side, column * side));
-            for (long y = row * side; y < (row + 1) * side; ++y)
-                for (long x = column * side; x < (column + 1) * side; ++x) {
-                    if (hidden(y, x) != 0) continue;
-                    const double value = static_cast<double>(pixels(y, x)) - origin;
-                    sum += value, squares += value * value, count += 1;
-                }
-            if (2 * count < static_cast<double>(side * side)) continue;
-            cells.weight(row, column) = 1;
-            cells.mean(row, column) = origin + sum / count;
-            const double variance = count > 1 ? (squares - sum * sum / count) / (count - 1) : 0.0;
-            cells.log_variance(row, column) = variance > 0 ? std::log(variance) : std::numeric_limits<double>::quiet_NaN();
-        }
-    // squares without any scatter take the least there is
-    const double least = cells.log_variance.isFinite().select(cells.log_variance, std::numeric_limits<double>::infinity()).minCoeff();
-    cells.log_variance = cells.log_variance.isFinite().select(cells.log_variance, std::isfinite(least) ? least : 0.0);
-    return cells;
-}
 
 /// 1, x, y, x², xy, y² of the illumination, then 1, x, y of the sample on it; x, y in −1 … 1.
 constexpr int terms = 9;
@@ -274,7 +244,7 @@ PixelMask enlarged(const PixelMask& labels, long rows, long columns, long ratio)
 TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacuum) {
     long side = 1;
     while (std::min(pixels.rows(), pixels.cols()) / (2 * side) >= coarse_cells) side *= 2;
-    const auto coarse = cells_of(pixels, hidden, side);
+    const auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
     const double range = coarse.mean.maxCoeff() - coarse.mean.minCoeff();
     const LeastScatter least{std::max(1e-12, 1e-3 * range), side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
     const auto best = best_division(coarse, least);
@@ -285,17 +255,16 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
 
     auto labels = best.labels;
     for (long finer = side / 2; finer >= 1; finer /= 2) {
-        const auto cells = cells_of(pixels, hidden, finer);
-        labels = enlarged(labels, cells.mean.rows(), cells.mean.cols(), 2);
-        labels = cut_in_band(cells.mean, cells.weight, labels, band, border_cost);
+        labels = enlarged(labels, pixels.rows() / finer, pixels.cols() / finer, 2);
+        labels = cut_in_band(pixels, hidden, finer, labels, band, border_cost);
     }
     result.sample = labels.rows() == pixels.rows() && labels.cols() == pixels.cols() ? labels : enlarged(labels, pixels.rows(), pixels.cols(), 1);
 
     std::array<std::vector<double>, 2> levels;
     const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
-    for (long row = 0; row < pixels.rows(); ++row)
-        for (long column = 0; column < pixels.cols(); ++column)
-            if (inner(row, column) != 0 && hidden(row, column) == 0) levels[result.sample(row, column)].push_back(static_cast<double>(pixels(row, column)));
+    const long stride = std::max(1L, pixels.size() / most_samples);
+    for (long i = 0; i < pixels.size(); i += stride)
+        if (inner.data()[i] != 0 && hidden.data()[i] == 0) levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
     std::array<double, 2> level{}, noise{};
     for (int label : {0, 1}) {
         if (levels[label].empty()) continue;

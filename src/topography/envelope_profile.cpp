@@ -60,15 +60,17 @@ std::vector<Run> runs_between_jumps(const std::vector<VisiblePiece>& pieces, con
     return runs;
 }
 
-void make_room_at_jumps(std::vector<Run>& runs, double step) {
+[[nodiscard]] std::vector<Run> with_room_at_jumps(const std::vector<Run>& runs, double step) {
+    std::vector<Run> result = runs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        auto& run = runs[i];
+        const auto& run = runs[i];
         const double left = run.front().x, right = run.back().x, room = std::min(step, (right - left) / 3.0);
         const bool higher_before = i > 0 && runs[i - 1].back().y > run.front().y;
         const bool higher_behind = i + 1 < runs.size() && runs[i + 1].front().y > run.back().y;
-        if (higher_before) run = from(run, left + room);
-        if (higher_behind) run = until(run, right - room);
+        if (higher_before) result[i] = from(result[i], left + room);
+        if (higher_behind) result[i] = until(result[i], right - room);
     }
+    return result;
 }
 
 }  // namespace
@@ -87,11 +89,10 @@ Visible visible_profile(const OrientedCurve& curve) {
         visible.length += std::hypot(end - begin, height_of_segment(curve.x, curve.y, segment, end) - height_of_segment(curve.x, curve.y, segment, begin));
     }
     const auto error = curve.height_error();
-    auto runs = runs_between_jumps(pieces, curve, error);
-    make_room_at_jumps(runs, (pieces.back().end - pieces.front().begin) / static_cast<double>(pieces.size()));
+    const double step = (pieces.back().end - pieces.front().begin) / static_cast<double>(pieces.size());
 
     std::vector<Vertex> vertices;
-    for (const auto& run : runs) vertices.insert(vertices.end(), run.begin(), run.end());
+    for (const auto& run : with_room_at_jumps(runs_between_jumps(pieces, curve, error), step)) vertices.insert(vertices.end(), run.begin(), run.end());
     const auto n = static_cast<Index>(vertices.size());
     const auto column = [&](auto of) { return Array1D::NullaryExpr(n, [&](Index i) { return of(vertices[static_cast<std::size_t>(i)]); }).eval(); };
     visible.profile.positions = column([](const Vertex& v) { return v.x; });

@@ -85,7 +85,7 @@ TracedPicture trace_picture(const std::string& path, const ContourOptions& optio
     try {
         if (options.shared_calibration) {
             picture.calibration = *options.shared_calibration;
-            imaging::require_same_magnification(picture.calibration, picture.micrograph);
+            imaging::check_same_magnification(picture.calibration, picture.micrograph);
         } else {
             picture.calibration = imaging::calibrate(picture.micrograph, options.calibration);
             take(picture.alerts, picture.calibration.alerts, path);

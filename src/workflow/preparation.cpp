@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/io/channel.hpp"
 #include "setae/io/format.hpp"
 #include "setae/topography/artefact.hpp"
@@ -36,6 +37,19 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
     return topography::subtract_artefact(scan, topography::average_reference(references));
 }
 
+/// A side view of a foil is its silhouette; what that costs is measured in docs/tem-projection.md.
+void add_projection_alert(PreparedMeasurement& prepared) {
+    const auto& metadata = topography::metadata(prepared.measurement);
+    const auto entry = metadata.attributes.find("foil_thickness");
+    if (entry == metadata.attributes.end()) return;
+    const double thickness = parse_quantity(entry->second, dimension::length);
+    if (!(thickness > 0.0)) return;
+    prepared.alerts.push_back({"FOIL_PROJECTION", topography::label(metadata),
+                               fmt::format("the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third "
+                                           "low, and the rms slope 1 to 7 %", thickness * 1e9, 10.0 * thickness * 1e9),
+                               "take thinner foils; laboratory::projection_bias gives the factor for a spectrum, docs/tem-projection.md a table"});
+}
+
 /// Lines with undefined points become polylines through the others; contours become functions of x.
 void make_analysable(PreparedMeasurement& prepared) {
     auto& measurement = prepared.measurement;
@@ -64,6 +78,7 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
         prepared.measurement = subtract_references(*scan, input, options);
     }
     make_analysable(prepared);
+    add_projection_alert(prepared);
     const auto& instrument = topography::metadata(prepared.measurement).instrument.type;
     prepared.trend = input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(instrument)));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);

@@ -65,7 +65,7 @@ workflow::ContourOptions options_of(const Arguments& a) {
     options.calibration.ignore_stated_pixel_size = a.ignore_stated;
     if (!a.calibration.empty()) {
         if (!a.pixel.empty() || !a.scale_bar.empty()) throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
-        options.shared_calibration = imaging::read_calibration(a.calibration);
+        options.shared_calibration = imaging::read_calibration(a.calibration).calibration;
     }
     return options;
 }
@@ -191,7 +191,7 @@ ExitCode run(const Arguments& a) {
         workflow::add_rows(table, *outcome.picture);
         if (a.common.json) json.push_back(workflow::to_json(*outcome.picture, options));
     }
-    if (!a.save_calibration.empty() && failed == 0) imaging::write_calibration(a.save_calibration, outcomes.front().picture->calibration, pictures.front(), outcomes.front().picture->digest);
+    if (!a.save_calibration.empty() && failed == 0) imaging::write_calibration(a.save_calibration, imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
     if (batch && !a.output.empty()) io::write_whole_file((fs::path(a.output) / "contours.csv").string(), workflow::as_csv(table));
     if (a.common.json) print_json(batch ? json : json.front());
     else if (batch || !a.output.empty()) print(workflow::as_text(table));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct EmdFile {
     std::string unit_x = "[n_m]", unit_y = "[n_m]";  ///< as fixed text; Velox takes the pixel's unit from the first
     double step_x = 0.5, step_y = 0.25;
     bool pixels_written = true;
+    std::optional<std::string> metadata;  ///< Velox' JSON; unset: of step, unit and a Titan of 300 kV
 
     [[nodiscard]] std::string bytes() const {
         const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -39,7 +41,11 @@ private:
     /// A dataset whose numbers are 1, 2, 3 …, each `repeats` times.
     hid_t dataset(hid_t group, const char* name, const std::vector<hsize_t>& shape, std::size_t repeats) const {
         const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), properties = H5Pcreate(H5P_DATASET_CREATE);
-        if (packed || !pixels_written) H5Pset_chunk(properties, static_cast<int>(shape.size()), std::vector<hsize_t>(shape.size(), 1).data());
+        if (packed || !pixels_written) {
+            auto chunk = shape;
+            for (auto& side : chunk) side = std::clamp<hsize_t>(side, 1, 16);
+            H5Pset_chunk(properties, static_cast<int>(shape.size()), chunk.data());
+        }
         if (packed) H5Pset_deflate(properties, 6);
         const hid_t data = H5Dcreate2(group, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
         if (pixels_written) {
@@ -81,8 +87,9 @@ private:
     void write_velox(hid_t file) const {
         const hid_t outer = group_in(file, "Data"), images = group_in(outer, "Image"), image = group_in(images, "0123abcd");
         H5Dclose(dataset(image, "Data", sides.empty() ? std::vector<hsize_t>{rows, columns, 2} : sides, 2));
-        const std::string json = R"({"BinaryResult": {"PixelSize": {"width": ")" + std::to_string(step_x) + R"(", "height": ")" + std::to_string(step_y) + R"("}, "PixelUnitX": ")" + unit_x +
-                                 R"(", "PixelUnitY": ")" + unit_x + R"("}, "Instrument": {"InstrumentClass": "Titan"}, "Optics": {"AccelerationVoltage": "300000"}})";
+        const std::string json = metadata.value_or(R"({"BinaryResult": {"PixelSize": {"width": ")" + std::to_string(step_x) + R"(", "height": ")" + std::to_string(step_y) +
+                                                   R"("}, "PixelUnitX": ")" + unit_x + R"(", "PixelUnitY": ")" + unit_x +
+                                                   R"("}, "Instrument": {"InstrumentClass": "Titan"}, "Optics": {"AccelerationVoltage": "300000"}})");
         const hsize_t shape[] = {json.size() + 5, 1};
         const hid_t space = H5Screate_simple(2, shape, nullptr), data = H5Dcreate2(image, "Metadata", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         const std::string padded = json + std::string(5, '\0');

@@ -118,6 +118,17 @@ TEST(TiffMicrograph, MarksInstrumentsUntestedOnRealFiles) {
     EXPECT_TRUE(has_alert(sightx, "UNTESTED_FORMAT"));
 }
 
+/// Found by fuzzing: memory for a strip was taken before the file was asked for it.
+TEST(TiffMicrograph, TakesNoMemoryForAStripThatTheFileCannotHold) {
+    const TiffFile tiff{.big_tiff = true};
+    expect_refusal(tiff.bytes({{TiffField{279, 16, 1, Bytes{}.whole(std::uint64_t{1} << 60, 8)}, tiff.shorts(259, 5)}}), "truncated");
+}
+
+TEST(TiffMicrograph, RefusesTilesLargerThanAnyPicture) {
+    const TiffFile tiff;
+    expect_refusal(tiff.bytes({{tiff.longs(322, 1 << 14), tiff.longs(323, 1 << 14), tiff.longs(324, 8), tiff.longs(325, 12)}}), "tiles of 16384 × 16384");
+}
+
 TEST(TiffMicrograph, RefusesDirectoriesThatOverlapOrEnd) {
     const TiffFile tiff;
     auto ring = tiff.bytes();

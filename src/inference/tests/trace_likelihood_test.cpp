@@ -34,10 +34,12 @@ topography::Profile traced(std::uint64_t seed) {
     return profile;
 }
 
-LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1) {
+/// stated: noise by the profile over its true noise.
+LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1, double stated = 1.0) {
     std::vector<ObservedSurface> contours;
     for (std::uint64_t seed = first_seed; seed < first_seed + 8; ++seed) {
         auto profile = traced(seed);
+        profile.response->noise_density *= stated;
         if (!with_response) profile.response.reset();
         contours.push_back({profile, topography::Trend::mean});
     }
@@ -75,6 +77,12 @@ TEST(LikelihoodOfTraces, HoldTheTruthThroughNoiseBlurAndSmoothing) {
     }
     EXPECT_GE(sums.size(), 5u);
     for (const double mean : sums) EXPECT_LT(std::abs(mean), 3.0 / std::sqrt(sets));
+}
+
+TEST(LikelihoodOfTraces, BearNoiseStatedAThirdTooLow) {
+    const auto fit = fitted(true, 1, 0.67);  // two standard deviations of what is known of it
+    EXPECT_TRUE(fit.converged);
+    EXPECT_LT(mean_square(departures(fit)), 3.0);
 }
 
 TEST(LikelihoodOfTraces, AreBiasedByManyErrorsWithoutTheirResponse) { EXPECT_GT(mean_square(departures(fitted(false))), 30.0); }

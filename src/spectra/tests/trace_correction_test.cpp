@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
@@ -11,6 +12,7 @@
 #include "setae/spectra/power_spectrum.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/trace_response.hpp"
+#include "setae/topography/traced_curve.hpp"
 
 namespace {
 
@@ -90,6 +92,51 @@ void expect_truth(bool irregular) {
 TEST(TraceCorrection, FreesEqualStepsOfNoiseBlurAndSmoothing) { expect_truth(false); }
 
 TEST(TraceCorrection, FreesIrregularStepsOfNoiseBlurAndSmoothing) { expect_truth(true); }
+
+TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlongIt) {
+    // points at equal lengths of curves of rms slope 0.4, displaced along their normals, both coordinates smoothed along the curve
+    constexpr Index n = 400, refinement = 8;
+    const double sigma = 0.1, smoothing = 0.8;
+    const auto C1D = [](double q) { return q > 2.0 ? 0.0 : 3000.0 * std::pow(1.0 + std::pow(q / 0.05, 2), -1.7); };
+    Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n - 2, n);
+    for (Index i = 0; i + 2 < n; ++i) differences.row(i).segment(i, 3) << 1.0, -2.0, 1.0;
+    const Eigen::LLT<Eigen::MatrixXd> smoother(Eigen::MatrixXd::Identity(n, n) + std::pow(smoothing, 4) * differences.transpose() * differences);
+    const std::vector<double> edges{0.08, 0.08 * std::sqrt(10.0), 0.8};
+    double sums[2] = {0.0, 0.0}, counts[2] = {0.0, 0.0};
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        synthesis::SurfaceOptions options;
+        options.key.seed = seed;
+        const auto fine = synthesis::random_line(C1D, {1024 * refinement, 1024.0}, options);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal;
+        Eigen::MatrixXd curve(n, 2);
+        double along = 0.0;
+        for (Index i = 1, k = 0; k < n; ++i) {
+            const double dx = 1.0 / refinement, dy = fine.heights[i] - fine.heights[i - 1], length = std::hypot(dx, dy);
+            for (; k < n && along + length >= static_cast<double>(k); ++k) {
+                const double t = (static_cast<double>(k) - along) / length, shift = sigma * normal(random);
+                curve(k, 0) = (static_cast<double>(i - 1) + t) * dx - shift * dy / length;
+                curve(k, 1) = fine.heights[i - 1] + t * dy + shift * dx / length;
+            }
+            along += length;
+        }
+        const Eigen::MatrixXd smooth = smoother.solve(curve);
+        topography::TracedCurve trace;
+        trace.x = smooth.col(0).array();
+        trace.y = smooth.col(1).array();
+        trace.standard_error = Array1D::Constant(n, sigma);
+        trace.response = TraceResponse{0.0, smoothing, 1.0, sigma * sigma};
+        const auto spectrum = power_spectrum(topography::levelled(trace, topography::Reentrance::envelope).profile);
+        for (Index k = 0; k < spectrum.wavevector.size(); ++k)
+            for (std::size_t i = 0; i < 2; ++i)
+                if (spectrum.wavevector[k] >= edges[i] && spectrum.wavevector[k] < edges[i + 1]) {
+                    sums[i] += spectrum.C1D[k] / C1D(spectrum.wavevector[k]);
+                    counts[i] += 1.0;
+                }
+    }
+    // periodograms under a Hann window: two modes are worth about one
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(sums[i] / counts[i], 1.0, std::max(0.1, 2.0 * std::sqrt(2.0 / counts[i]))) << i;
+}
 
 TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
     SpectrumOptions as_traced;

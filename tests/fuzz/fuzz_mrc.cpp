@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/imaging/mrc_file.hpp"
+#include "fuzz_target.hpp"
+
+using namespace setae::imaging;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto bytes = setae::fuzz::text_of(data, size);
+    if (!is_mrc(bytes)) return 0;
+    setae::fuzz::read_or_refuse([&] { return read_mrc(RandomAccess("input", bytes), setae::fuzz::options); });
+    return 0;
+}

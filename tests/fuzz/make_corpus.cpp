@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the corpora that fuzzing begins with, FOLDER/<target>/…, from the builders of the tests.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "../../src/imaging/tests/micrograph_samples.hpp"
+#include "../../src/imaging/tests/recordings.hpp"
+
+namespace {
+
+using namespace setae::imaging::tests;
+
+std::string target_of(const std::string& name) {
+    const auto format = name.substr(0, name.find(' '));
+    if (format == "dm3" || format == "dm4") return "dm";
+    if (format == "png" || format == "jpeg" || format == "bmp") return "picture";
+    return format;
+}
+
+std::vector<Sample> films() {
+    setae::imaging::FramePixels frame(6, 8);
+    for (long i = 0; i < frame.size(); ++i) frame.data()[i] = static_cast<float>(5 * i);
+    const auto rows = [&](int bytes) { return bitmap_rows(frame, bytes); };
+    return {{"avi 8 bit", avi({rows(1), rows(1)}, 8, 6, 8, std::string(4, '\0'), 20, grey_palette())},
+            {"avi 24 bit", avi({rows(3), rows(3)}, 8, 6, 24, std::string(4, '\0'), 20)},
+            {"avi Motion JPEG", avi({encoded(frame, ".jpg"), encoded(frame, ".jpg")}, 8, 6, 24, "MJPG", 20)},
+            {"avi yuyv", avi({rows(2)}, 8, 6, 16, "YUY2", 20)}};
+}
+
+/// Descriptions of EMDs, as fuzz_emd.cpp understands them.
+std::vector<Sample> descriptions() {
+    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) { return std::string(numbers.begin(), numbers.end()) + text; };
+    return {{"emd NCEM", told({0, 0, 1, rows, columns, 129}, "[n_m]\n[n_m]\n")},
+            {"emd packed", told({2, 4, 2, 2, rows, columns, 130}, "[u_m]\n[n_m^-1]\n")},
+            {"emd spectrum", told({0, 5, 0, 9, 129}, "[eV]\n[eV]\n")},
+            {"emd huge", told({4, 1, 1, 30, 255, 129}, "m\nm\n")},
+            {"emd Velox", told({1, 1, 2, rows, columns, 2, 129}, "m\nm\n{\"BinaryResult\": {\"PixelSize\": {\"width\": \"1e-10\", \"height\": \"1e-10\"}, \"PixelUnitX\": \"m\", \"PixelUnitY\": \"m\"}}")}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("usage: make_corpus FOLDER\n", stderr);
+        return 2;
+    }
+    auto samples = micrograph_samples();
+    std::erase_if(samples, [](const Sample& sample) { return target_of(sample.first) == "emd"; });
+    for (const auto& description : descriptions()) samples.push_back(description);
+    for (const auto& large : micrographs_of(30000)) samples.emplace_back(large.first + " large", large.second);
+    for (const auto& film : films()) samples.push_back(film);
+    for (auto [name, content] : samples) {
+        const auto folder = std::filesystem::path(argv[1]) / target_of(name);
+        std::filesystem::create_directories(folder);
+        for (auto& c : name)
+            if (c == ' ') c = '_';
+        std::ofstream(folder / name, std::ios::binary) << content;
+    }
+    return 0;
+}
