@@ -62,9 +62,10 @@ Array1D distances_of_truth(const imaging::ContourTrace& trace, const RenderedCon
 
 double rms(const Array1D& values) { return std::sqrt(values.square().mean()); }
 
-/// The part of the curve that the trace covers, from the place nearest to its beginning to that nearest to its end.
-PixelCurve covered_part(const PixelCurve& truth, const NearestPlace& begin, const NearestPlace& end) {
-    if (begin.segment >= end.segment) return truth;
+/// The part of the curve that the trace covers, between the places nearest to its ends.
+PixelCurve covered_part(const PixelCurve& truth, NearestPlace begin, NearestPlace end) {
+    if (begin.segment > end.segment) std::swap(begin, end);
+    if (begin.segment == end.segment) return truth;
     const Index inner = end.segment - begin.segment;
     PixelCurve part{Array1D(inner + 2), Array1D(inner + 2)};
     part.x << begin.x, truth.x.segment(begin.segment + 1, inner), end.x;
@@ -163,6 +164,7 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
     const Array1D back = distances_of_truth(trace, rendered);
 
     ContourTrial trial{.segments = static_cast<int>(trace.segments.size()), .smoothing_length = segment.smoothing_length, .edge_width = segment.edge_width};
+    trial.vacuum_mistaken = there.places.front().segment > there.places.back().segment;
     trial.completeness = (back.abs() < traced_within).cast<double>().mean();
     trial.rms_error = std::max(rms(there.of_trace), rms(back));
     trial.largest_error = std::max(there.of_trace.abs().maxCoeff(), back.abs().maxCoeff());

@@ -50,6 +50,7 @@ ContourRow row_of(const Members& members) {
         row.spectrum_ratio[band] = over_runs(members, 1.0, [band](const auto& t) { return t.spectrum_ratio[band]; });
     for (const auto* trial : members) {
         if (!trial->refusal.empty()) ++row.refused;
+        if (trial->vacuum_mistaken) ++row.vacuum_mistaken;
         row.overhangs += trial->overhangs;
         row.overhangs_found += trial->overhangs_found;
         row.overhangs_false += trial->overhangs_false;
@@ -72,6 +73,7 @@ void judge(std::vector<ContourVerdict>& verdicts, const ContourRow& row) {
     const auto add = [&](const std::string& criterion, bool passed, const std::string& found) { verdicts.push_back({row.kind, criterion, passed, found}); };
     add("every picture traced", row.refused == 0, fmt::format("{} of {} refused", row.refused, row.runs));
     if (row.refused == row.runs) return;
+    add("vacuum told from the sample", row.vacuum_mistaken == 0, fmt::format("mistaken in {} of {}", row.vacuum_mistaken, row.runs));
     add(fmt::format("rms error below {} px in every run", largest_rms_error), row.rms_error.worst < largest_rms_error,
         fmt::format("{:.3f} px on average, {:.3f} px in run {}", row.rms_error.mean, row.rms_error.worst, row.rms_error.worst_run));
     add("overhangs all found, none false", row.overhangs_found == row.overhangs && row.overhangs_false == 0,
@@ -130,7 +132,7 @@ std::string contour_table(const std::vector<ContourRow>& rows) {
 }
 
 std::string contour_trials_csv(const std::vector<ContourTrial>& trials) {
-    std::string text = "kind,run,segments,completeness,rms_error,largest_error,offset,within_two_errors,rms_height_ratio,floor_ratio,smoothing_length,edge_width,overhangs,overhangs_found,"
+    std::string text = "kind,run,segments,vacuum_mistaken,completeness,rms_error,largest_error,offset,within_two_errors,rms_height_ratio,floor_ratio,smoothing_length,edge_width,overhangs,overhangs_found,"
                        "overhangs_false,overhang_depth_ratio";
     for (std::size_t band = 0; band < spectrum_band_ends.size(); ++band) text += fmt::format(",spectrum_ratio_{:.0f}_{:.0f}", band_ends(band)[0], band_ends(band)[1]);
     text += ",refusal\n";
@@ -138,7 +140,7 @@ std::string contour_trials_csv(const std::vector<ContourTrial>& trials) {
     for (const auto& t : trials) {
         const bool refused = !t.refusal.empty();
         const auto number = [&](double value) { return refused ? std::string() : cell(value); };
-        text += fmt::format("\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", t.kind, t.run, t.segments, number(t.completeness), number(t.rms_error), number(t.largest_error), number(t.offset),
+        text += fmt::format("\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", t.kind, t.run, t.segments, t.vacuum_mistaken ? 1 : 0, number(t.completeness), number(t.rms_error), number(t.largest_error), number(t.offset),
                             number(t.within_two_errors), number(t.rms_height_ratio), number(t.floor_ratio), number(t.smoothing_length), number(t.edge_width), t.overhangs, t.overhangs_found,
                             t.overhangs_false, number(t.overhang_depth_ratio));
         for (const double ratio : t.spectrum_ratio) text += "," + number(ratio);

@@ -38,6 +38,7 @@ workflow::Json json_of(const closure::ContourRow& row) {
                         {"judged", row.judged},
                         {"runs", row.runs},
                         {"refused", row.refused},
+                        {"vacuum_mistaken", row.vacuum_mistaken},
                         {"completeness", json_of(row.completeness)},
                         {"rms_error_px", json_of(row.rms_error)},
                         {"largest_error_px", json_of(row.largest_error)},

@@ -85,6 +85,16 @@ TEST(ContourComparison, TellsAnOffsetWithItsSign) {
     EXPECT_EQ(compared(moved(rendered, [](Index) { return -0.7; }), rendered).within_two_errors, 0.0);
 }
 
+TEST(ContourComparison, TellsATraceThatTakesTheSampleForVacuum) {
+    const auto rendered = contour();
+    auto trace = moved(rendered, [](Index) { return 0.0; });
+    EXPECT_FALSE(compared(trace, rendered).vacuum_mistaken);
+    for (auto* places : {&trace.segments.front().x, &trace.segments.front().y}) places->reverseInPlace();
+    const auto trial = compared(trace, rendered);
+    EXPECT_TRUE(trial.vacuum_mistaken);
+    EXPECT_NEAR(trial.rms_height_ratio, 1.0, 1e-3);
+}
+
 TEST(ContourComparison, FindsScatterAndItsDensity) {
     const auto rendered = contour();
     const auto noise = synthesis::normal_numbers({5, 0}, 0, rendered.truth.curve.x.size());
@@ -204,7 +214,7 @@ TEST(ContourSummary, JudgesByTheWorstRunAndTheMeanSpectrum) {
     for (const auto& verdict : contour_verdicts(rows))
         if (!verdict.passed) failed.push_back(verdict.criterion);
     EXPECT_EQ(failed, (std::vector<std::string>{"rms error below 0.5 px in every run", "C1D of waves of 1000 to 316 px within 10 % on average"}));
-    EXPECT_NE(contour_table(rows).find("4 of 6 criteria met"), std::string::npos);
+    EXPECT_NE(contour_table(rows).find("5 of 7 criteria met"), std::string::npos);
 }
 
 }  // namespace

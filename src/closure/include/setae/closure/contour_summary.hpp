@@ -21,7 +21,7 @@ struct OverRuns {
 struct ContourRow {
     std::string kind;
     bool judged = true, profile_judged = true;
-    int runs = 0, refused = 0;
+    int runs = 0, refused = 0, vacuum_mistaken = 0;
     OverRuns segments, completeness, rms_error, largest_error, offset, within_two_errors, rms_height_ratio, floor_ratio, overhang_depth_ratio;
     std::array<OverRuns, 5> spectrum_ratio;
     int overhangs = 0, overhangs_found = 0, overhangs_false = 0;
@@ -37,7 +37,7 @@ struct ContourVerdict {
     std::string found;            ///< "0.41 px on average, 0.47 px in run 12"
 };
 
-/// Of judged kinds: no picture refused; rms error below 0.5 px in every run; overhangs all found and none false; where the profile
+/// Of judged kinds: no picture refused; vacuum told from the sample; rms error below 0.5 px in every run; overhangs all found and none false; where the profile
 /// is judged, Rq within 2 % in every run and C1D within 10 % in each half decade on average.
 [[nodiscard]] std::vector<ContourVerdict> contour_verdicts(const std::vector<ContourRow>& rows);
 

@@ -52,6 +52,7 @@ struct ContourTrial {
     bool judged = true, profile_judged = true;  ///< as of the kind
     std::string refusal;               ///< why there is no trace
     int segments = 0;
+    bool vacuum_mistaken = false;      ///< the trace runs with the sample on its left hand
     double completeness = 0.0;         ///< share of the curve's length within the picture that has a trace within 3 px
     double rms_error = 0.0;            ///< root mean square distance along the normal, the larger of trace to curve and curve to trace
     double largest_error = 0.0;        ///< of both ways
