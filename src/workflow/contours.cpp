@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -61,6 +62,12 @@ void take(std::vector<Alert>& alerts, std::vector<Alert> more, const std::string
     }
 }
 
+/// A message that begins with the file.
+std::string named(const std::string& path, const Error& error) {
+    const std::string message = error.what();
+    return message.starts_with(path) ? message : path + ": " + message;
+}
+
 std::string curve_text(const ContourProfile& profile) {
     const auto& curve = profile.curve;
     std::string text = "s [m],x [m],y [m],standard_error [m]\n";
@@ -98,9 +105,9 @@ TracedPicture trace_picture(const std::string& path, const ContourOptions& optio
             take(picture.alerts, picture.profiles.back().levelled.alerts, picture.trace.segments.size() > 1 ? fmt::format("{}, segment {}", path, i + 1) : path);
         }
     } catch (const InvalidArgument& error) {
-        throw InvalidArgument(path + ": " + error.what());
+        throw InvalidArgument(named(path, error));
     } catch (const UndefinedDataError& error) {
-        throw UndefinedDataError(path + ": " + error.what());
+        throw UndefinedDataError(named(path, error));
     }
     if (!picture.trace.binary) picture.alerts.push_back(foil_alert(path, options.foil_thickness));
     return picture;
@@ -117,7 +124,7 @@ std::string profile_text(const TracedPicture& picture, std::size_t segment, Cont
 
 TidyTable contour_table() {
     return {"", {"file", "segment", "state", "pixel_x [m]", "pixel_y [m]", "length [m]", "points", "Rq [m]", "rms_error [m]", "noise_density [m3]", "blur [m]", "contrast_to_noise", "rotation [rad]",
-                 "tortuosity", "reentrant_share", "reentrant_stretches", "alerts"}, {}};
+                 "tortuosity", "reentrant_share", "reentrant_stretches", "alerts or failure"}, {}};
 }
 
 void add_rows(TidyTable& table, const TracedPicture& picture) {
@@ -136,9 +143,9 @@ void add_rows(TidyTable& table, const TracedPicture& picture) {
 
 void add_failure(TidyTable& table, const std::string& path, const std::string& error) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    std::vector<TidyTable::Cell> row{path, none, "failed: " + error};
+    std::vector<TidyTable::Cell> row{path, none, std::string("failed")};
     while (row.size() + 1 < table.columns.size()) row.emplace_back(none);
-    row.emplace_back(std::string());
+    row.emplace_back(error);
     table.rows.push_back(row);
 }
 
