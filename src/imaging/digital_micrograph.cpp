@@ -102,7 +102,7 @@ Micrograph read_digital_micrograph(const RandomAccess& file, const MicrographOpt
     const auto* numbers = data ? data->find("Data") : nullptr;
     const auto* dimensions = data ? data->find("Dimensions") : nullptr;
     const auto data_type = data ? index_of(data->number_at("DataType")) : std::nullopt;
-    if (!numbers || !numbers->element || !dimensions || !data_type) throw damaged("an image without data, dimensions or a type of data: damaged");
+    if (!numbers || numbers->bytes == 0 || !dimensions || !data_type) throw damaged("an image without data, dimensions or a type of data: damaged");
 
     std::vector<std::uint64_t> lengths;
     for (const auto& dimension : dimensions->tags) {

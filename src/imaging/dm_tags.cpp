@@ -13,6 +13,9 @@
 namespace setae::imaging {
 namespace {
 
+/// Types of numbers in tags, as the files number them.
+enum class DmType { int16 = 2, int32 = 3, uint16 = 4, uint32 = 5, float32 = 6, float64 = 7, boolean = 8, int8 = 9, uint8 = 10, int64 = 11, uint64 = 12 };
+
 constexpr int deepest_group = 64;
 constexpr std::uint64_t most_tags = 200'000;      // real files have some thousands
 constexpr std::uint64_t longest_text = 16'384;    // characters; longer arrays of 16-bit numbers are data
@@ -107,8 +110,7 @@ private:
         } else if (kind == kind_array && words > 2) {
             const auto count = types_.back();
             tag.bytes = times(count, element_bytes(1, begin), begin);
-            if (words == 3) tag.element = static_cast<DmType>(types_[1]);
-            if (tag.element == DmType::uint16 && count <= longest_text) keep_text(tag);
+            if (words == 3 && static_cast<DmType>(types_[1]) == DmType::uint16 && count <= longest_text) keep_text(tag);
         } else {
             tag.bytes = element_bytes(0, begin);
         }

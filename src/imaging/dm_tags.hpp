@@ -11,9 +11,6 @@
 
 namespace setae::imaging {
 
-/// Types of numbers in tags, as the files number them.
-enum class DmType { int16 = 2, int32 = 3, uint16 = 4, uint32 = 5, float32 = 6, float64 = 7, boolean = 8, int8 = 9, uint8 = 10, int64 = 11, uint64 = 12 };
-
 /// A tag: a group of tags, a number, a text, or numbers that are left in the file.
 struct DmTag {
     std::string name;              ///< empty for members of a list
@@ -21,8 +18,7 @@ struct DmTag {
     std::optional<double> number;
     std::string text;              ///< a string, or an array of 16-bit numbers short enough for one
     std::uint64_t offset = 0;      ///< of its data in the file; of a group's, of its first tag
-    std::uint64_t bytes = 0;       ///< of an array
-    std::optional<DmType> element; ///< of an array of numbers
+    std::uint64_t bytes = 0;       ///< of an array, a string or a structure
 
     /// The tag at a path such as "ImageData/Calibrations", members of lists by their place from 0; nullptr where there is none.
     [[nodiscard]] const DmTag* find(std::string_view path) const;

@@ -30,14 +30,6 @@ std::string_view symbol_of(std::string_view unit) {
     return unit;
 }
 
-std::optional<double> metres_of(std::string_view unit) {
-    try {
-        return unit_factor(symbol_of(unit), dimension::length);
-    } catch (const InvalidArgument&) {
-        return std::nullopt;
-    }
-}
-
 bool no_unit(std::string_view unit) { return unit.empty() || unit == "pixels" || unit == "pixel" || unit == "px"; }
 
 bool reciprocal(std::string_view unit) { return unit.find("1/") != std::string_view::npos || unit.find("-1") != std::string_view::npos || unit.find("\xE2\x81\xBB\xC2\xB9") != std::string_view::npos; }
@@ -51,6 +43,15 @@ void put_utf8(std::string& text, std::uint32_t point) {
 }
 
 }  // namespace
+
+std::optional<double> metres_of(std::string_view unit) {
+    if (unit == "inch") return 0.0254;
+    try {
+        return unit_factor(symbol_of(unit), dimension::length);
+    } catch (const InvalidArgument&) {
+        return std::nullopt;
+    }
+}
 
 Micrograph unread_micrograph(const RandomAccess& file, std::string format) {
     Micrograph micrograph;

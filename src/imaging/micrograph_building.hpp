@@ -21,6 +21,12 @@ struct AxisScale {
 /// A micrograph that knows its file and format, and nothing else yet.
 [[nodiscard]] Micrograph unread_micrograph(const RandomAccess& file, std::string format);
 
+/// Pixels [m] larger than this stand for what printers and screens are told, not for a microscope.
+inline constexpr double coarsest_pixel = 20e-6;
+
+/// Metres of a unit of length as programs of microscopes write it, UTF-8; nothing where it is no length.
+[[nodiscard]] std::optional<double> metres_of(std::string_view unit);
+
 /// Puts a pixel size into a micrograph, or the alert that says why there is none: RECIPROCAL_UNITS, UNKNOWN_UNIT,
 /// BAD_CALIBRATION; PIXELS_NOT_SQUARE where width and height differ by more than 0.1 %.
 void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale& y, const std::string& source);

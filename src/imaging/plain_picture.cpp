@@ -9,8 +9,6 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double coarsest = 20e-6;  // [m]; larger pixels are what printers and screens are told
-
 /// Width and height of a pixel by the chunk pHYs. Source: PNG specification (third edition), 11.3.4.3.
 std::optional<PixelSize> png_pixel_size(std::string_view bytes) {
     const auto chunk = png_chunk(bytes, "pHYs");
@@ -38,7 +36,7 @@ Micrograph read_plain_picture(const RandomAccess& file, const MicrographOptions&
         throw FormatError(file.path(), {.offset = 0}, "the decoded picture has another size than its header states: damaged");
     micrograph.pixels = std::move(frame.pixels);
     if (micrograph.format == "png")
-        if (const auto pixel = png_pixel_size(bytes); pixel && pixel->x < coarsest && pixel->y < coarsest)
+        if (const auto pixel = png_pixel_size(bytes); pixel && pixel->x < coarsest_pixel && pixel->y < coarsest_pixel)
             set_pixel_size(micrograph, {pixel->x, "m"}, {pixel->y, "m"}, "PNG pHYs");
     return micrograph;
 }

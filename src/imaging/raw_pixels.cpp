@@ -52,7 +52,7 @@ void convert_complex(const char* from, bool swap, std::uint64_t count, float* to
 void convert_colour(const char* from, bool swap, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto packed = value_at<std::uint32_t>(from + 4 * i, swap);
-        to[i] = static_cast<float>(0.299 * static_cast<double>((packed >> 16) & 255) + 0.587 * static_cast<double>((packed >> 8) & 255) + 0.114 * static_cast<double>(packed & 255));
+        to[i] = luminance_of((packed >> 16) & 255, (packed >> 8) & 255, packed & 255);
     }
 }
 
@@ -137,7 +137,7 @@ std::optional<FramePixels> pixels_in(std::string_view bytes, const RawPixels& la
         convert_samples(bytes.data() + i * row_bytes, layout.type, layout.big_endian, samples, channels > 1 ? row.data() : to);
         for (std::uint64_t j = 0; channels > 1 && j < width; ++j) {
             const float* at = row.data() + j * static_cast<std::uint64_t>(channels);
-            to[j] = channels < 3 ? at[0] : static_cast<float>(0.299 * static_cast<double>(at[0]) + 0.587 * static_cast<double>(at[1]) + 0.114 * static_cast<double>(at[2]));
+            to[j] = channels < 3 ? at[0] : luminance_of(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
         }
     }
     return pixels;

@@ -21,8 +21,6 @@ constexpr int description = 270, make = 271, model = 272, x_resolution = 282, y_
               zeiss = 34118, fei_sfeg = 34680, fei_helios = 34682, dm_unit_x = 65003, dm_unit_y = 65004, dm_scale_x = 65009, dm_scale_y = 65010;
 }
 
-constexpr double coarsest = 20e-6;  // [m]; larger pixels are what printers are told
-
 using Section = std::map<std::string, std::string>;
 
 /// "[section]" lines and "key=value" lines between them.
@@ -196,13 +194,10 @@ bool read_jeol(const TiffStack& stack, const TiffPage& page, Micrograph& microgr
 }
 
 bool read_imagej(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
-    auto unit = stack.description("unit");
+    const auto unit = stack.description("unit");
     const auto x = stack.real(page, tag::x_resolution), y = stack.real(page, tag::y_resolution);
     if (!unit || !x || !(*x > 0) || (y && !(*y > 0))) return false;
-    unit = text_of(*unit);
-    const double factor = *unit == "inch" ? 25.4 : 1.0;
-    if (*unit == "inch") unit = "mm";
-    set_pixel_size(micrograph, {factor / *x, *unit}, {factor / y.value_or(*x), *unit}, "ImageJ calibration");
+    set_pixel_size(micrograph, {1.0 / *x, text_of(*unit)}, {1.0 / y.value_or(*x), text_of(*unit)}, "ImageJ calibration");
     return true;
 }
 
@@ -219,7 +214,7 @@ void read_tiff_calibration(const TiffStack& stack, std::size_t index, Micrograph
                         read_ome(stack, micrograph) || read_jeol(stack, page, micrograph) || read_imagej(stack, page, micrograph);
     if (stated) return;
     const auto size = printed_size(stack, page);
-    if (size && size->x < coarsest && size->y < coarsest) set_pixel_size(micrograph, {size->x, "m"}, {size->y, "m"}, "TIFF resolution");
+    if (size && size->x < coarsest_pixel && size->y < coarsest_pixel) set_pixel_size(micrograph, {size->x, "m"}, {size->y, "m"}, "TIFF resolution");
 }
 
 }  // namespace setae::imaging

@@ -41,17 +41,6 @@ std::optional<double> parsed(std::string_view text) {
     return value;
 }
 
-/// Metres of ImageJ's unit of length; nothing where it is no length.
-std::optional<double> metres(std::string_view unit) {
-    if (unit == "\\u00B5m" || unit == "micron" || unit == "microns" || unit == "um" || unit == "\xC2\xB5m" || unit == "\xCE\xBCm" || unit == "\xB5m") return 1e-6;
-    if (unit == "nm") return 1e-9;
-    if (unit == "mm") return 1e-3;
-    if (unit == "cm") return 1e-2;
-    if (unit == "m") return 1.0;
-    if (unit == "inch") return 0.0254;
-    return std::nullopt;
-}
-
 std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) {
     switch (10 * bits + format) {
         case 81: return SampleType::uint8;
@@ -193,10 +182,10 @@ std::optional<double> TiffStack::pixel_size() const {
     if (!x) return std::nullopt;
     const auto stated = description("unit");
     const auto tag_unit = number(page, tag::resolution_unit).value_or(2);
-    std::optional<double> unit = stated ? metres(*stated) : tag_unit == 2 ? std::optional(0.0254) : tag_unit == 3 ? std::optional(0.01) : std::nullopt;
+    std::optional<double> unit = stated ? metres_of(text_of(*stated)) : tag_unit == 2 ? std::optional(0.0254) : tag_unit == 3 ? std::optional(0.01) : std::nullopt;
     if (!unit) return std::nullopt;
     const double size = *unit / *x;
-    if (!stated && size > 20e-6) return std::nullopt;  // what printers are told
+    if (!stated && size > coarsest_pixel) return std::nullopt;
     if (y && std::abs(*y / *x - 1.0) > 1e-3)
         throw InvalidArgument(fmt::format("{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels, resample the frames", file_.path(), size, *unit / *y));
     return size;

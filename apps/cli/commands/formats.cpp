@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include "setae/imaging/micrograph.hpp"
 #include "setae/io/force_curve.hpp"
 #include "setae/io/format.hpp"
 #include "setae/workflow/tidy_table.hpp"
@@ -9,10 +10,30 @@
 namespace setae::cli {
 namespace {
 
+/// Formats that are read alone.
+template <class Formats>
+workflow::Json as_json(const Formats& formats) {
+    workflow::Json list = workflow::Json::array();
+    for (const auto& f : formats)
+        list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
+                        {"reference", f.reference}, {"tested_on_real_files", f.tested_on_real_files}});
+    return list;
+}
+
+std::string yes(bool value) { return value ? "yes" : "no"; }
+
+template <class Formats>
+workflow::TidyTable as_table(const std::string& title, const Formats& formats) {
+    workflow::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
+    for (const auto& f : formats) table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
+    return table;
+}
+
 ExitCode run(const Common& common) {
     if (common.explain) {
         for (const auto& f : io::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
         for (const auto& f : io::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+        for (const auto& f : imaging::micrograph_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
         return ExitCode::done;
     }
     if (common.json) {
@@ -20,20 +41,16 @@ ExitCode run(const Common& common) {
         for (const auto& f : io::formats())
             list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
                             {"reference", f.reference}, {"reads", f.reads}, {"writes", f.writes}, {"tested_on_real_files", f.tested_on_real_files}});
-        workflow::Json curves = workflow::Json::array();
-        for (const auto& f : io::force_curve_formats())
-            curves.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
-                              {"reference", f.reference}, {"tested_on_real_files", f.tested_on_real_files}});
-        print_json({{"formats", list}, {"force_curves", curves}});
+        print_json({{"formats", list}, {"force_curves", as_json(io::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
         return ExitCode::done;
     }
     workflow::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
-    const auto yes = [](bool value) -> std::string { return value ? "yes" : "no"; };
     for (const auto& f : io::formats())
         table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.reads), yes(f.writes), yes(f.tested_on_real_files), f.description});
-    workflow::TidyTable curves{"force curves, for setae jkr", {"format", "name", "extensions", "real files", "description"}, {}};
-    for (const auto& f : io::force_curve_formats()) curves.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
-    print(workflow::as_text(table) + "\n" + workflow::as_text(curves) + "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
+    const auto curves = as_table("force curves, for setae jkr", io::force_curve_formats());
+    const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
+    print(workflow::as_text(table) + "\n" + workflow::as_text(curves) + "\n" + workflow::as_text(micrographs) +
+          "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
     return ExitCode::done;
 }
 

@@ -48,7 +48,7 @@ TEST(DigitalMicrograph, ReadsRealNumbers) {
 
 TEST(DigitalMicrograph, ReadsMagnitudesOfComplexNumbersWithAnAlert) {
     for (const int type : {3, 13}) {
-        DmFile file{.data_type = type, .element = type == 3 ? 6 : 7, .pixels_a_number = 2};
+        DmFile file{.data_type = type, .element = type == 3 ? 6 : 7, .pairs = true};
         for (int i = 1; i <= columns * rows; ++i)
             for (const double part : {0.6 * i, -0.8 * i}) file.pixels += type == 3 ? file.order().real32(static_cast<float>(part)) : file.order().real64(part);
         const auto micrograph = read_bytes(file.bytes());

@@ -36,7 +36,7 @@ struct DmFile {
     std::string pixels;          ///< in the file's order of bytes
     std::vector<std::uint64_t> dimensions{columns, rows};
     std::vector<std::pair<double, std::string>> scales{{0.5, "nm"}, {0.25, "nm"}};  ///< unit as ISO 8859-1
-    std::uint64_t pixels_a_number = 1;  ///< how many numbers of the array make a pixel
+    bool pairs = false;          ///< each pixel is a structure of two numbers, as complex ones are stored
 
     [[nodiscard]] Bytes order() const { return {big_endian}; }
     [[nodiscard]] std::string word(std::uint64_t value) const { return Bytes{true}.whole(value, version == 4 ? 8 : 4); }
@@ -66,15 +66,17 @@ struct DmFile {
         for (const auto side : sides) lengths.push_back(count("", side));
         if (calibrated)
             for (const auto& [scale, unit] : scales) axes.push_back(group("", {real("Origin", 0), real("Scale", scale), text("Units", unit)}));
+        const auto number = static_cast<std::uint64_t>(array_of);
+        const auto array = pairs && calibrated ? std::vector<std::uint64_t>{20, 15, 0, 2, 0, number, 0, number, elements} : std::vector<std::uint64_t>{20, number, elements};
         const auto point = tag("Rectangle", {15, 0, 2, 0, 6, 0, 6}, order().real32(1) + order().real32(2));  // a structure to step over
-        return group("", {group("ImageData", {group("Calibrations", {group("Dimension", axes)}), tag("Data", {20, static_cast<std::uint64_t>(array_of), elements}, data),
+        return group("", {group("ImageData", {group("Calibrations", {group("Dimension", axes)}), tag("Data", array, data),
                                               count("DataType", static_cast<std::uint64_t>(type)), group("Dimensions", lengths)}),
                           group("ImageTags", {point, group("Microscope Info", {real("Voltage", 2e5), real("Indicated Magnification", 1e5), text("Name", "JEM")}),
                                               group("DataBar", {text("Acquisition Date", "1/2/2020"), text("Acquisition Time", "3:04")})})});
     }
     [[nodiscard]] std::string bytes() const {
         const auto thumbnail = image({1, 1}, std::string(4, '\x7F'), 23, 5, 1, false);
-        std::uint64_t elements = pixels_a_number;
+        std::uint64_t elements = 1;
         for (const auto side : dimensions) elements *= side;
         const auto root = members({group("ImageList", {thumbnail, image(dimensions, pixels, data_type, element, elements, true)}), group("ImageSourceList", {group("", {count("ImageRef", 1)})}),
                                    group("Thumbnails", {group("", {count("ImageIndex", 0)})})});
