@@ -106,7 +106,7 @@ void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& sear
     cv::subtract(rows, opened(rows, {1, thickest_bar + 3}), raised);
     double highest = 0;
     cv::minMaxLoc(raised, nullptr, &highest);
-    for (const int threshold : {12, 28, 64, 140}) {
+    for (const int threshold : {12, 24, 40, 60, 85, 120, 160}) {
         if (threshold >= highest) break;
         for (const auto& where : boxes_above(raised, threshold)) {
             if (where.height > thickest_bar + 3 || where.width < least_length) continue;

@@ -99,7 +99,7 @@ TEST(Calibration, OfAFileWithoutBarIsTheFiles) {
 }
 
 TEST(Calibration, RefusesSizesThatContradictEachOther) {
-    expect_holds(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.02e-10, 1.02e-10}}), "folder/soot.tif: the options says 102.0 pm a pixel, the file 100.0 pm");
+    expect_holds(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.02e-10, 1.02e-10}}), "folder/soot.tif: the option says 102.0 pm a pixel, the file 100.0 pm");
     expect_holds(message_of(stating(without_bar(), 1e-10, 1.02e-10), {.pixel_size = PixelSize{1e-10, 1e-10}}), "the file 100.0 pm × 102.0 pm");
     expect_holds(message_of(stating(with_bar(), 1.02 * by_bar)), "the file says 170.0 pm a pixel, the scale bar of 120.0 px, read as 20 nm, 166.7 pm");
     expect_holds(message_of(stating(without_label(), by_bar), {.scale_bar_length = 40e-9}), "given as 40 nm");
