@@ -82,15 +82,18 @@ private:
         while (bar.right < levels_.cols - 1 && belongs(bar.right + 1)) ++bar.right;
         if (bar.left < 2 || bar.right > levels_.cols - 3 || bar.length() < least_length_ || bar.length() < least_aspect * bar.thickness()) return false;
         std::vector<double> differences;
-        for (int x = bar.left; x <= bar.right; ++x) {
-            differences.push_back(sign * (bar.level - at(bar.top - 1, x)));
-            differences.push_back(sign * (bar.level - at(bar.bottom + 1, x)));
-            differences.push_back(sign * (bar.level - at(bar.top - 2, x)));
-            differences.push_back(sign * (bar.level - at(bar.bottom + 2, x)));
-        }
+        for (int x = bar.left; x <= bar.right; ++x)
+            for (const int way : {-1, 1}) {  // the row beside it may be blurred
+                const int edge = way < 0 ? bar.top : bar.bottom;
+                differences.push_back(std::max(sign * (bar.level - at(edge + way, x)), sign * (bar.level - at(edge + 2 * way, x))));
+            }
         bar.contrast = sign * median(std::move(differences));
         const auto core = moments_of(levels_, {bar.left + 1, bar.top, bar.length() - 2, bar.thickness()});
         bar.deviation = core.deviation;
+        // ends that are blurred belong to the bar as far as they are like it by its contrast
+        const auto nearly = [&](int x) { return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <= 0.2 * std::abs(bar.contrast); };
+        while (bar.left > 2 && nearly(bar.left - 1)) --bar.left;
+        while (bar.right < levels_.cols - 3 && nearly(bar.right + 1)) ++bar.right;
         return sign * bar.contrast > 0.5 * height && bar.deviation <= 0.12 * std::abs(bar.contrast);
     }
 
@@ -198,7 +201,8 @@ private:
             const bool one_level = static_cast<double>(off) <= 0.02 * static_cast<double>(ring.size());
             const bool mixed = static_cast<double>(off) > 0.3 * static_cast<double>(ring.size());  // a texture, not some letters
             if (k == 1) {
-                if (!one_level) return;
+                // a ring in between the levels of bar and ground is blur
+                if (!one_level || std::abs(level - bar.level) < 0.6 * std::abs(bar.contrast)) return;
                 first = level;
             } else if (mixed || std::abs(level - first) > tolerance) {
                 if (!framed(bar, k - 1, first)) return;

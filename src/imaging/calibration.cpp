@@ -104,7 +104,7 @@ private:
 
     /// Sizes in the order in which they count.
     void collect() {
-        if (options_.pixel_size) known_.push_back({*options_.pixel_size, 0, false, "given", "the options"});
+        if (options_.pixel_size) known_.push_back({*options_.pixel_size, 0, false, "given", "the option"});
         std::vector<KnownSize> stated;
         if (micrograph_.pixel_size) stated.push_back({*micrograph_.pixel_size, 0, false, "file: " + micrograph_.pixel_size_source, "the file"});
         if (!options_.ignore_stated_pixel_size) known_.insert(known_.end(), stated.begin(), stated.end());

@@ -21,6 +21,77 @@ double length_overlap(const BarCandidate& first, const BarCandidate& second) {
     return static_cast<double>(common) / std::min(first.length(), second.length());
 }
 
+/// Least (or greatest) level of each stretch of `size` pixels that lies within the picture, by doubling stretches.
+cv::Mat1b extreme_of_stretches(cv::Mat1b picture, const cv::Size& size, bool least) {
+    const auto combined = [least](const cv::Mat1b& from, int right, int down) {
+        const int width = from.cols - right, height = from.rows - down;
+        cv::Mat result;
+        const cv::Mat near = from(cv::Rect(0, 0, width, height)), far = from(cv::Rect(right, down, width, height));
+        if (least) cv::min(near, far, result);
+        else cv::max(near, far, result);
+        return cv::Mat1b(result);
+    };
+    const int length = std::max(size.width, size.height);
+    for (int done = 1; done < length;) {
+        const int step = std::min(done, length - done);
+        picture = size.width > 1 ? combined(picture, step, 0) : combined(picture, 0, step);
+        done += step;
+    }
+    return picture;
+}
+
+/// Opening by a line: what is as bright over its length. Darkness where no line fits within the picture.
+cv::Mat1b opened(const cv::Mat1b& picture, const cv::Size& line) {
+    if (picture.cols < line.width || picture.rows < line.height) return cv::Mat1b(picture.size(), 0);
+    cv::Mat1b padded;
+    cv::copyMakeBorder(extreme_of_stretches(picture, line, true), padded, line.height - 1, line.height - 1, line.width - 1, line.width - 1, cv::BORDER_CONSTANT, 0);
+    return extreme_of_stretches(std::move(padded), line, false);
+}
+
+/// Boxes around what is above a threshold and joined along columns: runs of rows that overlap those of the row before.
+std::vector<cv::Rect> boxes_above(const cv::Mat1b& picture, int threshold) {
+    struct Run {
+        int left = 0, right = 0;  // right: one beyond
+        std::size_t part = 0;
+    };
+    std::vector<cv::Rect> boxes;
+    std::vector<std::size_t> parent;
+    const auto root = [&](std::size_t part) {
+        while (parent[part] != part) part = parent[part] = parent[parent[part]];
+        return part;
+    };
+    std::vector<Run> before, now;
+    for (int y = 0; y < picture.rows; ++y) {
+        const unsigned char* row = picture.ptr(y);
+        now.clear();
+        std::size_t other = 0;
+        for (int x = 0; x < picture.cols;) {
+            if (row[x] <= threshold) {
+                ++x;
+                continue;
+            }
+            Run run{x, x, boxes.size()};
+            while (run.right < picture.cols && row[run.right] > threshold) ++run.right;
+            x = run.right;
+            boxes.emplace_back(run.left, y, run.right - run.left, 1);
+            parent.push_back(run.part);
+            while (other < before.size() && before[other].right <= run.left) ++other;
+            for (auto k = other; k < before.size() && before[k].left < run.right; ++k) {
+                const auto first = root(before[k].part), second = root(run.part);
+                if (first == second) continue;
+                boxes[std::min(first, second)] |= boxes[std::max(first, second)];
+                parent[std::max(first, second)] = std::min(first, second);
+            }
+            now.push_back(run);
+        }
+        std::swap(before, now);
+    }
+    std::vector<cv::Rect> roots;
+    for (std::size_t part = 0; part < boxes.size(); ++part)
+        if (parent[part] == part) roots.push_back(boxes[part]);
+    return roots;
+}
+
 struct Search {
     int least_length = 0;
     double sign = 0;  // 1: brighter bars
@@ -30,18 +101,15 @@ struct Search {
 /// Candidates of one polarity: what a long opening along rows keeps and one across them removes.
 void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& search, std::vector<BarCandidate>& found) {
     const int least_length = search.least_length;
-    cv::Mat1b rows, thick, raised, mask;
-    cv::morphologyEx(bytes, rows, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {least_length, 1}));
-    cv::morphologyEx(rows, thick, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, thickest_bar + 3}));
-    raised = rows - thick;
-    cv::Mat labels, statistics, centres;
-    for (const int threshold : {12, 24, 48, 96, 160}) {
-        mask = raised > threshold;
-        const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centres, 4, CV_32S);
-        for (int k = 1; k < count; ++k) {
-            const int* box = statistics.ptr<int>(k);
-            if (box[cv::CC_STAT_HEIGHT] > thickest_bar + 3 || box[cv::CC_STAT_WIDTH] < least_length) continue;
-            const cv::Rect where(box[cv::CC_STAT_LEFT], box[cv::CC_STAT_TOP], box[cv::CC_STAT_WIDTH], box[cv::CC_STAT_HEIGHT]);
+    const auto rows = opened(bytes, {least_length, 1});
+    cv::Mat1b raised;
+    cv::subtract(rows, opened(rows, {1, thickest_bar + 3}), raised);
+    double highest = 0;
+    cv::minMaxLoc(raised, nullptr, &highest);
+    for (const int threshold : {12, 24, 40, 60, 85, 120, 160}) {
+        if (threshold >= highest) break;
+        for (const auto& where : boxes_above(raised, threshold)) {
+            if (where.height > thickest_bar + 3 || where.width < least_length) continue;
             const auto bar = bar_within(levels, {where, threshold * search.byte, search.sign}, least_length);
             const auto same = [&](const BarCandidate& other) { return other.left == bar->left && other.right == bar->right && other.top == bar->top && other.bottom == bar->bottom; };
             if (bar && std::none_of(found.begin(), found.end(), same)) found.push_back(*bar);

@@ -3,9 +3,23 @@
 
 #include <cctype>
 
+#include <omp.h>
 #include <tesseract/baseapi.h>
 
 namespace setae::imaging {
+
+namespace {
+
+/// As long as it lives, OpenMP's regions (Tesseract's inner loops) run in the thread that calls.
+struct OneThread {
+    int before = omp_get_max_active_levels();
+    OneThread() { omp_set_max_active_levels(0); }
+    ~OneThread() { omp_set_max_active_levels(before); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+};
+
+}  // namespace
 
 struct TextReader::Engine {
     tesseract::TessBaseAPI api;
@@ -19,6 +33,7 @@ TextReader::~TextReader() = default;
 const std::string& TextReader::fault() const { return engine_->fault; }
 
 std::optional<std::string> TextReader::read(const cv::Mat1b& line) {
+    const OneThread one_thread;
     auto& engine = *engine_;
     if (!engine.started) {
         engine.started = true;
