@@ -19,13 +19,21 @@ namespace {
 /// Steps back within this many standard errors of the difference of two points are the trace's noise.
 constexpr double noise_multiple = 4.0;
 
-/// Steps back along x that noise can make between points first … last [m].
-double noise_depth(const OrientedCurve& curve, Index first, Index last) {
-    constexpr double rounding = 1e-9;
-    const double extent = curve.x.maxCoeff() - curve.x.minCoeff();
-    const double error = curve.standard_error.size() > 0 ? curve.standard_error.segment(first, last - first + 1).maxCoeff() : 0.0;
-    return std::max(noise_multiple * std::numbers::sqrt2 * error, rounding * extent);
-}
+/// Steps back along x that the trace's noise can make.
+class NoiseDepth {
+public:
+    explicit NoiseDepth(const OrientedCurve& curve) : error_(curve.standard_error), rounding_(1e-9 * (curve.x.maxCoeff() - curve.x.minCoeff())) {}
+
+    /// Between points first … last [m].
+    [[nodiscard]] double operator()(Index first, Index last) const {
+        const double error = error_.size() > 0 ? error_.segment(first, last - first + 1).maxCoeff() : 0.0;
+        return std::max(noise_multiple * std::numbers::sqrt2 * error, rounding_);
+    }
+
+private:
+    const Array1D& error_;
+    double rounding_;
+};
 
 struct Cut {
     OrientedCurve curve;
@@ -35,13 +43,14 @@ struct Cut {
 /// The curve without the points of stretches that turn back: those within noise, and the deeper ones too where `all`, which are listed.
 Cut without_backward_runs(const OrientedCurve& curve, bool all) {
     Cut cut;
+    const NoiseDepth noise_depth(curve);
     std::vector<Index> kept;
     Index next = 0;
     const auto keep_until = [&](Index end) {
         for (; next < end; ++next) kept.push_back(next);
     };
     for (const auto& run : backward_runs(curve.x)) {
-        const bool deep = run.depth > noise_depth(curve, run.first - 1, run.last);
+        const bool deep = run.depth > noise_depth(run.first - 1, run.last);
         if (deep && !all) continue;
         if (deep) cut.stretches.push_back({curve.along[run.first - 1], curve.along[run.last], run.depth});
         keep_until(run.first);
@@ -69,6 +78,7 @@ double turning_back(const OrientedCurve& curve, double begin, double end) {
 std::vector<ReentrantStretch> hidden_stretches(const OrientedCurve& curve, std::vector<LengthRange> seen) {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
     std::vector<ReentrantStretch> hidden;
+    const NoiseDepth noise_depth(curve);
     double reached = curve.along[0];
     seen.push_back({curve.along[curve.along.size() - 1], curve.along[curve.along.size() - 1]});
     const auto index_after = [&](double length) {
@@ -78,7 +88,7 @@ std::vector<ReentrantStretch> hidden_stretches(const OrientedCurve& curve, std::
         if (range.begin > reached) {
             const double depth = turning_back(curve, reached, range.begin);
             const Index first = index_after(reached) - 1, last = std::min(index_after(range.begin), curve.along.size() - 1);
-            if (depth > noise_depth(curve, first, last)) hidden.push_back({reached, range.begin, depth});
+            if (depth > noise_depth(first, last)) hidden.push_back({reached, range.begin, depth});
         }
         reached = std::max(reached, range.end);
     }
