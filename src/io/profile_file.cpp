@@ -197,6 +197,7 @@ Profile read_profile(const Source& source) {
     Profile profile{in_metres(columns[0]), in_metres(columns[1]), metadata_of(head, source)};
     profile.metadata.unit = length_unit(columns[1].unit, source).name;
     profile.response = response_of(head, source.name);
+    if (profile.response) profile.response->jumps = head.number("reentrant_share").value_or(0.0) > 0.0;
     if (columns.size() == 3) profile.standard_error = standard_errors(columns[2], source);
     return profile;
 }

@@ -53,6 +53,14 @@ void correct_for_trace(PowerSpectrum1D& spectrum, const topography::TraceRespons
         return;
     }
     const Index last = end - 1;
+    if (response.jumps) {
+        spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
+                                   fmt::format("noise of the trace, C1D {:.3g} m3, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
+                                               "the wavelength {:.4g} m, where they take up to {:.0f} % of C1D",
+                                               response.noise_density, 2.0 * pi / std::min(q[last], nyquist), 100.0 * (1.0 - topography::least_trace_power_with_jumps)),
+                                   action});
+        return;
+    }
     spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
                                fmt::format("noise of the trace, C1D {:.3g} m3, was taken off and its blur and smoothing undone down to the wavelength {:.4g} m, where the "
                                            "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",

@@ -68,6 +68,7 @@ CleanedContour clean_contour(Profile contour, double tolerance) {
     if (contour.standard_error.size() > 0) result.profile.standard_error = contour.standard_error(kept);
     result.profile.positions = contour.positions(kept);
     result.profile.heights = contour.heights(kept);
+    if (result.profile.response && result.reentrant_points > 0) result.profile.response->jumps = true;
     const double total = arc_length(contour, 0, n - 1);
     result.reentrant_share = total > 0.0 ? cut_length / total : 0.0;
     if (result.reentrant_points > 0)

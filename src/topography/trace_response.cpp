@@ -6,6 +6,13 @@
 #include "setae/core/constants.hpp"
 
 namespace setae::topography {
+namespace {
+
+Array1D kept(const TraceResponse& response, const ArrayView1D& wavevectors) {
+    return smoothing_transfer(response, wavevectors) * (-0.5 * (response.blur * wavevectors).square()).exp();
+}
+
+}  // namespace
 
 Array1D smoothing_transfer(const TraceResponse& response, const ArrayView1D& wavevectors) {
     const double strength = std::pow(response.smoothing_length / response.step, 4);
@@ -14,17 +21,18 @@ Array1D smoothing_transfer(const TraceResponse& response, const ArrayView1D& wav
 }
 
 Array1D trace_transfer(const TraceResponse& response, const ArrayView1D& wavevectors) {
-    return smoothing_transfer(response, wavevectors) * (-0.5 * (response.blur * wavevectors).square()).exp();
+    return response.jumps ? Array1D(Array1D::Ones(wavevectors.size())) : kept(response, wavevectors);
 }
 
 double trace_band_end(const TraceResponse& response) {
     const double nyquist = pi / response.step;
-    const auto kept = [&](double q) { return std::pow(trace_transfer(response, Array1D::Constant(1, q))[0], 2) >= least_trace_power; };
-    if (kept(nyquist)) return nyquist;
+    const double least = response.jumps ? least_trace_power_with_jumps : least_trace_power;
+    const auto inside = [&](double q) { return std::pow(kept(response, Array1D::Constant(1, q))[0], 2) >= least; };
+    if (inside(nyquist)) return nyquist;
     double below = 0.0, above = nyquist;  // T falls all the way to π/step
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (below + above);
-        (kept(middle) ? below : above) = middle;
+        (inside(middle) ? below : above) = middle;
     }
     return below;
 }

@@ -148,7 +148,10 @@ LevelledCurve levelled(const TracedCurve& traced, Reentrance reentrance) {
     profile.metadata = traced.metadata;
     profile.metadata.attributes["rotation"] = fmt::format("{} rad", result.rotation);
     profile.metadata.attributes["reentrant_share"] = fmt::format("{}", result.reentrant_share);
-    if (traced.response) profile.response = along_x(*traced.response, visible.length / profile.size());
+    if (traced.response) {
+        profile.response = along_x(*traced.response, visible.length / profile.size());
+        profile.response->jumps = !result.reentrant.empty();
+    }
     result.profile = std::move(profile);
     if (!result.reentrant.empty()) result.alerts.push_back(reentrant_alert(result, reentrance));
     return result;

@@ -65,6 +65,7 @@ struct TraceResponse {
     double smoothing_length = 0.0;  ///< [m], >= 0
     double step = 0.0;              ///< [m], > 0
     double noise_density = 0.0;     ///< N: C1D of the trace's noise before smoothing [m³], >= 0
+    bool jumps = false;             ///< overhangs were made jumps of h(x), which blur and smoothing have not touched: T is then not undone
 };
 
 /// A traced curve h(x) as a polyline with strictly increasing x (clean_contour makes it so); its integrals are exact on
