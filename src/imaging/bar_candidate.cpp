@@ -165,6 +165,7 @@ private:
         const bool extreme = (bar.level <= 0.1 || bar.level >= 0.9) && bar.thickness() >= 3 && contrast >= 8 * bar.deviation && contrast >= 0.4;
         // a few pixels of a texture may happen to be alike
         if (bar.length() * bar.thickness() < 50 && bar.deviation > 0.03 * contrast) return false;
+        if (bar.thickness() <= 2 && bar.deviation > 0.06 * contrast) return false;
         return cleaner || clean || extreme;
     }
 
@@ -186,7 +187,8 @@ private:
     }
 
     void find_outline(BarCandidate& bar) const {
-        const double tolerance = 0.15 * std::abs(bar.contrast);
+        // as noisy as the bar itself
+        const double tolerance = std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
         double first = 0;
         for (int k = 1; k <= most_outline + 1; ++k) {
             const int left = bar.left - k, right = bar.right + k, top = bar.top - k, bottom = bar.bottom + k;
