@@ -153,7 +153,7 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
     // letters in the level of the bar: exactly, and with edges that are blurred; in that of the outline
     const double ground = median_level(levels(patch));
     std::vector<Ink> inks;
-    for (const double share : {0.06, 0.12, 0.3, 0.5}) inks.push_back({bar.level, share * std::abs(bar.level - ground), 0.5 * std::abs(bar.level - ground)});
+    for (const double share : {0.06, 0.12, 0.2, 0.3, 0.4, 0.5}) inks.push_back({bar.level, share * std::abs(bar.level - ground), 0.5 * std::abs(bar.level - ground)});
     if (bar.outline_level)
         for (const double share : {0.06, 0.12}) inks.push_back({*bar.outline_level, share * std::abs(*bar.outline_level - ground), 0.5 * std::abs(*bar.outline_level - ground)});
 
