@@ -160,11 +160,13 @@ private:
         }
         const double inside = noise(bar.top, bar.bottom, bar.left + 1, bar.right - 1, false);
         const double around = std::max(noise(bar.top - 14, bar.top - 4, bar.left, bar.right, true), noise(bar.bottom + 4, bar.bottom + 14, bar.left, bar.right, true));
+        const bool at_the_end = bar.level <= 0.1 || bar.level >= 0.9;  // of the picture's levels
         const bool cleaner = inside <= 0.5 * around && bar.deviation <= 0.1 * contrast;
         const bool clean = bar.deviation <= 0.03 * contrast && around <= 0.02 * contrast;
-        const bool extreme = (bar.level <= 0.1 || bar.level >= 0.9) && bar.thickness() >= 3 && contrast >= 8 * bar.deviation && contrast >= 0.4;
+        const bool extreme = at_the_end && bar.thickness() >= 3 && contrast >= 8 * bar.deviation && contrast >= 0.4;
         // a few pixels of a texture may happen to be alike
         if (bar.length() * bar.thickness() < 50 && bar.deviation > 0.03 * contrast) return false;
+        if (bar.thickness() <= 2 && (bar.deviation > 0.06 * contrast || !at_the_end)) return false;
         return cleaner || clean || extreme;
     }
 
@@ -186,7 +188,8 @@ private:
     }
 
     void find_outline(BarCandidate& bar) const {
-        const double tolerance = 0.15 * std::abs(bar.contrast);
+        // as noisy as the bar itself
+        const double tolerance = std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
         double first = 0;
         for (int k = 1; k <= most_outline + 1; ++k) {
             const int left = bar.left - k, right = bar.right + k, top = bar.top - k, bottom = bar.bottom + k;
@@ -198,7 +201,7 @@ private:
             }
             const double level = median(ring);
             const auto off = std::count_if(ring.begin(), ring.end(), [&](double value) { return std::abs(value - level) > tolerance; });
-            const bool one_level = static_cast<double>(off) <= 0.02 * static_cast<double>(ring.size());
+            const bool one_level = static_cast<double>(off) <= 0.1 * static_cast<double>(ring.size());
             const bool mixed = static_cast<double>(off) > 0.3 * static_cast<double>(ring.size());  // a texture, not some letters
             if (k == 1) {
                 // a ring in between the levels of bar and ground is blur

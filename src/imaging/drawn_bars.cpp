@@ -92,6 +92,13 @@ std::vector<cv::Rect> boxes_above(const cv::Mat1b& picture, int threshold) {
     return roots;
 }
 
+bool has_two_levels(const cv::Mat1f& levels) {
+    double least = 0, most = 0;
+    cv::minMaxLoc(levels, &least, &most);
+    const float low = static_cast<float>(least), high = static_cast<float>(most);
+    return std::all_of(levels.begin(), levels.end(), [low, high](float level) { return level <= low || level >= high; });
+}
+
 struct Search {
     int least_length = 0;
     double sign = 0;  // 1: brighter bars
@@ -246,9 +253,10 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     cv::bitwise_not(bytes, inverse);
     collect(inverse, levels, {least_length, -1.0, byte}, found);
 
+    const int thinnest = has_two_levels(levels) ? 3 : 1;  // masks have streaks
     std::vector<BarCandidate> chosen;
     for (const auto& bar : found)
-        if (bar.drawn && !repeats(bar, found)) chosen.push_back(bar);
+        if (bar.drawn && bar.thickness() >= thinnest && !repeats(bar, found)) chosen.push_back(bar);
     // the inside of an outlined bar stands for its outline, too, which looks like two thin bars
     std::stable_sort(chosen.begin(), chosen.end(), [](const BarCandidate& a, const BarCandidate& b) {
         if ((a.outline > 0) != (b.outline > 0)) return a.outline > 0;

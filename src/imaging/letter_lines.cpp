@@ -15,7 +15,15 @@ constexpr double small_letter = 0.45;  // of the highest: lower parts are points
 struct Part {
     cv::Rect box;
     int label = 0, area = 0;
+    std::vector<int> pieces;  // labels of strokes above or below that belong to it
 };
+
+/// A stroke above or below a letter that is broken off, or the ring of Å: what is left out would make a 2 of a 5.
+bool broken_off(const cv::Rect& stroke, const cv::Rect& letter) {
+    const int common = std::min(stroke.br().x, letter.br().x) - std::max(stroke.x, letter.x);
+    const int gap = std::max(stroke.y, letter.y) - std::min(stroke.br().y, letter.br().y);
+    return common >= 0.6 * stroke.width && stroke.width >= 0.3 * letter.width && gap <= 0.6 * letter.height;
+}
 
 bool beside(const cv::Rect& first, const cv::Rect& second) {
     const int common = std::min(first.br().y, second.br().y) - std::max(first.y, second.y);
@@ -54,11 +62,19 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
     std::vector<Part> parts, letters;
     for (int k = 1; k < count; ++k) {
         const int* row = statistics.ptr<int>(k);
-        const Part part{{row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT]}, k, row[cv::CC_STAT_AREA]};
+        Part part{{row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT]}, k, row[cv::CC_STAT_AREA], {}};
         if (std::any_of(not_letters.begin(), not_letters.end(), [&](const cv::Rect& other) { return (other & part.box).area() > 0; })) continue;
         parts.push_back(part);
         const bool letter = part.box.height >= least_height && part.box.width <= 2 * part.box.height && part.box.height <= 0.8 * mask.rows;
         if (letter) letters.push_back(part);
+    }
+    for (auto& letter : letters) {
+        const auto body = letter.box;
+        for (const auto& part : parts)
+            if (part.box.height < least_height && part.area >= 3 && broken_off(part.box, body)) {
+                letter.pieces.push_back(part.label);
+                letter.box |= part.box;
+            }
     }
     std::sort(letters.begin(), letters.end(), [](const Part& a, const Part& b) { return std::pair(a.box.x, a.label) < std::pair(b.box.x, b.label); });
     // lines: letters joined by what stands beside them
@@ -82,6 +98,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
             if (line_of[i] == first && letters[i].box.height >= small_letter * high) {
                 line.letters.push_back(letters[i].box);
                 kept.push_back(letters[i].label);
+                kept.insert(kept.end(), letters[i].pieces.begin(), letters[i].pieces.end());
                 bottoms.push_back(letters[i].box.br().y);
             }
         if (line.letters.size() < 2) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,11 +16,12 @@
 namespace setae::imaging {
 namespace {
 
-constexpr std::array<int, 2> magnified{24, 36};  // px of a line's height: what Tesseract reads well
+constexpr std::array<int, 2> magnified{36, 46};  // px of a line's height: what Tesseract reads well
 constexpr std::size_t most_lines = 2;            // looked at in each mask
 
 struct Ink {
     double level = 0, tolerance = 0;
+    double bridge = 0;  // tolerance within broken strokes
 };
 
 /// A reading of a line that looks like the label of a bar, or nearly.
@@ -27,6 +29,7 @@ struct Reading {
     LabelMeaning meaning;
     cv::Rect box;
     double distance = 0;
+    std::size_t ink = 0;  // number of the mask
 };
 
 double distance_between(const cv::Rect& first, const cv::Rect& second) {
@@ -60,6 +63,14 @@ std::string with_unit_by_shape(const std::string& text, const LetterLine& line, 
     return text.substr(0, text.size() - (micro ? 3 : 2)) + shape + 'm';
 }
 
+/// Whether there is a letter for each digit that was read, all higher than an m: a digit with a piece broken off is another one.
+bool digits_whole(const LetterLine& line, long digits, const std::string& unit) {
+    const std::size_t of_unit = unit == "A" ? 1 : 2;
+    if (static_cast<long>(line.letters.size() - of_unit) != digits) return false;
+    const double least = (unit == "A" ? 0.6 : 1.15) * line.letters.back().height;
+    return std::all_of(line.letters.begin(), line.letters.begin() + digits, [least](const cv::Rect& letter) { return letter.height >= least; });
+}
+
 /// What the reader says, where the letters have the shapes for it.
 LabelMeaning checked(const LetterLine& line, const std::string& reading) {
     const char shape = prefix_by_shape(line);
@@ -71,17 +82,40 @@ LabelMeaning checked(const LetterLine& line, const std::string& reading) {
     };
     if (!meaning.length) return meaning;
     const auto points = std::count_if(text.begin(), text.end(), [](char letter) { return letter == '.' || letter == ','; });
+    const auto digits = std::count_if(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
     if (meaning.unit == "A" ? !last_letter_closed(line) : shape != meaning.unit.front()) unsure("the letters of the unit do not have that shape");
+    else if (!digits_whole(line, digits, meaning.unit)) unsure("the letters of the number are not whole, or not as many");
     else if (points != static_cast<long>(line.points.size())) unsure("its points are not those of the picture");
     else if (points > 0 && line.specks > 0) unsure("the point may be a speck");
     return meaning;
 }
 
-cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
+double median_level(const cv::Mat1f& patch) {
+    std::vector<float> values;
+    for (int y = 0; y < patch.rows; ++y) values.insert(values.end(), patch.ptr<float>(y), patch.ptr<float>(y) + patch.cols);
+    const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return static_cast<double>(*middle);
+}
+
+cv::Mat1b mask_near(const cv::Mat1f& patch, double level, double tolerance) {
     cv::Mat1b mask(patch.size());
     for (int y = 0; y < patch.rows; ++y)
-        for (int x = 0; x < patch.cols; ++x) mask(y, x) = std::abs(static_cast<double>(patch(y, x)) - ink.level) <= ink.tolerance ? 255 : 0;
+        for (int x = 0; x < patch.cols; ++x) mask(y, x) = std::abs(static_cast<double>(patch(y, x)) - level) <= tolerance ? 255 : 0;
     return mask;
+}
+
+/// Pixels of the ink's level. Thin upright strokes that are blurred break: where they are nearly of that level, gaps of up to
+/// four rows are closed.
+cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
+    const auto strict = mask_near(patch, ink.level, ink.tolerance);
+    if (ink.tolerance >= ink.bridge) return strict;
+    cv::Mat1b closed;
+    cv::morphologyEx(strict, closed, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {1, 5}));
+    const auto loose = mask_near(patch, ink.level, ink.bridge);
+    cv::bitwise_and(closed, loose, closed);
+    cv::bitwise_or(closed, strict, closed);
+    return closed;
 }
 
 /// What the readings of the nearest line that holds a length agree on; nothing where none holds one.
@@ -91,11 +125,16 @@ std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
         if (reading.meaning.length && (!best || reading.distance < best->distance)) best = &reading;
     if (!best) return std::nullopt;
     int agreeing = 0, other = 0;
-    for (const auto& reading : readings)
-        if (reading.meaning.length && (reading.box & best->box).area() > 0) ++(*reading.meaning.length == *best->meaning.length ? agreeing : other);
+    std::set<std::size_t> masks;
+    for (const auto& reading : readings) {
+        if (!reading.meaning.length || (reading.box & best->box).empty()) continue;
+        const bool agrees = *reading.meaning.length == *best->meaning.length;
+        ++(agrees ? agreeing : other);
+        if (agrees) masks.insert(reading.ink);
+    }
     BarLabel label{.text = best->meaning.text, .box = best->box};
     if (other > 0) label.fault = fmt::format("label read as '{}' and as something else", label.text);
-    else if (agreeing < 2) label.fault = fmt::format("label read as '{}' once alone", label.text);
+    else if (agreeing < 3 || masks.size() < 2) label.fault = fmt::format("label read as '{}' in some ways and not in others", label.text);
     else label.length = best->meaning.length;
     return label;
 }
@@ -112,24 +151,34 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
         own = {{own[0].x, own[0].y, near.x - own[0].x, own[0].height}, {near.br().x, own[0].y, own[0].br().x - near.br().x, own[0].height}};
     }
     // letters in the level of the bar: exactly, and with edges that are blurred; in that of the outline
-    std::vector<Ink> inks{{bar.level, 0.12 * bar.contrast}, {bar.level, 0.5 * bar.contrast}, {bar.level, 0.3 * bar.contrast}};
-    if (bar.outline_level) inks.push_back({*bar.outline_level, 0.12 * bar.contrast});
+    const double ground = median_level(levels(patch));
+    std::vector<Ink> inks;
+    for (const double share : {0.06, 0.12, 0.2, 0.3, 0.4, 0.5}) inks.push_back({bar.level, share * std::abs(bar.level - ground), 0.5 * std::abs(bar.level - ground)});
+    if (bar.outline_level)
+        for (const double share : {0.06, 0.12}) inks.push_back({*bar.outline_level, share * std::abs(*bar.outline_level - ground), 0.5 * std::abs(*bar.outline_level - ground)});
 
     std::vector<Reading> readings;
     std::vector<LetterLine> seen;
+    std::vector<std::vector<Reading>> readings_of_seen;
     BarLabel label;
-    for (const auto& ink : inks) {
-        if (const auto vote = agreed(readings); vote && vote->length) break;
-        auto lines = letter_lines(mask_of(levels(patch), ink), own);
+    for (std::size_t k = 0; k < inks.size(); ++k) {
+        auto lines = letter_lines(mask_of(levels(patch), inks[k]), own);
         std::erase_if(lines, [&](const LetterLine& line) { return line.letters.size() > 24 || distance_between(line.box, near) > 3.0 * line.box.height + 0.5 * bar.box.width; });
         std::stable_sort(lines.begin(), lines.end(), [&](const LetterLine& a, const LetterLine& b) { return distance_between(a.box, near) < distance_between(b.box, near); });
         if (lines.size() > most_lines) lines.resize(most_lines);
         for (const auto& line : lines) {
-            const auto same = [&](const LetterLine& other) { return other.box == line.box && cv::countNonZero(other.ink != line.ink) == 0; };
-            if (std::any_of(seen.begin(), seen.end(), same)) continue;
-            seen.push_back(line);
-            for (const int height : magnified)
-                if (const auto read = reader.read(enlarged(line, height))) readings.push_back({checked(line, *read), line.box, distance_between(line.box, near)});
+            const auto same = std::find_if(seen.begin(), seen.end(), [&](const LetterLine& other) { return other.box == line.box && cv::countNonZero(other.ink != line.ink) == 0; });
+            const auto index = static_cast<std::size_t>(same - seen.begin());
+            if (same == seen.end()) {
+                seen.push_back(line);
+                auto& of_line = readings_of_seen.emplace_back();
+                for (const int height : magnified)
+                    if (const auto read = reader.read(enlarged(line, height))) of_line.push_back({checked(line, *read), line.box, distance_between(line.box, near)});
+            }
+            for (auto reading : readings_of_seen[index]) {
+                reading.ink = k;
+                readings.push_back(std::move(reading));
+            }
         }
     }
     if (!reader.fault().empty()) {

@@ -19,6 +19,7 @@ using Map = CellMap;
 constexpr long coarse_cells = 48;        // across the shorter side, where levels are found
 constexpr double border_cost = 2.0;      // of a side of a square, in units of ln likelihood
 constexpr double most_difference = 8.0;  // one square counts no more: glare and dust are outliers
+constexpr double least_share = 1e-3;     // of the range of levels: what is less is rounding and the tails of blur, not structure
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
 constexpr long most_samples = 1'000'000; // of pixels for a median
@@ -244,9 +245,10 @@ PixelMask enlarged(const PixelMask& labels, long rows, long columns, long ratio)
 TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacuum) {
     long side = 1;
     while (std::min(pixels.rows(), pixels.cols()) / (2 * side) >= coarse_cells) side *= 2;
-    const auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
-    const double range = coarse.mean.maxCoeff() - coarse.mean.minCoeff();
-    const LeastScatter least{std::max(1e-12, 1e-3 * range), side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
+    auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
+    const double least_level = std::max(std::numeric_limits<double>::min(), least_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
+    coarse.log_variance = coarse.log_variance.max(2 * std::log(least_level));
+    const LeastScatter least{least_level, side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
     const auto best = best_division(coarse, least);
     TwoPhases result;
     result.cells = static_cast<double>(coarse.mean.size());

@@ -73,6 +73,19 @@ TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
 }
 INSTANTIATE_TEST_SUITE_P(Noise, BarsOfAllStyles, testing::Combine(testing::Range<std::size_t>(0, 16), testing::Values(0.0, 10.0, 25.0)));
 
+TEST(ScaleBars, AreFoundUnderNoiseThatCoversThem) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        auto picture = RenderedGround{.noise = 0, .seed = seed}.make();
+        RenderedBar{.level = seed % 2 == 0 ? 0.0 : 255.0, .label = U""}.draw(picture);
+        std::mt19937_64 generator(seed);
+        std::normal_distribution<float> normal(0.0f, 10.0f);
+        for (auto& level : picture) level += normal(generator);
+        const auto bars = find_scale_bars(eight_bits(picture));
+        ASSERT_EQ(bars.size(), 1U) << seed;
+        EXPECT_NEAR(bars.front().length, 120, 0.5);
+    }
+}
+
 TEST(ScaleBars, OfWholePixelsAreExact) {
     for (int length = 20; length < 320; length += 61) {
         const auto bars = find_scale_bars(picture_with_bar({.noise = 15, .seed = static_cast<unsigned>(length)}, {.begin_x = 30.5, .length = static_cast<double>(length), .top = 300, .label = U""}));
@@ -145,6 +158,20 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PicturesWithoutBar, testing::Range<std::size_t>(
 TEST(ScaleBars, AreNotSeenInSamples) {
     for (unsigned seed = 1; seed <= 20; ++seed)
         EXPECT_TRUE(find_scale_bars(eight_bits(RenderedGround{.width = 256, .height = 256, .noise = 2.0 * (seed - 1), .seed = seed}.make())).empty()) << seed;
+}
+
+TEST(ScaleBars, AreNotSeenInStreaks) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        std::mt19937_64 generator(seed);
+        std::normal_distribution<float> normal;
+        cv::Mat1f noise(512, 512), streaks, mask;
+        for (auto& level : noise) level = normal(generator);
+        cv::GaussianBlur(noise, streaks, {}, 6.0, 0.7);
+        EXPECT_TRUE(find_scale_bars(eight_bits(cv::Mat1f(128 + 200 * streaks))).empty()) << seed;
+        cv::GaussianBlur(noise, streaks, {}, 30.0, 3.0);
+        cv::threshold(streaks, mask, 0.0, 255.0, cv::THRESH_BINARY);
+        EXPECT_TRUE(find_scale_bars(eight_bits(mask)).empty()) << seed;
+    }
 }
 
 struct Labelled {
