@@ -32,6 +32,16 @@ if(NOT TARGET setae_opencv)
   endforeach()
 endif()
 
+# labels of scale bars; what its .pc lists beside it serves static linking
+pkg_check_modules(TESSERACT REQUIRED tesseract>=5)
+find_library(TESSERACT_LIBRARY tesseract REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX) # its threads are held back
+if(NOT TARGET setae_tesseract)
+  add_library(setae_tesseract INTERFACE IMPORTED)
+  target_include_directories(setae_tesseract SYSTEM INTERFACE ${TESSERACT_INCLUDE_DIRS})
+  target_link_libraries(setae_tesseract INTERFACE ${TESSERACT_LIBRARY} ${OpenMP_gomp_LIBRARY})
+endif()
+
 # surfaces larger than one machine's memory: built where MPI and FFTW's part for it are there
 find_package(MPI QUIET COMPONENTS C)
 find_library(FFTW_MPI_LIBRARY fftw3_mpi)

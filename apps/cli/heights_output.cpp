@@ -8,6 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/io/netcdf.hpp"
 #include "setae/io/npy.hpp"
+#include "setae/io/profile_file.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
 
@@ -28,11 +29,18 @@ void write_matrix(const std::string& path, const Array2D& heights) {
     io::write_whole_file(path, text);
 }
 
+bool knows_its_trace(const topography::Profile& profile) { return profile.response || profile.standard_error.size() > 0; }
+
 struct CsvWriter {
     std::string path;
     void operator()(const topography::HeightMap& map) const { write_matrix(path, map.heights); }
     void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
-    void operator()(const topography::Profile& profile) const { write_line(path, profile.positions, profile.heights); }
+    void operator()(const topography::Profile& profile) const {
+        if (knows_its_trace(profile))
+            io::write_profile(path, profile);
+        else
+            write_line(path, profile.positions, profile.heights);
+    }
 };
 
 }  // namespace
@@ -44,6 +52,9 @@ void require_heights_ending(const std::string& path) {
 
 void write_heights(const std::string& path, const topography::Measurement& measurement) {
     require_heights_ending(path);
+    const auto* profile = std::get_if<topography::Profile>(&measurement);
+    if (profile && knows_its_trace(*profile) && !path.ends_with(".csv"))
+        throw InvalidArgument(fmt::format("{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv", path));
     if (path.ends_with(".npy"))
         std::visit([&](const auto& m) { io::write_npy(path, m.heights); }, measurement);
     else if (path.ends_with(".csv"))

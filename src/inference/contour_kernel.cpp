@@ -13,6 +13,7 @@
 #include "setae/fourier/buffer.hpp"
 #include "setae/fourier/transform.hpp"
 #include "setae/inference/hat_node.hpp"
+#include "setae/topography/trace_response.hpp"
 
 namespace setae::inference {
 namespace {
@@ -159,6 +160,47 @@ Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
     return weights;
 }
 
+/// Standard deviation of each point's noise before smoothing [m].
+Array1D noise_amplitude(const topography::Profile& contour) {
+    const auto n = contour.positions.size();
+    const auto& x = contour.positions;
+    const Array1D share = Array1D::NullaryExpr(n, [&](Index k) { return 0.5 * (x[std::min(k + 1, n - 1)] - x[std::max<Index>(k - 1, 0)]); });
+    const bool known = contour.standard_error.size() > 0 && contour.standard_error.maxCoeff() > 0.0;
+    const Array1D shape = known ? contour.standard_error : Array1D::Ones(n);
+    return shape * std::sqrt(contour.response->noise_density * contour.size() / (shape * share).square().sum());
+}
+
+/// E[P] of the noise of a trace: the rule of 2n equal steps over the circle, exact for white noise.
+Array1D expected_noise(const Operator& transform, const topography::Profile& contour, const ModeBins& bins, parallel::Threads threads) {
+    const auto n = contour.positions.size();
+    const Array1D amplitude = noise_amplitude(contour), count = Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1));
+    const Array1D angle = Array1D::LinSpaced(n + 1, 0.0, pi);
+    Array1D weight = topography::smoothing_transfer(*contour.response, angle / contour.response->step).square() * (pi / static_cast<double>(n));
+    weight[0] *= 0.5;
+    weight[n] *= 0.5;
+    Array2D power(bins.size(), n + 1);
+    parallel::for_each_index(static_cast<std::size_t>(n + 1), threads, [&](std::size_t i) {
+        const Array1D phase = count * angle[static_cast<Index>(i)];
+        power.col(static_cast<Index>(i)) = bins.means(transform.power(amplitude * phase.cos(), amplitude * phase.sin()));
+    });
+    return (power.matrix() * weight.matrix()).array() / (2.0 * pi * transform.length());
+}
+
+/// What each wave of the grid carries of C1D and of the noise of a trace: ∫ C1D dq around it.
+Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, const ArrayView1D& nodes, const ArrayView1D& C_iso) {
+    Array1D power = (quadrature(grid, nodes).matrix() * C_iso.matrix()).array().max(0.0);
+    if (!contour.response) return power;
+    const double end = pi / contour.response->step;
+    const Array1D noise = topography::smoothing_transfer(*contour.response, grid).square() * contour.response->noise_density;
+    power *= topography::trace_transfer(*contour.response, grid).square();
+    for (Index g = 0; g + 1 < grid.size() && grid[g] < end; ++g) {
+        const double half = 0.5 * (std::min(grid[g + 1], end) - grid[g]);
+        power[g] += half * noise[g];
+        power[g + 1] += half * noise[g + 1];
+    }
+    return power;
+}
+
 void require_points(const topography::Profile& contour) {
     topography::validate(contour);
     if (contour.positions.size() < 8)
@@ -183,13 +225,17 @@ ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView
     require_points(contour);
     const Operator transform(contour.positions);
     const double length = transform.length(), mean_step = length / static_cast<double>(contour.positions.size() - 1);
-    ContourKernel kernel{ModeBins(transform.modes()), length, periodogram_by(transform, contour.heights), {}};
+    ContourKernel kernel{ModeBins(transform.modes()), length, periodogram_by(transform, contour.heights), {}, {}};
     const Array1D grid = integration_grid(length, mean_step, nodes[nodes.size() - 1]);
     Array2D power(kernel.bins.size(), grid.size());
     parallel::for_each_index(static_cast<std::size_t>(grid.size()), threads, [&](std::size_t g) {
         const Array1D phase = transform.positions() * grid[static_cast<Index>(g)];
         power.col(static_cast<Index>(g)) = kernel.bins.means(transform.power(phase.cos(), phase.sin()));
     });
+    if (contour.response) {
+        power.rowwise() *= topography::trace_transfer(*contour.response, grid).square().transpose();
+        kernel.noise = expected_noise(transform, contour, kernel.bins, threads);
+    }
     kernel.response = (power.matrix() * quadrature(grid, nodes).matrix()).array() / (2.0 * pi * length);
     return kernel;
 }
@@ -199,7 +245,7 @@ Array1D independent_share(const topography::Profile& contour, const ArrayView1D&
     const Operator transform(contour.positions);
     const ModeBins bins(transform.modes());
     const Array1D grid = integration_grid(transform.length(), transform.length() / static_cast<double>(contour.positions.size() - 1), nodes[nodes.size() - 1]);
-    const Array1D power = (quadrature(grid, nodes).matrix() * C_iso.matrix()).array().max(0.0);
+    const Array1D power = power_of_waves(contour, grid, nodes, C_iso);
     // amplitudes of each wave and of its mirror image at every mode, and at the mode in the middle of each group
     Eigen::MatrixXcd forth(transform.modes(), grid.size()), back(transform.modes(), grid.size());
     parallel::for_each_index(static_cast<std::size_t>(grid.size()), threads, [&](std::size_t g) {

@@ -13,10 +13,14 @@
 #include "setae/inference/scan_kernel.hpp"
 #include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/reliability.hpp"
+#include "setae/topography/trace_response.hpp"
 #include "skewness.hpp"
 
 namespace setae::inference {
 namespace {
+
+/// What the noise of a trace is estimated to by the scatter along its points.
+constexpr double noise_of_traces_known_to = 0.2;
 
 int trend_degree(topography::Trend trend) { return trend == topography::Trend::parabola ? 2 : 1; }
 
@@ -102,10 +106,15 @@ void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& 
     group.mode_counts = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
     group.independent_share = Array1D::Constant(kernel.bins.size(), spectra::share_under_hann);
     group.contour = &contour;
+    if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
+        group.data.noise_response = std::move(kernel.noise);
+        group.data.noise_known_to = noise_of_traces_known_to;
+    }
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};
     group.measurements = 1;
     group.band_end = pi * static_cast<double>(contour.positions.size() - 1) / kernel.length;
+    if (contour.response) group.band_end = std::min(group.band_end, topography::trace_band_end(*contour.response));
     groups.push_back(std::move(group));
 }
 

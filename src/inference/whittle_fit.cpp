@@ -22,6 +22,7 @@ struct NoisePrior {
     double centre, deviation;
     double bound;       ///< ln of the least P/N of any mode: more noise there cannot be
     bool seen = false;  ///< as the floor of the periodogram
+    bool known = false;  ///< beforehand
 };
 
 /// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave, noise is what is left of
@@ -54,6 +55,10 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
     std::map<std::string, std::pair<double, int>> seen;
     for (std::size_t c = 0; c < classes.size(); ++c) {
         if (classes[c].noise_response.size() == 0) continue;
+        if (classes[c].noise_known_to > 0.0) {
+            priors[c] = {0.0, classes[c].noise_known_to, 0.0, false, true};
+            continue;
+        }
         priors[c] = noise_prior(classes[c]);
         if (!priors[c].seen) continue;
         auto& [sum, count] = seen[classes[c].instrument];
@@ -62,21 +67,21 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
     }
     for (std::size_t c = 0; c < classes.size(); ++c) {
         const auto found = seen.find(classes[c].instrument);
-        if (found == seen.end() || priors[c].seen) continue;
+        if (found == seen.end() || priors[c].seen || priors[c].known) continue;
         priors[c].centre = std::min(found->second.first / found->second.second, priors[c].bound);
         priors[c].deviation = like_others;
     }
     return priors;
 }
 
-/// Parameters: theta, then one ln σ² for each class that has noise.
+/// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is known beforehand.
 class Problem {
 public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
         : classes_(classes), spline_(spline), parameters_(spline.coefficients()) {
         for (const auto& c : classes) {
             designs_.push_back(spline.design(c.nodes).sparseView());
-            noise_index_.push_back(c.noise_response.size() > 0 ? parameters_++ : -1);
+            noise_index_.push_back(index_of_noise(c));
             responds_ = responds_ || c.reference_amplitude > 0.0;
         }
         prior_centre_ = Eigen::VectorXd::Zero(parameters_);
@@ -143,6 +148,15 @@ public:
     }
 
 private:
+    /// Of a class's ln σ² among the parameters; −1 without.
+    [[nodiscard]] Index index_of_noise(const PeriodogramClass& c) {
+        if (c.noise_response.size() == 0) return -1;
+        if (!(c.noise_known_to > 0.0)) return parameters_++;
+        const auto [place, is_new] = known_noise_.emplace(c.instrument, parameters_);
+        if (is_new) ++parameters_;
+        return place->second;
+    }
+
     void add_smoothness(const Smoothness& smoothness) {
         const Index n = spline_.coefficients();
         const double bend = 1.0 / (smoothness.bend * smoothness.bend), slope = 1.0 / (smoothness.slope * smoothness.slope);
@@ -206,6 +220,7 @@ private:
     const LogSpline& spline_;
     std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
     std::vector<Index> noise_index_;
+    std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
     Index parameters_;
     bool responds_ = false;  ///< a tip's T to the fit
     Eigen::VectorXd prior_centre_;

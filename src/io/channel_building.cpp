@@ -84,6 +84,15 @@ LengthUnit length_unit(const std::string& unit, const Source& source) {
     }
 }
 
+Array1D standard_errors(const RawTable::RawColumn& column, const Source& source) {
+    if (column.unit.empty())
+        throw FormatError(source.name, {}, fmt::format("the column '{0}' has no unit; write it beside the name, as '{0} [nm]'", column.name));
+    for (Index i = 0; i < column.values.size(); ++i)
+        if (!(column.values[i] >= 0.0) || !std::isfinite(column.values[i]))
+            throw FormatError(source.name, {}, fmt::format("standard error {} of point {}; expected a number >= 0", column.values[i], i + 1));
+    return column.values * length_unit(column.unit, source).factor;
+}
+
 std::string required_unit(const ReadOptions& options, const Source& source) {
     if (options.unit) return *options.unit;
     throw InvalidArgument(fmt::format("{}: the file states no unit; give it, as in --unit um", source.name));

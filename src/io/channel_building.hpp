@@ -6,6 +6,7 @@
 
 #include "setae/io/channel.hpp"
 #include "setae/io/source.hpp"
+#include "setae/io/table_file.hpp"
 
 namespace setae::io {
 
@@ -34,6 +35,9 @@ struct LengthUnit {
 
 /// The unit the file or the user names. @throws FormatError for a unit that is no length.
 [[nodiscard]] LengthUnit length_unit(const std::string& unit, const Source& source);
+
+/// Standard errors [m] of a column. @throws FormatError without a unit of length or for a value that is negative or undefined.
+[[nodiscard]] Array1D standard_errors(const RawTable::RawColumn& column, const Source& source);
 
 /// The unit and, where the format leaves it open, the extent the user gave.
 /// @throws InvalidArgument that tells the option to give.

@@ -74,7 +74,8 @@ const std::vector<Format>& formats() {
          .name = "two-column text",
          .extensions = ".txt .csv .asc .dat .hfm",
          .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal "
-                        "steps give a line scan, others a profile as traced; also Dektak CSV and a third column 'valid'",
+                        "steps give a line scan, others a profile as traced; also Dektak CSV, a third column 'valid' "
+                        "or 'standard_error', and setae's own profiles with the response of their trace",
          .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
          .writes = true,
          .tested_on_real_files = true,

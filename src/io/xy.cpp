@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/io/profile_file.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/topography/line_scans.hpp"
 #include "text.hpp"
@@ -37,6 +39,7 @@ bool increases(const Array1D& values) {
 struct Curve {
     RawColumn x;
     RawColumn heights;
+    std::optional<RawColumn> standard_error = {};
 };
 
 Curve pick_columns(const RawTable& table, const Source& source) {
@@ -48,12 +51,13 @@ Curve pick_columns(const RawTable& table, const Source& source) {
             curve.heights.values = (columns[2].values != 0.0).select(columns[1].values, undefined);
             return curve;
         }
+        if (lowered(columns[2].name) == "standard_error") return {columns[0], columns[1], columns[2]};
         const bool named_index = lowered(columns[0].name) == "index";
         const bool along_x = increases(columns[1].values) || increases(-columns[1].values);
         if ((named_index || columns[0].name.empty()) && counts_up(columns[0].values) && along_x) return {columns[1], columns[2]};
     }
     throw FormatError(source.name, {},
-                      fmt::format("{} of numbers, expected x and height, after an index or before a column 'valid'; "
+                      fmt::format("{} of numbers, expected x and height, after an index or before a column 'valid' or 'standard_error'; "
                                   "grids of x, y, z are not read", columns.size() == 1 ? "1 column" : fmt::format("{} columns", columns.size())));
 }
 
@@ -120,18 +124,40 @@ Measurement to_measurement(Profile profile) {
     if (increases(-profile.positions)) {
         profile.positions.reverseInPlace();
         profile.heights.reverseInPlace();
+        profile.standard_error.reverseInPlace();
     }
     if (auto scan = topography::to_line_scan(profile)) return *scan;
     return profile;
 }
 
+constexpr std::uint64_t beyond_first_line = 64;
+
+void require_two_points(const Profile& profile, const Source& source) {
+    if (profile.positions.size() < 2)
+        throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", profile.positions.size()));
+}
+
+/// One of setae's own: a profile, whatever its steps.
+std::vector<Channel> open_profile(const Source& source) {
+    auto profile = read_profile(source);
+    require_positions(profile.positions, source);
+    require_two_points(profile, source);
+    ChannelInfo info;
+    info.name = profile.metadata.name.empty() ? "h" : profile.metadata.name;
+    info.format = "xy";
+    info.unit = profile.metadata.unit;
+    return {loaded_channel(std::move(info), checked(std::move(profile), source))};
+}
+
 }  // namespace
 
 Match detect_xy(std::string_view head, const Source&) {
+    if (is_profile_file(head)) return Match::yes;
     return numeric_columns(head) > 0 ? Match::maybe : Match::no;
 }
 
 std::vector<Channel> open_xy(const Source& source, const ReadOptions& options) {
+    if (is_profile_file(source.head(beyond_first_line))) return open_profile(source);
     const auto table = read_raw_table(source);
     const auto curve = pick_columns(table, source);
     const auto units = find_units(curve, options, source);
@@ -144,14 +170,14 @@ std::vector<Channel> open_xy(const Source& source, const ReadOptions& options) {
     profile.metadata.name = curve.heights.name;
     profile.metadata.instrument.tip_radius = stylus_radius(table.header);
     if (profile.metadata.instrument.tip_radius) profile.metadata.instrument.type = "stylus";
+    if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
 
     ChannelInfo info;
     info.name = curve.heights.name;
     info.format = "xy";
     info.unit = height_unit.name;
     info.alerts = units.alerts;
-    if (profile.positions.size() < 2)
-        throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", profile.positions.size()));
+    require_two_points(profile, source);
     return {loaded_channel(std::move(info), checked(to_measurement(std::move(profile)), source))};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "setae/fourier/map_transform.hpp"
 #include "setae/spectra/polyline.hpp"
 #include "setae/spectra/segment_response.hpp"
+#include "trace_correction.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -102,11 +104,12 @@ void require_uniform(const Uniform& measurement, Window window) {
         throw InvalidArgument("window radial_hann for line scans; expected none, hann or blackman_harris");
 }
 
-/// Size of the correction of a contour's straight segments.
-Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response) {
+/// Size of the correction of a contour's straight segments, below `end` [1/m].
+Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response, double end) {
     const Array1D q2 = corrected.wavevector.square();
+    const Array1D power = corrected.wavevector.unaryExpr([&](double q) { return q <= end ? 1.0 : 0.0; }) * corrected.C1D;
     const auto rms_change = [&](const Array1D& weight) {
-        return 100.0 * (std::sqrt((weight * corrected.C1D).sum() / (weight * corrected.C1D * response).sum()) - 1.0);
+        return 100.0 * (std::sqrt((weight * power).sum() / (weight * power * response).sum()) - 1.0);
     };
     const auto last = response.size() - 1;
     return {"CONTOUR_STEPS", topography::label(corrected.metadata),
@@ -114,6 +117,15 @@ Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response) {
                         "rms slope by {:.1f} % and rms curvature by {:.1f} %",
                         100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
             "trace with finer steps, or choose segments to take the polyline for the surface"};
+}
+
+/// At chosen wavevectors the band cannot be found: it is that of the modes.
+void take_band_of_modes(PowerSpectrum1D& spectrum, const topography::Profile& profile, SpectrumOptions options) {
+    options.wavevectors.reset();
+    const auto of_modes = power_spectrum(profile, options);
+    spectrum.q_max = of_modes.q_max;
+    const auto is_trace = [](const Alert& alert) { return alert.code == "TRACE_NOISE"; };
+    *std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(), is_trace) = *std::find_if(of_modes.alerts.begin(), of_modes.alerts.end(), is_trace);
 }
 
 }  // namespace
@@ -152,12 +164,19 @@ PowerSpectrum1D power_spectrum(const topography::Profile& profile, const Spectru
                                            options.threads);
     spectrum.count = Array1D::Ones(spectrum.wavevector.size());
     spectrum.standard_error = Array1D::Constant(spectrum.wavevector.size(), undefined);
-    if (options.contour == ContourTreatment::sinc_corrected) {
-        const SegmentResponse segments(profile.positions);
-        const Array1D response = segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
-        spectrum.C1D /= response;
-        spectrum.alerts.push_back(contour_alert(spectrum, response));
+    const bool sampled = options.contour == ContourTreatment::sinc_corrected, free_of_trace = options.trace_response && profile.response;
+    if (!sampled && !free_of_trace) return spectrum;
+
+    const SegmentResponse segments(profile.positions);
+    const Array1D response = segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
+    if (sampled) spectrum.C1D /= response;
+    if (free_of_trace) {
+        const Array1D all = Array1D::Ones(response.size());
+        correct_for_trace(spectrum, *profile.response, sampled ? all : response);
+        if (options.wavevectors) take_band_of_modes(spectrum, profile, options);
     }
+    if (sampled && spectrum.q_max > 0.0)
+        spectrum.alerts.push_back(contour_alert(spectrum, response, free_of_trace ? spectrum.q_max : std::numeric_limits<double>::infinity()));
     return spectrum;
 }
 

@@ -27,7 +27,8 @@ Profile to_profile(const LineScan& scan) {
 
 std::optional<LineScan> to_line_scan(const Profile& profile) {
     const auto n = profile.positions.size();
-    if (n < 2) return std::nullopt;
+    const bool would_lose = profile.response || profile.standard_error.size() > 0;
+    if (n < 2 || would_lose) return std::nullopt;
     const double step = profile.size() / static_cast<double>(n - 1);
     if (!(step > 0.0)) return std::nullopt;
     // rounded positions may stray from the grid, but by less than half the last digit: a small share of a step

@@ -31,6 +31,10 @@ Array1D all_heights(const Measurement& measurement) {
 
 Measurement scaled(Measurement measurement, double factor) {
     std::visit([factor](auto& m) { m.heights *= factor; }, measurement);
+    if (auto* profile = std::get_if<Profile>(&measurement)) {
+        profile->standard_error *= std::abs(factor);
+        if (profile->response) profile->response->noise_density *= factor * factor;
+    }
     return measurement;
 }
 
@@ -67,6 +71,17 @@ void check(const LineScan& scan) {
     require_heights(scan.heights, scan.metadata);
 }
 
+void check(const TraceResponse& response, const Metadata& metadata) {
+    const auto require = [&](double value, const char* what, bool positive) {
+        if (!std::isfinite(value) || value < 0.0 || (positive && value == 0.0))
+            throw InvalidArgument(fmt::format("{}: {} of the trace is {} in SI units; expected {}", label(metadata), what, value, positive ? "> 0" : ">= 0"));
+    };
+    require(response.blur, "blur", false);
+    require(response.smoothing_length, "smoothing length", false);
+    require(response.step, "step", true);
+    require(response.noise_density, "noise density", false);
+}
+
 void check(const Profile& profile) {
     const auto& x = profile.positions;
     if (x.size() != profile.heights.size())
@@ -77,6 +92,13 @@ void check(const Profile& profile) {
             throw InvalidArgument(fmt::format("{}: x does not increase at point {} ({} m after {} m); clean the contour first",
                                               label(profile.metadata), i, x[i], x[i - 1]));
     require_heights(profile.heights, profile.metadata);
+    const auto& error = profile.standard_error;
+    if (error.size() != 0 && error.size() != x.size())
+        throw InvalidArgument(fmt::format("{}: {} standard errors for {} heights", label(profile.metadata), error.size(), x.size()));
+    for (Index i = 0; i < error.size(); ++i)
+        if (!(error[i] >= 0.0) || !std::isfinite(error[i]))
+            throw InvalidArgument(fmt::format("{}: standard error of point {} is {} m; expected >= 0", label(profile.metadata), i, error[i]));
+    if (profile.response) check(*profile.response, profile.metadata);
 }
 
 }  // namespace

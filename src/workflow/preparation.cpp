@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "foil_alert.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/io/channel.hpp"
 #include "setae/io/format.hpp"
 #include "setae/topography/artefact.hpp"
@@ -36,6 +38,26 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
     return topography::subtract_artefact(scan, topography::average_reference(references));
 }
 
+void add_projection_alert(PreparedMeasurement& prepared) {
+    const auto& metadata = topography::metadata(prepared.measurement);
+    const auto entry = metadata.attributes.find("foil_thickness");
+    if (entry == metadata.attributes.end()) return;
+    const double thickness = parse_quantity(entry->second, dimension::length);
+    if (!(thickness > 0.0)) return;
+    prepared.alerts.push_back(foil_projection_alert(topography::label(metadata), thickness));
+}
+
+/// What levelling the traced curve left out.
+void add_reentrance_alert(PreparedMeasurement& prepared) {
+    const auto& metadata = topography::metadata(prepared.measurement);
+    const auto entry = metadata.attributes.find("reentrant_share");
+    if (entry == metadata.attributes.end()) return;
+    const double share = parse_quantity(entry->second, dimension::none);
+    if (!(share > 0.0)) return;
+    prepared.alerts.push_back({"REENTRANT", topography::label(metadata), fmt::format("{:.2g} % of the traced curve's length lay on overhangs, which a profile does not show", 100.0 * share),
+                               "look at the curve; a share above a few per cent makes slope and curvature lower bounds"});
+}
+
 /// Lines with undefined points become polylines through the others; contours become functions of x.
 void make_analysable(PreparedMeasurement& prepared) {
     auto& measurement = prepared.measurement;
@@ -64,6 +86,8 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
         prepared.measurement = subtract_references(*scan, input, options);
     }
     make_analysable(prepared);
+    add_projection_alert(prepared);
+    add_reentrance_alert(prepared);
     const auto& instrument = topography::metadata(prepared.measurement).instrument.type;
     prepared.trend = input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(instrument)));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);

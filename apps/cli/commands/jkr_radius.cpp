@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "region_argument.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
 #include "setae/io/whole_file.hpp"
@@ -35,19 +35,6 @@ struct Arguments {
     bool fringes = false, ignore_stated_pixel_size = false;
 };
 
-imaging::Region region_of(const std::string& text) {
-    imaging::Region region;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (long* part : {&region.x, &region.y, &region.width, &region.height}) {
-        const auto [after, error] = std::from_chars(at, end, *part);
-        const bool last = part == &region.height;
-        if (error != std::errc() || (last ? after != end : after == end || *after != ',')) throw InvalidArgument(fmt::format("--region {}: expected x,y,width,height in pixels, such as 100,80,320,240", text));
-        at = last ? after : after + 1;
-    }
-    return region;
-}
-
 imaging::FrameOptions frame_options(const Arguments& a) {
     imaging::FrameOptions options;
     if (a.micrometres_a_pixel && !a.pixel.empty()) throw InvalidArgument("--um-per-px and --pixel say the same; give one");
@@ -55,7 +42,7 @@ imaging::FrameOptions frame_options(const Arguments& a) {
     if (!a.pixel.empty()) options.pixel_size = parse_quantity(a.pixel, dimension::length);
     options.frame_rate = a.frame_rate;
     options.ignore_stated_pixel_size = a.ignore_stated_pixel_size;
-    if (!a.region.empty()) options.region = region_of(a.region);
+    if (!a.region.empty()) options.region = parse_region("--region", a.region);
     options.first = a.first;
     options.last = a.last;
     return options;

@@ -10,6 +10,7 @@
 #include "lab_area.hpp"
 #include "lab_causes.hpp"
 #include "lab_closure.hpp"
+#include "lab_contours.hpp"
 #include "lab_loops.hpp"
 #include "verbs.hpp"
 
@@ -63,6 +64,7 @@ void add_lab(CLI::App& program, Action& action) {
     add_causes(*group, action);
     add_area(*group, action);
     add_lab_loops(*group, action);
+    add_lab_contours(*group, action);
 }
 
 }  // namespace setae::cli

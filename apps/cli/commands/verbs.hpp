@@ -9,6 +9,7 @@ namespace setae::cli {
 void add_info(CLI::App& program, Action& action);
 void add_formats(CLI::App& program, Action& action);
 void add_convert(CLI::App& program, Action& action);
+void add_contour(CLI::App& program, Action& action);
 void add_psd(CLI::App& program, Action& action);
 void add_params(CLI::App& program, Action& action);
 void add_adhesion(CLI::App& program, Action& action);

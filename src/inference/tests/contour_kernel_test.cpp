@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/inference/contour_kernel.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -9,7 +10,9 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/inference/hat_node.hpp"
+#include "setae/synthesis/random_surface.hpp"
 #include "setae/synthesis/self_affine.hpp"
+#include "setae/topography/trace_response.hpp"
 
 namespace {
 
@@ -69,6 +72,69 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     }
     EXPECT_NEAR((squares - sum * sum) / (counts / share).sum(), 1.0, 0.25);
     EXPECT_LT(share.tail(3).maxCoeff(), 0.45);  // irregular steps scatter power at the band's end
+}
+
+TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
+    // irregular points with errors that differ, noise smoothed from point to point, curve and noise of like power at the end
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> step(0.6, 1.4);
+    constexpr Index points = 100;
+    topography::Profile contour{Array1D(points), Array1D(points), {}};
+    double x = 0.0;
+    for (Index i = 0; i < points; ++i, x += step(random)) contour.positions[i] = x;
+    const Array1D count = Array1D::LinSpaced(points, 0.0, points - 1.0);
+    contour.standard_error = 0.1 * (1.5 + (0.3 * count).sin());
+    contour.response = topography::TraceResponse{0.5, 0.8, contour.size() / (points - 1.0), 0.01};
+    // long waves of the noise have C1D 0.01: Σ a² d² = 0.01 L
+    Array1D share(points);
+    for (Index i = 0; i < points; ++i)
+        share[i] = 0.5 * (contour.positions[std::min<Index>(i + 1, points - 1)] - contour.positions[std::max<Index>(i - 1, 0)]);
+    const Array1D deviation = contour.standard_error * std::sqrt(0.01 * contour.size() / (contour.standard_error * share).square().sum());
+
+    const synthesis::SelfAffine model{1.0, 0.08, 0.8, pi};
+    const auto& response = *contour.response;
+    const Array1D table_q = Array1D::LinSpaced(300, 1e-3, pi);
+    const auto curve_density = synthesis::tabulated_density(table_q, synthesis::profile_power_spectrum(model, table_q) * topography::trace_transfer(response, table_q).square());
+    const auto noise_density = [&](double angle) { return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, angle / response.step))[0], 2); };
+    constexpr int curves = 200, fine = 16;
+    const Index grid = 2 * points * fine;
+    Array1D mean;
+    for (int curve = 0; curve < curves; ++curve) {
+        const synthesis::SurfaceOptions one{.key = {static_cast<std::uint64_t>(curve), 1}}, other{.key = {static_cast<std::uint64_t>(curve), 2}};
+        const auto surface = synthesis::random_line(curve_density, {grid, 2.0 * points}, one);
+        const auto noise = synthesis::random_line(noise_density, {2 * points, 2.0 * points}, other);
+        for (Index i = 0; i < points; ++i) contour.heights[i] = surface.heights[std::lround(fine * contour.positions[i])] + deviation[i] * noise.heights[i];
+        const auto periodogram = contour_periodogram(contour);
+        mean = curve == 0 ? periodogram : Array1D(mean + periodogram);
+    }
+    mean /= curves;
+    const Array1D nodes = nodes_up_to(pi, 150);
+    const auto kernel = contour_kernel(contour, nodes);
+    ASSERT_EQ(kernel.noise.size(), mean.size());
+    const Array1D expected = (kernel.response.matrix() * synthesis::isotropic_power_spectrum(model, nodes).matrix()).array() + kernel.noise;
+    EXPECT_GT((kernel.noise / expected).maxCoeff(), 0.4);
+    const Array1D ratio = mean / expected;
+    for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
+    EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.07 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
+}
+
+TEST(ContourKernel, WithoutNoiseBlurOrSmoothingIsThatOfThePoints) {
+    topography::Profile contour{Array1D::LinSpaced(60, 0.0, 59.0), Array1D::LinSpaced(60, 0.0, 5.0).sin(), {}};
+    const Array1D nodes = nodes_up_to(pi, 100);
+    const auto plain = contour_kernel(contour, nodes);
+    EXPECT_EQ(plain.noise.size(), 0);
+    contour.response = topography::TraceResponse{0.0, 0.0, 1.0, 0.0};
+    const auto ideal = contour_kernel(contour, nodes);
+    EXPECT_TRUE((ideal.response == plain.response).all());
+    EXPECT_EQ(ideal.noise.maxCoeff(), 0.0);
+}
+
+TEST(ContourKernel, OfWhiteNoiseOnEqualStepsIsItsDensity) {
+    topography::Profile contour{Array1D::LinSpaced(201, 0.0, 100.0), Array1D::Zero(201), {}};
+    contour.response = topography::TraceResponse{0.0, 0.0, 0.5, 2e-3};
+    const auto kernel = contour_kernel(contour, nodes_up_to(2.0 * pi, 100));
+    // below half of Nyquist the spline passes all of it; the first modes lose the line taken off
+    for (const Index b : {6, 8, 10}) EXPECT_NEAR(kernel.noise[b] / 2e-3, 1.0, 0.02) << b;
 }
 
 TEST(IndependentShare, OfEqualStepsIsThatOfTheWindow) {

@@ -38,6 +38,8 @@ std::vector<std::pair<std::string, std::string>> samples() {
                                   "<MatrixDimension><SizeX>2</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>",
                                   "<DataList><Datum>1</Datum><Datum>2</Datum><Datum>3</Datum><Datum>4</Datum></DataList>");
     return {{"xy", "x [um];h [um]\n0,5;1,5\n1,5;2,5\n2,5;3,5\n"},
+            {"profile", "# format: setae profile\n# version: 1\n# instrument: tem\n# blur: 1e-10 m\n# smoothing_length: 2e-10 m\n# step: 1e-10 m\n# noise_density: 1e-31 m3\n"
+                        "# foil_thickness: 1e-08 m\nx [m],h [m],standard_error [m]\n0,1e-9,1e-11\n1e-10,2e-9,1e-11\n2e-10,1e-9,2e-11\n"},
             {"matrix", "# Channel: a\n# Width: 1 um\n# Height: 1 um\n# Value units: nm\n1 2 3\n4 5 6\n"},
             {"nanoscope", nanoscope_file(6, 5, 2)},
             {"x3p list", xml},

@@ -17,7 +17,7 @@ struct Calibration {
     double relative_standard_error = 0.0;  ///< of both; 0 where the source is taken for exact
     std::string source;                    ///< "file: DM4 calibration", "scale bar 5 nm = 90.1 px", "given"
     std::optional<ScaleBar> scale_bar;     ///< where one was found
-    std::vector<Alert> alerts;             ///< SCALE_BAR_UNCONFIRMED, SCALE_BAR_DISAGREES, SCALE_BAR_AMBIGUOUS
+    std::vector<Alert> alerts;             ///< SCALE_BAR_UNCONFIRMED, SCALE_BAR_DISAGREES, SCALE_BAR_AMBIGUOUS, PIXEL_SIZE_DISAGREES
 };
 
 struct CalibrationOptions {
@@ -34,5 +34,11 @@ struct CalibrationOptions {
 /// @throws InvalidArgument for sizes that contradict each other, no size at all (no bar, or a bar without a readable label), a
 /// bar announced but not found, sizes that are not positive.
 [[nodiscard]] Calibration calibrate(const Micrograph& micrograph, const CalibrationOptions& options = {});
+
+/// Whether a calibration made with one picture may serve another: the size that its file states, and the one by its scale bar
+/// where the label is read, differ from the calibration's by at most 1 % and three standard errors of the bars.
+/// A picture that says nothing passes.
+/// @throws InvalidArgument, which names the picture and both sizes.
+void check_same_magnification(const Calibration& calibration, const Micrograph& micrograph);
 
 }  // namespace setae::imaging

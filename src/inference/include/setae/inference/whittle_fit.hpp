@@ -17,7 +17,8 @@ struct PeriodogramClass {
     Array1D freedom;             ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
     Array1D nodes;               ///< q_j the response refers to [1/m]
     Array2D response;            ///< E[P] = response · C_iso(nodes), the flat part below the first node included
-    Array1D noise_response;      ///< E[P] of white noise of variance 1 m²; empty where none is fitted
+    Array1D noise_response;      ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as stated; empty where none is fitted
+    double noise_known_to = 0.0; ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes of an instrument; 0: found from the periodogram
     Array1D log_transfer;        ///< ln T of the tip, 0 without
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A, A the amplitude below
     double amplitude_order = 1.0;       ///< A = ∫_0^{amplitude_end} q^order C_iso dq
@@ -35,7 +36,7 @@ struct Smoothness {
 /// A fitted spectrum.
 struct WhittleFit {
     Eigen::VectorXd theta;       ///< coefficients of ln C_iso
-    Array1D log_noise;           ///< ln σ² of each class [m²]; NaN where none
+    Array1D log_noise;           ///< ln σ² of each class, in the unit of its noise_response; NaN where none
     Eigen::MatrixXd covariance;  ///< of theta, with the tip's response
     Eigen::MatrixXd gain;        ///< ∂theta/∂score: how theta answers to a change Jᵀν δ(ln E) of what is expected
     std::vector<Eigen::MatrixXd> jacobian;  ///< ∂ ln E/∂theta of each class at fixed T

@@ -43,6 +43,11 @@ struct PowerSpectrum1D {
 /// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with the
 /// alert CONTOUR_STEPS that says how large the correction is.
 /// The reliable band ends at π/(mean step).
+///
+/// Where the profile knows the response of its trace and options.trace_response asks for it, then C1D = (C_traced − K² N)/T²
+/// (topography::TraceResponse), which may be negative for single modes but is right on average. The band then ends where the mean
+/// of C1D over neighbouring modes is no longer twice its noise floor N (K/T)² or T² < 0.1; the alert TRACE_NOISE tells where and
+/// how large both corrections are there.
 [[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options = {});
 
 /// Of any measurement, by its kind.

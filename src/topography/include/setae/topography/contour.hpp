@@ -22,7 +22,7 @@ struct CleanedContour {
 /// Points with undefined x or h are dropped. A point whose x is not larger than the largest x before it lies on a
 /// re-entrant stretch: the stretch runs until x passes that largest value again, and is cut. Stretches that step back by
 /// no more than `tolerance` [m] (digitising noise) count as dropped points, deeper ones as re-entrant.
-/// A contour traced from right to left is reversed first.
+/// A contour traced from right to left is reversed first. Standard errors stay with their points, the response stays.
 /// @throws UndefinedDataError where fewer than two points remain.
 /// Source: [D19] SI, "drop a point whose x is not larger than its predecessor's; cut re-entrant stretches".
 [[nodiscard]] CleanedContour clean_contour(Profile contour, double tolerance = 0.0);

@@ -65,6 +65,7 @@ struct TraceResponse {
     double smoothing_length = 0.0;  ///< [m], >= 0
     double step = 0.0;              ///< [m], > 0
     double noise_density = 0.0;     ///< N: C1D of the trace's noise before smoothing [m³], >= 0
+    bool jumps = false;             ///< overhangs were made jumps of h(x), which blur and smoothing have not touched: T is then not undone
 };
 
 /// A traced curve h(x) as a polyline with strictly increasing x (clean_contour makes it so); its integrals are exact on
@@ -93,11 +94,12 @@ using Measurement = std::variant<HeightMap, LineScan, Profile>;
 /// All heights in storage order.
 [[nodiscard]] Array1D all_heights(const Measurement& measurement);
 
-/// The same measurement with every height multiplied by `factor`.
+/// The same measurement with every height multiplied by `factor`, standard errors and noise of a profile with them.
 [[nodiscard]] Measurement scaled(Measurement measurement, double factor);
 
 /// Checks the invariants of the three types: at least two points a direction, positive finite size, increasing x,
-/// no infinite height, at least one defined height.
+/// no infinite height, at least one defined height; of a profile also one standard error >= 0 a height, or none, and a
+/// response within its domain.
 /// @throws InvalidArgument or UndefinedDataError that names measurement and offending point.
 void validate(const Measurement& measurement);
 

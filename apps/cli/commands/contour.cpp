@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "region_argument.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/imaging/calibration_file.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/workflow/contour_file.hpp"
+#include "verbs.hpp"
+
+namespace setae::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* explanation =
+    "division        vacuum and sample by grey level and structure: minimum cuts, coarse to fine\n"
+    "edge            I(d) = level + step/2 erf(d/(sqrt(2) w)) + fringe (d/f) exp(1/2 - d^2/(2 f^2)), d along the contour's normal, positive in vacuum\n"
+    "trace           least squares of all pixels near it + l^4 |second difference|^2: a wave q is followed by K = 1/(1 + l^4 (2 - 2 cos q)^2)\n"
+    "standard error  (1/pi) int [(1 - K)^2 S + K^2 N] dq; N is measured beside the edge, S is what places show beyond N\n"
+    "profile         turned to its mean line; highest point over each x (envelope), or re-entrant stretches cut\n"
+    "spectrum        C1D = (P - K^2 N)/T^2, T = K exp(-q^2 w^2/2): setae psd does it, the file holds what it needs\n"
+    "Rq              sqrt(mean h^2 - mean squared standard error)\n"
+    "pixel size      given, else the file's, else the scale bar's: bar in pixels, label read or confirmed by --scale-bar\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> pictures;
+    std::string output, anchors, segment = "1", vacuum = "automatic", shape = "envelope", pixel, scale_bar, calibration, save_calibration, foil_thickness;
+    std::vector<std::string> hidden;
+    std::optional<double> smoothing, least_length;
+    double denoise = 0;
+    std::size_t image = 1;
+    bool ignore_stated = false, no_overlay = false, whole_picture = false;
+};
+
+/// "0.05 nm" or "0.05 nm x 0.1 nm".
+imaging::PixelSize pixel_size_of(const std::string& text) {
+    const auto cross = text.find(" x ");
+    const double x = parse_quantity(text.substr(0, cross), dimension::length);
+    return {x, cross == std::string::npos ? x : parse_quantity(text.substr(cross + 3), dimension::length)};
+}
+
+workflow::ContourOptions options_of(const Arguments& a) {
+    workflow::ContourOptions options;
+    if (a.image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
+    options.micrograph.image = a.image - 1;
+    options.trace.vacuum = workflow::vacuum_from_name(a.vacuum);
+    options.trace.smoothing_length = a.smoothing;
+    options.trace.denoise = a.denoise;
+    options.trace.least_length = a.least_length;
+    for (const auto& text : a.hidden) options.trace.hidden.push_back(parse_region("--hide", text));
+    options.hide_annotations = !a.whole_picture;
+    options.shape = workflow::shape_from_name(a.shape);
+    if (!a.foil_thickness.empty()) options.foil_thickness = parse_quantity(a.foil_thickness, dimension::length);
+    if (!a.pixel.empty()) options.calibration.pixel_size = pixel_size_of(a.pixel);
+    if (!a.scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(a.scale_bar, dimension::length);
+    options.calibration.ignore_stated_pixel_size = a.ignore_stated;
+    if (!a.calibration.empty()) {
+        if (!a.pixel.empty() || !a.scale_bar.empty()) throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
+        options.shared_calibration = imaging::read_calibration(a.calibration).calibration;
+    }
+    return options;
+}
+
+/// Options of a trace's file in place of the command line's; anchors alone beside them.
+workflow::ContourOptions with_anchors(const Arguments& a, workflow::ContourOptions options, std::optional<std::string>& digest) {
+    if (a.anchors.empty()) return options;
+    const auto stored = workflow::read_trace(a.anchors);
+    if (!stored.options) {
+        options.trace.anchors = stored.anchors;
+        return options;
+    }
+    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() && !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
+                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
+    if (!plain) throw InvalidArgument(a.anchors + " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
+    digest = stored.digest;
+    return *stored.options;
+}
+
+/// Where the files of one picture go.
+struct Outputs {
+    fs::path stem;          ///< without ending
+    std::string extension;  ///< of profiles
+};
+
+Outputs outputs_of(const Arguments& a, const std::string& picture, bool batch) {
+    if (batch) return {fs::path(a.output) / fs::path(picture).stem(), ".csv"};
+    const fs::path path(a.output);
+    return {path.parent_path() / path.stem(), path.extension().empty() ? ".csv" : path.extension().string()};
+}
+
+std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) {
+    std::vector<std::size_t> chosen;
+    if (a.segment == "all") {
+        for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
+        return chosen;
+    }
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(a.segment.data(), a.segment.data() + a.segment.size(), number);
+    if (error != std::errc() || *end != '\0' || number == 0 || number > count) throw InvalidArgument(fmt::format("--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
+    return {number - 1};
+}
+
+void write_picture(const Arguments& a, const workflow::TracedPicture& picture, const workflow::ContourOptions& options, const Outputs& to) {
+    const auto chosen = chosen_segments(a, picture.profiles.size());
+    for (const auto i : chosen) {
+        const auto path = chosen.size() == 1 ? to.stem.string() + to.extension : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
+        io::write_whole_file(path, workflow::profile_text(picture, i, options.shape));
+    }
+    io::write_whole_file(to.stem.string() + ".json", workflow::to_json(picture, options).dump(2) + "\n");
+    if (!a.no_overlay) io::write_whole_file(to.stem.string() + ".png", workflow::overlay_of(picture, options));
+}
+
+std::vector<std::string> listed(const std::vector<std::string>& given) {
+    std::vector<std::string> pictures;
+    for (const auto& path : given) {
+        if (!fs::is_directory(path)) {
+            pictures.push_back(path);
+            continue;
+        }
+        const auto found = imaging::micrographs_in(path);
+        pictures.insert(pictures.end(), found.begin(), found.end());
+    }
+    return pictures;
+}
+
+void require_different_stems(const std::vector<std::string>& pictures) {
+    std::vector<std::string> stems;
+    for (const auto& path : pictures) stems.push_back(fs::path(path).stem().string());
+    std::sort(stems.begin(), stems.end());
+    if (const auto twin = std::adjacent_find(stems.begin(), stems.end()); twin != stems.end())
+        throw InvalidArgument(fmt::format("two pictures are called {}; their results would go to the same file, trace them one by one", *twin));
+}
+
+/// What one picture gave, or why nothing.
+struct Outcome {
+    std::optional<workflow::TracedPicture> picture;
+    std::string error;
+};
+
+Outcome traced(const Arguments& a, const std::string& path, const workflow::ContourOptions& options, const std::optional<std::string>& digest, bool batch) {
+    Outcome outcome;
+    try {
+        outcome.picture = workflow::trace_picture(path, options);
+        if (digest && *digest != outcome.picture->digest)
+            throw InvalidArgument(fmt::format("{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here", path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
+        if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
+        if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
+    } catch (const Error& error) {
+        outcome.picture.reset();
+        outcome.error = error.what();
+    }
+    return outcome;
+}
+
+ExitCode run(const Arguments& a) {
+    const auto pictures = listed(a.pictures);
+    const bool batch = pictures.size() > 1 || (!a.pictures.empty() && fs::is_directory(a.pictures.front()));
+    if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
+    if (batch && !a.save_calibration.empty()) throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
+    std::optional<std::string> digest;
+    const auto options = with_anchors(a, options_of(a), digest);
+    if (batch) {
+        require_different_stems(pictures);
+        if (!a.output.empty()) fs::create_directories(a.output);
+    }
+    std::vector<Outcome> outcomes(pictures.size());
+    parallel::for_each_index(pictures.size(), a.common.workers(), [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
+
+    auto table = workflow::contour_table();
+    auto json = workflow::Json::array();
+    std::size_t failed = 0;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const auto& outcome = outcomes[i];
+        if (!outcome.picture) {
+            ++failed;
+            complain(outcome.error);
+            workflow::add_failure(table, pictures[i], outcome.error);
+            json.push_back({{"image", {{"file", pictures[i]}}}, {"error", outcome.error}});
+            continue;
+        }
+        show(outcome.picture->alerts);
+        workflow::add_rows(table, *outcome.picture);
+        if (a.common.json) json.push_back(workflow::to_json(*outcome.picture, options));
+    }
+    if (!a.save_calibration.empty() && failed == 0) imaging::write_calibration(a.save_calibration, imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
+    if (batch && !a.output.empty()) io::write_whole_file((fs::path(a.output) / "contours.csv").string(), workflow::as_csv(table));
+    if (a.common.json) print_json(batch ? json : json.front());
+    else if (batch || !a.output.empty()) print(workflow::as_text(table));
+    else if (failed == 0) print(workflow::profile_text(*outcomes.front().picture, chosen_segments(a, outcomes.front().picture->profiles.size()).front(), options.shape));
+    if (failed == pictures.size()) return ExitCode::nothing_done;
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+}  // namespace
+
+void add_contour(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = program.add_subcommand("contour", "from a micrograph's edge to a profile with errors");
+    verb->add_option("pictures", arguments->pictures, "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")->required();
+    verb->add_option("-o,--output", arguments->output, "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
+    verb->add_option("--anchors", arguments->anchors, "points the trace must pass (JSON), or a whole trace to be made again");
+    verb->add_option("--segment", arguments->segment, "number of the segment written, longest first, or all");
+    verb->add_option("--vacuum", arguments->vacuum, "which side is vacuum")->check(CLI::IsMember({"automatic", "bright", "dark"}));
+    verb->add_option("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")->check(CLI::IsMember({"envelope", "cut", "parametric"}));
+    verb->add_option("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"");
+    verb->add_option("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"");
+    verb->add_option("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
+    verb->add_option("--save-calibration", arguments->save_calibration, "keep the pixel size for pictures of the same magnification");
+    verb->add_flag("--ignore-stated-pixel-size", arguments->ignore_stated, "go by --pixel or --scale-bar even where the file contradicts it");
+    verb->add_option("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"");
+    verb->add_option("--hide", arguments->hidden, "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
+    verb->add_flag("--whole-picture", arguments->whole_picture, "do not hide scale bars and text that are found");
+    verb->add_option("--smoothing", arguments->smoothing, "length of the smoothing spline [px]; default: least expected error");
+    verb->add_option("--denoise", arguments->denoise, "smooth the picture first by a Gaussian of this standard deviation [px]");
+    verb->add_option("--least-length", arguments->least_length, "shorter segments are left out [px]; default 50, of masks 0");
+    verb->add_option("--image", arguments->image, "number of the image in a file that holds several");
+    verb->add_flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
+    on_named(*verb, action, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

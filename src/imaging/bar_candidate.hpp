@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+#include "drawn_bars.hpp"
+
+namespace setae::imaging {
+
+constexpr int thickest_bar = 40;  ///< px
+
+/// A candidate: its whole pixels, both ends included, and how it stands out.
+struct BarCandidate {
+    int left = 0, right = 0, top = 0, bottom = 0;
+    double level = 0, deviation = 0;
+    double contrast = 0;  // bar less surroundings: positive for bright bars
+    bool drawn = false;   // clean enough to be drawn, not photographed
+    int outline = 0;
+    double outline_level = 0;
+    std::optional<BarTick> left_tick, right_tick;
+    [[nodiscard]] int length() const { return right - left + 1; }
+    [[nodiscard]] int thickness() const { return bottom - top + 1; }
+    [[nodiscard]] cv::Rect box() const {
+        const int y = std::max({outline, left_tick ? left_tick->reach : 0, right_tick ? right_tick->reach : 0});
+        return {left - outline, top - y, length() + 2 * outline, thickness() + 2 * y};
+    }
+};
+
+/// Something long and thin in a picture.
+struct LongRun {
+    cv::Rect box;
+    double height = 0;  ///< by which it stands out of what is above and below, as scaled_levels
+    double sign = 0;    ///< 1 where it is brighter, −1 where it is darker
+};
+
+/// The bar within a run: of one level, with straight ends and nothing beyond, apart from what is above and below; nothing where
+/// it is none, touches the picture's border or is shorter than least_length [px].
+[[nodiscard]] std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length);
+
+}  // namespace setae::imaging

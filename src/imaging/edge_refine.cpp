@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edge_refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Sparse>
+
+namespace setae::imaging {
+namespace {
+
+constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3, most_choices = 4;
+constexpr double search_reach = 10.0;     // px
+constexpr double first_smoothing = 3.0;   // px
+constexpr double at_rest = 0.02;          // px
+constexpr double most_move = 1.5;         // px a round
+constexpr double level_stretch = 30.0;    // px along the curve over which level and contrast are taken (standard deviation)
+constexpr double least_error = 0.02;      // px: what pixels of a picture without noise leave
+constexpr double narrowest = 0.29, widest = 4.0;  // px
+constexpr double anchor_weight = 1e7;     // over the information of one point
+
+/// What pixels say at each point of a curve.
+struct Evidence {
+    Array1D level, contrast;     ///< a and b of I = a + b shape
+    Array1D information;         ///< Σ b² I'²/σ² [1/px²]
+    Array1D score;               ///< Σ of −b I' r/σ² [1/px]
+};
+
+Array1D spread(const PlaneCurve& curve, const Array1D& values, double deviation) {
+    const Index n = values.size(), reach = std::min<Index>(n - 1, static_cast<Index>(std::ceil(3 * deviation)));
+    Array1D kernel(reach + 1), result(n);
+    for (Index j = 0; j <= reach; ++j) kernel[j] = std::exp(-0.5 * static_cast<double>(j * j) / (deviation * deviation));
+    for (Index i = 0; i < n; ++i) {
+        double sum = kernel[0] * values[i];
+        for (Index j = 1; j <= reach; ++j) {
+            if (curve.closed || i - j >= 0) sum += kernel[j] * values[curve.at(i - j)];
+            if (curve.closed || i + j < n) sum += kernel[j] * values[curve.at(i + j)];
+        }
+        result[i] = sum;
+    }
+    return result;
+}
+
+/// Scatter about the shape by distance, in bins of a pixel.
+class Scatter {
+public:
+    Scatter(double reach, double floor) : reach_(reach), floor_(floor), squares_(static_cast<std::size_t>(std::ceil(2 * reach)) + 1, 0.0), count_(squares_.size(), 0.0) {}
+    void add(double distance, double residual) { squares_[bin(distance)] += residual * residual, count_[bin(distance)] += 1; }
+    [[nodiscard]] double variance(double distance) const {
+        const auto i = bin(distance);
+        double squares = 0, count = 0;
+        for (auto j = i > 0 ? i - 1 : i; j <= std::min(i + 1, count_.size() - 1); ++j) squares += squares_[j], count += count_[j];
+        return count > 0 ? std::max(floor_, squares / count) : floor_ + 1;
+    }
+    [[nodiscard]] double variance_between(double from, double to) const {
+        double squares = 0, count = 0;
+        for (auto j = bin(from); j <= bin(to); ++j) squares += squares_[j], count += count_[j];
+        return count > 0 ? std::max(floor_, squares / count) : floor_;
+    }
+
+private:
+    [[nodiscard]] std::size_t bin(double distance) const { return std::min(squares_.size() - 1, static_cast<std::size_t>(std::max(0.0, distance + reach_))); }
+    double reach_, floor_;
+    std::vector<double> squares_, count_;
+};
+
+/// One curve on its way to the edge.
+class Refinement {
+public:
+    Refinement(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors) : band_(band), curve_(resampled(start, 1.0, false)), anchors_(anchors) {}
+
+    RefinedEdge run(std::optional<double> given) {
+        smoothing_ = given.value_or(first_smoothing);
+        int choices = given ? most_choices : 0, last_choice = rounds_of_search;
+        int quiet = 0;
+        for (int round = 0; round < most_rounds; ++round) {
+            look(round);
+            if (choices < most_choices && (round >= last_choice + rounds_before_choice || (round > last_choice && last_move_ < 0.1))) {
+                choose_smoothing();
+                ++choices;
+                last_choice = round;
+            }
+            move(round);
+            if (choices == most_choices && last_move_ < at_rest) ++quiet;
+            else quiet = 0;
+            if (quiet == 2) break;
+        }
+        look(most_rounds);
+        if (given) measure_error();
+        return result(quiet > 0);
+    }
+
+private:
+    /// Pixels, shape, levels and scatter at the present curve.
+    void look(int round) {
+        const bool searching = round < rounds_of_search;
+        reach_ = searching ? search_reach : std::clamp(away() + reach_of_slope(), 8.0, 18.0);
+        pixels_ = band_.near(curve_, reach_);
+        const auto profile = edge_profile(pixels_, reach_);
+        shape_ = round == 0 ? fitted_shape(profile) : fitted_shape(profile, shape_);
+        if (searching && std::abs(shape_.place) > 0.3) {
+            shift(shape_.place);
+            for (auto& p : pixels_) p.distance -= shape_.place;
+        }
+        shape_.place = 0;
+        if (!shape_.fringe_rules()) shape_.width = freed_of_fit(shape_.width);
+        gather();
+    }
+
+    /// Distance from the edge beyond which it is not felt.
+    [[nodiscard]] double reach_of_slope() const { return shape_.fringe != 0 ? std::max(3 * shape_.width, 2.5 * shape_.fringe_width) : 3 * shape_.width; }
+    [[nodiscard]] double away() const { return reach_of_slope() + 2.0; }
+
+    /// The edge's own width. A trace with error e that follows noise by K̄ = ∫K dq/π shows w² + ⟨e²⟩ − 2 N K̄: errors blur the mean
+    /// profile, and noise that was followed makes it steeper.
+    [[nodiscard]] double freed_of_fit(double width) const {
+        return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_kept(), narrowest * narrowest, widest * widest));
+    }
+
+    [[nodiscard]] double mean_kept() const {
+        constexpr int nodes = 200;
+        double sum = 0;
+        for (int i = 0; i < nodes; ++i) sum += kept(std::numbers::pi * (i + 0.5) / nodes, smoothing_);
+        return sum / nodes;
+    }
+
+    void shift(double distance) {
+        const auto n = normals(curve_);
+        curve_.x += distance * n.x, curve_.y += distance * n.y;
+    }
+
+    void gather() {
+        const Index n = curve_.size();
+        normals_ = normals(curve_);
+        Scatter scatter(reach_, 1e-12 + 1e-8 * (shape_.step * shape_.step + shape_.fringe * shape_.fringe));
+        for (const auto& p : pixels_) scatter.add(p.distance, p.value - shape_.level - shape_.value(p.distance));
+        // twice: levels need the scatter and scatter the levels
+        for (int pass = 0; pass < 2; ++pass) {
+            levels(scatter);
+            Scatter next(reach_, 1e-12 + 1e-8 * (shape_.step * shape_.step + shape_.fringe * shape_.fringe));
+            for (const auto& p : pixels_) next.add(p.distance, residual(p));
+            scatter = next;
+        }
+        scatter_ = scatter;
+        vacuum_noise_ = std::sqrt(scatter.variance_between(2 * shape_.width, reach_));
+        sample_noise_ = std::sqrt(scatter.variance_between(-reach_, -2 * shape_.width));
+        evidence_.information = Array1D::Zero(n);
+        evidence_.score = Array1D::Zero(n);
+        for (const auto& p : pixels_) {
+            const double weight = 1.0 / scatter.variance(p.distance), slope = slope_at(p);
+            const Index next = curve_.at(p.index + 1);
+            const double information = weight * slope * slope, score = -weight * slope * residual(p);
+            evidence_.information[p.index] += (1 - p.fraction) * information, evidence_.information[next] += p.fraction * information;
+            evidence_.score[p.index] += (1 - p.fraction) * score, evidence_.score[next] += p.fraction * score;
+        }
+    }
+
+    void levels(const Scatter& scatter) {
+        const Index n = curve_.size();
+        Array1D one = Array1D::Zero(n), shape = one, squared = one, grey = one, product = one;
+        for (const auto& p : pixels_) {
+            const double w = 1.0 / scatter.variance(p.distance), t = shape_.value(p.distance), g = p.value - shape_.level;
+            one[p.index] += w, shape[p.index] += w * t, squared[p.index] += w * t * t, grey[p.index] += w * g, product[p.index] += w * t * g;
+        }
+        for (auto* sum : {&one, &shape, &squared, &grey, &product}) *sum = spread(curve_, *sum, level_stretch);
+        // the contrast is held to the whole contour's with the weight of a tenth of the pixels around
+        const Array1D hold = 0.1 * squared;
+        const Array1D determinant = (one * (squared + hold) - shape.square()).max(1e-300);
+        evidence_.contrast = ((one * (product + hold) - shape * grey) / determinant).max(0.25).min(4.0);
+        evidence_.level = shape_.level + (grey - evidence_.contrast * shape) / one.max(1e-300);
+    }
+
+    [[nodiscard]] double residual(const BandPixel& p) const { return p.value - evidence_.level[p.index] - evidence_.contrast[p.index] * shape_.value(p.distance); }
+    [[nodiscard]] double slope_at(const BandPixel& p) const { return evidence_.contrast[p.index] * shape_.slope(p.distance); }
+
+    /// Solves for the displacement along normals that the smoothing wants, and goes there.
+    void move(int round) {
+        const Index n = curve_.size();
+        const Array1D stiffness = local_information() * std::pow(smoothing_, 4);
+        Array1D right = evidence_.score;
+        std::vector<Eigen::Triplet<double>> entries;
+        entries.reserve(static_cast<std::size_t>(12 * n));
+        const auto add = [&](Index i, Index j, double value) { entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value); };
+        for (Index k = curve_.closed ? 0 : 1; k < (curve_.closed ? n : n - 1); ++k) {
+            const std::array<Index, 3> at{curve_.at(k - 1), k, curve_.at(k + 1)};
+            constexpr std::array<double, 3> part{1, -2, 1};
+            double bend_x = 0, bend_y = 0;
+            for (std::size_t i = 0; i < 3; ++i) bend_x += part[i] * curve_.x[at[i]], bend_y += part[i] * curve_.y[at[i]];
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double nx = normals_.x[at[i]], ny = normals_.y[at[i]];
+                right[at[i]] -= stiffness[k] * part[i] * (bend_x * nx + bend_y * ny);
+                for (std::size_t j = 0; j < 3; ++j) add(at[i], at[j], stiffness[k] * part[i] * part[j] * (nx * normals_.x[at[j]] + ny * normals_.y[at[j]]));
+            }
+        }
+        hold_anchors(right, entries);
+        const double ridge = 1e-6 * std::max(1e-300, evidence_.information.mean());
+        for (Index k = 0; k < n; ++k) add(k, k, evidence_.information[k] + ridge);
+        Eigen::SparseMatrix<double> matrix(static_cast<int>(n), static_cast<int>(n));
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+        const Array1D wish = solver.solve(right.matrix()).array();
+        const Array1D delta = (round < rounds_of_full_steps ? 1.0 : 0.5) * wish.max(-most_move).min(most_move);
+        curve_.x += delta * normals_.x, curve_.y += delta * normals_.y;
+        moved_ = delta.abs();
+        last_move_ = most_of(moved_);
+        even_out();
+    }
+
+    /// The move that nineteen points in twenty do not exceed.
+    [[nodiscard]] static double most_of(const Array1D& moves) {
+        std::vector<double> sorted(moves.begin(), moves.end());
+        const auto at = sorted.begin() + static_cast<long>(0.95 * static_cast<double>(sorted.size() - 1));
+        std::nth_element(sorted.begin(), at, sorted.end());
+        return *at;
+    }
+
+    /// Anchors draw the place nearest to them, between two points, along the normal there.
+    void hold_anchors(Array1D& right, std::vector<Eigen::Triplet<double>>& entries) const {
+        const double weight = anchor_weight * std::max(1e-300, evidence_.information.mean());
+        for (const auto& anchor : anchors_) {
+            const auto at = nearest_place(anchor);
+            const Index next = curve_.at(at.index + 1);
+            const std::array<Index, 2> points{at.index, next};
+            const std::array<double, 2> share{1 - at.fraction, at.fraction};
+            const double nx = share[0] * normals_.x[at.index] + share[1] * normals_.x[next], ny = share[0] * normals_.y[at.index] + share[1] * normals_.y[next];
+            const double off_x = anchor.x - share[0] * curve_.x[at.index] - share[1] * curve_.x[next], off_y = anchor.y - share[0] * curve_.y[at.index] - share[1] * curve_.y[next];
+            const double off = (off_x * nx + off_y * ny) / (nx * nx + ny * ny);
+            for (std::size_t i = 0; i < 2; ++i) {
+                right[points[i]] += weight * share[i] * off;
+                for (std::size_t j = 0; j < 2; ++j) entries.emplace_back(static_cast<int>(points[i]), static_cast<int>(points[j]), weight * share[i] * share[j]);
+            }
+        }
+    }
+
+    struct Place {
+        Index index = 0;
+        double fraction = 0;
+    };
+
+    [[nodiscard]] Place nearest_place(const Anchor& anchor) const {
+        Place best;
+        double least = 1e300;
+        for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
+            const Index next = curve_.at(k + 1);
+            const double ex = curve_.x[next] - curve_.x[k], ey = curve_.y[next] - curve_.y[k], px = anchor.x - curve_.x[k], py = anchor.y - curve_.y[k];
+            const double t = std::clamp((px * ex + py * ey) / std::max(1e-300, ex * ex + ey * ey), 0.0, 1.0);
+            const double squared = (px - t * ex) * (px - t * ex) + (py - t * ey) * (py - t * ey);
+            if (squared < least) least = squared, best = {k, t};
+        }
+        return best;
+    }
+
+    void even_out() {
+        double shortest = 1e300, longest = 0;
+        for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
+            const double d = std::hypot(curve_.x[curve_.at(k + 1)] - curve_.x[k], curve_.y[curve_.at(k + 1)] - curve_.y[k]);
+            shortest = std::min(shortest, d), longest = std::max(longest, d);
+        }
+        if (shortest >= 0.75 && longest <= 1.3) return;
+        const auto before = curve_.size();
+        curve_ = resampled(curve_, 1.0, true);
+        const Array1D moved = moved_;
+        moved_.resize(curve_.size());
+        for (Index k = 0; k < curve_.size(); ++k) moved_[k] = moved[k * before / curve_.size()];
+    }
+
+    [[nodiscard]] Array1D local_information() const {
+        const Array1D ones = Array1D::Ones(curve_.size());
+        return spread(curve_, evidence_.information, level_stretch) / spread(curve_, ones, level_stretch);
+    }
+
+    /// Noise of places before smoothing: variance of one times the correlation length of neighbours [px³].
+    [[nodiscard]] double measured_noise() const {
+        const Index n = curve_.size();
+        const double beside = away();
+        Array1D outer = Array1D::Zero(n), inner = outer;
+        for (const auto& p : pixels_) {
+            // the sum that makes a place, moved into vacuum or into the sample
+            const double moved = p.distance > 0 ? p.distance - beside : p.distance + beside;
+            if (p.distance > 0 ? moved < 0 : moved >= 0) continue;
+            const double slope = evidence_.contrast[p.index] * shape_.slope(moved);
+            (p.distance > 0 ? outer : inner)[p.index] -= slope * residual(p) / scatter_.variance(moved);
+        }
+        const Array1D information = local_information();
+        const Array1D outer_place = outer / information, inner_place = inner / information;
+        return long_run_variance(outer_place) + long_run_variance(inner_place);
+    }
+
+    [[nodiscard]] double long_run_variance(const Array1D& series) const {
+        const Index n = series.size(), lags = std::min<Index>(8, n / 4);
+        const Array1D centred = series - series.mean();
+        double sum = centred.square().mean();
+        for (Index lag = 1; lag <= lags; ++lag) {
+            double product = 0;
+            for (Index k = 0; k + lag < n; ++k) product += centred[k] * centred[k + lag];
+            sum += 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags + 1)) * product / static_cast<double>(n);
+        }
+        return std::max(sum, 0.05 * centred.square().mean());
+    }
+
+    [[nodiscard]] static double kept(double q, double length) {
+        const double bend = 2 - 2 * std::cos(q);
+        return 1 / (1 + std::pow(length, 4) * bend * bend);
+    }
+
+    /// Spectrum of places before smoothing, by wavevectors per px.
+    struct Spectrum {
+        std::vector<double> q, density, width;
+    };
+
+    [[nodiscard]] Spectrum spectrum() const {
+        const Index n = curve_.size();
+        const auto base = smoothed(curve_, 20.0);
+        const auto across = normals(base);
+        const Array1D information = local_information();
+        const Array1D off = evidence_.score / information;
+        Array1D height = (curve_.x + off * normals_.x - base.x) * across.x + (curve_.y + off * normals_.y - base.y) * across.y;
+        height -= height.mean();
+        Array1D window(n);
+        for (Index k = 0; k < n; ++k) window[k] = 1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+        height *= window * std::sqrt(1.0 / 1.5);
+        Spectrum found;
+        constexpr int bins = 24, modes = 12;
+        const double lowest = 0.08, ratio = std::pow(std::numbers::pi / lowest, 1.0 / bins);
+        for (int b = 0; b < bins; ++b) {
+            const double from = lowest * std::pow(ratio, b), to = from * ratio;
+            double sum = 0;
+            for (int m = 0; m < modes; ++m) {
+                const double q = from + (to - from) * (m + 0.5) / modes;
+                double re = 0, im = 0;
+                const double step_re = std::cos(q), step_im = std::sin(q);
+                double turn_re = 1, turn_im = 0;
+                for (Index k = 0; k < n; ++k) {
+                    re += height[k] * turn_re, im += height[k] * turn_im;
+                    const double next = turn_re * step_re - turn_im * step_im;
+                    turn_im = turn_re * step_im + turn_im * step_re, turn_re = next;
+                }
+                sum += (re * re + im * im) / static_cast<double>(n);
+            }
+            found.q.push_back(std::sqrt(from * to)), found.density.push_back(sum / modes), found.width.push_back(to - from);
+        }
+        return found;
+    }
+
+    void choose_smoothing() {
+        noise_ = measured_noise();
+        const auto places = spectrum();
+        double best = 1e300, length = smoothing_;
+        for (double candidate = 0.2; candidate < 12; candidate *= 1.07) {
+            const double risk = expected_squares(places, noise_, candidate);
+            if (risk < best) best = risk, length = candidate;
+        }
+        smoothing_ = length;
+        error_squares_ = best;
+    }
+
+    [[nodiscard]] static double expected_squares(const Spectrum& places, double noise, double length) {
+        double sum = 0;
+        for (std::size_t i = 0; i < places.q.size(); ++i) {
+            const double k = kept(places.q[i], length), signal = std::max(0.0, places.density[i] - noise);
+            sum += ((1 - k) * (1 - k) * signal + k * k * noise) * places.width[i];
+        }
+        return (sum + noise * places.q.front()) / std::numbers::pi;  // the longest waves are followed
+    }
+
+    void measure_error() {
+        noise_ = measured_noise();
+        error_squares_ = expected_squares(spectrum(), noise_, smoothing_);
+    }
+
+    RefinedEdge result(bool converged) {
+        RefinedEdge edge;
+        const Array1D information = local_information();
+        edge.standard_error = (error_squares_ * information.mean() / information + least_error * least_error + moved_.square()).sqrt();
+        edge.blur = shape_.width;
+        edge.curve = curve_;
+        edge.shape = shape_;
+        edge.vacuum_noise = vacuum_noise_, edge.sample_noise = sample_noise_;
+        edge.noise_density = noise_;
+        edge.smoothing_length = smoothing_;
+        const double noise = std::sqrt(0.5 * (vacuum_noise_ * vacuum_noise_ + sample_noise_ * sample_noise_));
+        edge.contrast_to_noise = noise > 0 ? std::sqrt(2 * std::numbers::pi) * shape_.width * std::abs(shape_.slope(0)) / noise : 1e6;
+        edge.converged = converged;
+        return edge;
+    }
+
+    EdgeBand& band_;
+    PlaneCurve curve_;
+    const std::vector<Anchor>& anchors_;
+    std::vector<BandPixel> pixels_;
+    Scatter scatter_{1, 0};
+    EdgeShape shape_;
+    Normals normals_;
+    Evidence evidence_;
+    double reach_ = search_reach, smoothing_ = first_smoothing, last_move_ = 1e300;
+    Array1D moved_;  ///< by which points moved in the last round [px]
+    double vacuum_noise_ = 0, sample_noise_ = 0;
+    double noise_ = 0, error_squares_ = 0;  ///< N and the expected error, once measured
+};
+
+}  // namespace
+
+RefinedEdge refined_edge(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors, std::optional<double> smoothing_length) {
+    return Refinement(band, start, anchors).run(smoothing_length);
+}
+
+}  // namespace setae::imaging

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+#include "drawn_bars.hpp"
+#include "text_reader.hpp"
+
+namespace setae::imaging {
+
+/// Words beside a scale bar.
+struct BarLabel {
+    std::string text;              ///< empty where none is legible
+    std::optional<double> length;  ///< [m]
+    std::optional<cv::Rect> box;   ///< of the line of letters
+    std::string fault;             ///< why there is no length
+};
+
+/// Reads the label of a bar: a line of letters drawn in the level of the bar or of its outline, the nearest first.
+///
+/// A length is given where two readings, of masks or magnifications that differ, agree, no third contradicts them, the first
+/// letter of the unit has the shape read (µ, n, p and m differ by what is open and closed) and a point, where there is one, is
+/// a dot on the baseline and the only speck there.
+[[nodiscard]] BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader);
+
+}  // namespace setae::imaging
