@@ -39,7 +39,7 @@ find_package(OpenMP REQUIRED COMPONENTS CXX) # its threads are held back
 if(NOT TARGET setae_tesseract)
   add_library(setae_tesseract INTERFACE IMPORTED)
   target_include_directories(setae_tesseract SYSTEM INTERFACE ${TESSERACT_INCLUDE_DIRS})
-  target_link_libraries(setae_tesseract INTERFACE ${TESSERACT_LIBRARY} ${OpenMP_gomp_LIBRARY})
+  target_link_libraries(setae_tesseract INTERFACE ${TESSERACT_LIBRARY} ${OpenMP_gomp_LIBRARY} ${OpenMP_omp_LIBRARY}) # GCC's or clang's
 endif()
 
 # surfaces larger than one machine's memory: built where MPI and FFTW's part for it are there

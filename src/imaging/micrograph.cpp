@@ -80,9 +80,9 @@ const std::vector<MicrographFormat>& micrograph_formats() {
         {"mrc", "MRC", ".mrc .mrcs .st", "modes 0 to 4, 6, 12 in either order of bytes; size of the cell, or of FEI's extended header; marked untested on real files", "Cheng et al., J. Struct. Biol. 192, 2015, 146", false},
         {"ser", "TIA series", ".ser", "every type of number, metadata of the EMI beside it; marked untested on real files", "C. Boothroyd, TIA (Emispec) file format (2006)", false},
         {"emd", "Electron Microscopy Dataset", ".emd", "NCEM's layout and Velox'; marked untested on real files", "emdatasets.com, EMD 0.2", false},
-        {"png", "PNG", ".png", "pixel size of pHYs where it is finer than print", "Portable Network Graphics (third edition)", true},
-        {"jpeg", "JPEG", ".jpg .jpeg", "no pixel size; its blocks roughen edges", "ITU-T T.81", true},
-        {"bmp", "BMP", ".bmp", "no pixel size", "Microsoft, Bitmap Storage", true}};
+        {"png", "PNG", ".png", "pixel size of pHYs where it is finer than print", "Portable Network Graphics (third edition)", false},
+        {"jpeg", "JPEG", ".jpg .jpeg", "no pixel size; its blocks roughen edges", "ITU-T T.81", false},
+        {"bmp", "BMP", ".bmp", "no pixel size", "Microsoft, Bitmap Storage", false}};
     return formats;
 }
 

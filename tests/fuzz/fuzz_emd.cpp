@@ -13,8 +13,8 @@ constexpr std::size_t most_written = 4096;
 
 /// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as metadata.
 ///
-/// Not the file's own bytes: the HDF5 library writes beyond its memory where the structure of a file is damaged (1.10.8), and
-/// what is looked for here are faults of the reader above it.
+/// Not the file's own bytes: HDF5 1.10.8 reads beyond its memory and takes gigabytes where the structure of a file is damaged
+/// (docs/micrograph-formats.md), and what is looked for here are faults of the reader above it.
 tests::EmdFile described(std::string_view bytes) {
     const auto next = [&]() -> unsigned {
         if (bytes.empty()) return 0;
