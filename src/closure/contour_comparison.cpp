@@ -23,6 +23,7 @@ constexpr double border = 4.0;          // px: a curve is not asked for closer t
 constexpr double least_false = 1.0;     // px
 constexpr double longest_noise_wave = 200.0, shortest_noise_wave = 50.0;  // px: smoothing leaves these as they are
 constexpr double above_floor = 10.0;
+constexpr double least_density = 1e-4;  // px³: that of a picture without noise says nothing
 constexpr int cells_a_decade = 10;
 
 PixelCurve curve_of(const imaging::ContourSegment& segment) { return {segment.x, segment.y}; }
@@ -172,7 +173,7 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
     trial.within_two_errors = segment.standard_error.size() == there.of_trace.size() ? (there.of_trace.abs() < 2.0 * segment.standard_error).cast<double>().mean() : undefined;
 
     const double length = length_along(curve).tail(1)[0];
-    trial.floor_ratio = error_density(there.of_trace, length) / segment.noise_density;
+    trial.floor_ratio = segment.noise_density > least_density ? error_density(there.of_trace, length) / segment.noise_density : undefined;
     const auto traced = in_metres(trace), known = in_metres(covered_part(rendered.truth.curve, there.places.front(), there.places.back()));
     compare_overhangs(trial, levelled(traced, topography::Reentrance::envelope), curve, rendered.truth.overhangs);
     const auto profile = levelled(traced, topography::Reentrance::cut).profile, expected = levelled(known, topography::Reentrance::cut).profile;

@@ -115,9 +115,9 @@ std::string contour_table(const std::vector<ContourRow>& rows) {
     std::string text = fmt::format("{:<22} {:>4} {:>7} {:>7} {:>6} {:>6} {:>8} {:>8} {:>6} {:>8} {:>8} {:>6} {:>11} {:>5}\n", "kind", "n", "refused", "traced", "rms", "worst", "largest", "offset",
                                    "in 2σ", "Rq [%]", "worst", "floor", "overhangs", "false");
     for (const auto& row : rows)
-        text += fmt::format("{:<22} {:>4} {:>7} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.2f} {:>+8.3f} {:>6.3f} {:>+8.2f} {:>+8.2f} {:>6.3g} {:>11} {:>5}\n", row.kind, row.runs, row.refused, row.completeness.mean,
+        text += fmt::format("{:<22} {:>4} {:>7} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.2f} {:>+8.3f} {:>6.3f} {:>+8.2f} {:>+8.2f} {:>6} {:>11} {:>5}\n", row.kind, row.runs, row.refused, row.completeness.mean,
                             row.rms_error.mean, row.rms_error.worst, row.largest_error.worst, row.offset.mean, row.within_two_errors.mean, 100.0 * (row.rms_height_ratio.mean - 1.0),
-                            100.0 * (row.rms_height_ratio.worst - 1.0), row.floor_ratio.mean, fmt::format("{}/{}", row.overhangs_found, row.overhangs), row.overhangs_false);
+                            100.0 * (row.rms_height_ratio.worst - 1.0), row.floor_ratio.count > 0 ? fmt::format("{:.2f}", row.floor_ratio.mean) : "-", fmt::format("{}/{}", row.overhangs_found, row.overhangs), row.overhangs_false);
     text += fmt::format("\n{:<22}", "C1D [%], waves [px]");
     for (std::size_t band = 0; band < spectrum_band_ends.size(); ++band) text += fmt::format(" {:>15}", fmt::format("{:.0f} to {:.0f}", band_ends(band)[0], band_ends(band)[1]));
     for (const auto& row : rows) {

@@ -60,7 +60,7 @@ struct ContourTrial {
     double within_two_errors = 0.0;    ///< share of the trace's points closer to the curve than two of their standard errors
     double rms_height_ratio = 0.0;     ///< Rq of the levelled trace over that of the curve
     std::array<double, 5> spectrum_ratio{};  ///< C1D of the trace over the curve's: mean over tenths of a decade with waves of the curve, ten times above the floor
-    double floor_ratio = 0.0;          ///< C1D of the trace's errors between waves of 200 and 50 px, over the noise density that it states
+    double floor_ratio = 0.0;          ///< C1D of the trace's errors between waves of 200 and 50 px, over the noise density that it states; NaN where that is below 1e-4 px³
     double smoothing_length = 0.0, edge_width = 0.0;  ///< as the trace states them
     int overhangs = 0, overhangs_found = 0, overhangs_false = 0;  ///< false: deeper than 1 px where the curve does not turn back
     double overhang_depth_ratio = 0.0; ///< mean, of those found
