@@ -210,6 +210,8 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
         for (const auto& curve : curves) trace.segments.push_back(refined_segment(band, curve, {}, options, picture.pixels));
         std::stable_sort(trace.segments.begin(), trace.segments.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
     }
+    std::erase_if(trace.segments, [](const auto& segment) { return !segment.standard_error.isFinite().all(); });
+    if (trace.segments.empty() && (helped || !curves.empty())) throw UndefinedDataError("the edge was lost: along it no slope of grey levels stands out; give anchors nearer to it");
     if (trace.segments.empty()) throw UndefinedDataError(fmt::format("no edge is as long as the least length of {} px", options.least_length.value_or(default_length)));
     add_alerts(trace, phases, helped);
     return trace;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Sparse>
@@ -14,6 +15,7 @@ constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12,
 constexpr double search_reach = 10.0;     // px
 constexpr double first_smoothing = 3.0;   // px
 constexpr double at_rest = 0.02;          // px
+constexpr Index least_pixels = 2;          // near each point of a curve that is not lost
 constexpr double most_move = 1.5;         // px a round
 constexpr double level_stretch = 30.0;    // px along the curve over which level and contrast are taken (standard deviation)
 constexpr double least_error = 0.02;      // px: what pixels of a picture without noise leave
@@ -76,6 +78,7 @@ public:
         int quiet = 0;
         for (int round = 0; round < most_rounds; ++round) {
             look(round);
+            if (lost_) return lost_edge();
             if (choices < most_choices && (round >= last_choice + rounds_before_choice || (round > last_choice && last_move_ < 0.1))) {
                 choose_smoothing();
                 ++choices;
@@ -87,6 +90,7 @@ public:
             if (quiet == 2) break;
         }
         look(most_rounds);
+        if (lost_) return lost_edge();
         if (given) measure_error();
         return result(quiet > 0);
     }
@@ -97,6 +101,8 @@ private:
         const bool searching = round < rounds_of_search;
         reach_ = searching ? search_reach : std::clamp(away() + reach_of_slope(), 8.0, 18.0);
         pixels_ = band_.near(curve_, reach_);
+        lost_ = static_cast<Index>(pixels_.size()) < least_pixels * curve_.size();
+        if (lost_) return;
         const auto profile = edge_profile(pixels_, reach_);
         shape_ = round == 0 ? fitted_shape(profile) : fitted_shape(profile, shape_);
         if (searching && std::abs(shape_.place) > 0.3) {
@@ -106,6 +112,15 @@ private:
         shape_.place = 0;
         if (!shape_.fringe_rules()) shape_.width = freed_of_fit(shape_.width);
         gather();
+        lost_ = !(evidence_.information.mean() > 0) || !evidence_.score.isFinite().all();
+    }
+
+    /// Too few pixels, or none that tells of an edge.
+    [[nodiscard]] RefinedEdge lost_edge() const {
+        RefinedEdge edge;
+        edge.curve = curve_;
+        edge.standard_error = Array1D::Constant(curve_.size(), std::numeric_limits<double>::infinity());
+        return edge;
     }
 
     /// Distance from the edge beyond which it is not felt.
@@ -408,6 +423,7 @@ private:
     double reach_ = search_reach, smoothing_ = first_smoothing, last_move_ = 1e300;
     Array1D moved_;  ///< by which points moved in the last round [px]
     double vacuum_noise_ = 0, sample_noise_ = 0;
+    bool lost_ = false;
     double noise_ = 0, error_squares_ = 0;  ///< N and the expected error, once measured
 };
 

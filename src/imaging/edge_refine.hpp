@@ -13,7 +13,7 @@ namespace setae::imaging {
 /// A curve that rests on the edge.
 struct RefinedEdge {
     PlaneCurve curve;
-    Array1D standard_error;        ///< of each point along the normal [px]
+    Array1D standard_error;        ///< of each point along the normal [px]; infinite where the edge was lost
     EdgeShape shape;
     double blur = 0;               ///< width of the shape without what the trace's own error adds [px]
     double vacuum_noise = 0, sample_noise = 0;  ///< scatter about the shape, a pixel beyond the edge

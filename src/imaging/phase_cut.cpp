@@ -72,6 +72,7 @@ Vertices numbered(const PixelMask& free) {
 
 /// terminal: difference of each vertex.
 PixelMask cut_of(const Vertices& vertex, std::vector<double> terminal, double border_cost, const PixelMask& labels) {
+    if (terminal.empty()) return labels;
     const long rows = labels.rows(), columns = labels.cols();
     constexpr double side_share = std::numbers::pi / 4, diagonal_share = std::numbers::pi / (8 * std::numbers::sqrt2);
     const double side = border_cost * side_share, diagonal = border_cost * diagonal_share;

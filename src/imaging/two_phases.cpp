@@ -18,8 +18,9 @@ using Map = CellMap;
 
 constexpr long coarse_cells = 48;        // across the shorter side, where levels are found
 constexpr double border_cost = 2.0;      // of a side of a square, in units of ln likelihood
-constexpr double most_difference = 8.0;  // one square counts no more: glare and dust are outliers
+constexpr double most_cost = 8.0;        // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
 constexpr double least_share = 1e-3;     // of the range of levels: what is less is rounding and the tails of blur, not structure
+constexpr double least_squares_of_a_phase = 20;
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
 constexpr long most_samples = 1'000'000; // of pixels for a median
@@ -42,30 +43,31 @@ struct PhaseModel {
 
 double place(long i, long n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
 
-/// Levels and scatter of a division; false where a phase has too few squares.
+/// Levels and scatter of a division, by squares away from its border, which hold some of both; false where a phase has too few.
 bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double least_scatter, double least_structure_scatter) {
     const long rows = labels.rows(), columns = labels.cols();
+    const CellMap weight = cells.weight * away_from_border(labels, 1).cast<double>();
     std::array<double, 2> count{};
     Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
     Terms right = Terms::Zero();
     for (long row = 0; row < rows; ++row)
         for (long column = 0; column < columns; ++column) {
-            if (cells.weight(row, column) == 0) continue;
+            if (weight(row, column) == 0) continue;
             const int label = labels(row, column);
-            const double weight = 1.0 / (model.scatter[label] * model.scatter[label]);
+            const double certainty = 1.0 / (model.scatter[label] * model.scatter[label]);
             const Terms t = terms_at(place(column, columns), place(row, rows), label == 1);
-            normal.noalias() += weight * t * t.transpose();
-            right += weight * cells.mean(row, column) * t;
+            normal.noalias() += certainty * t * t.transpose();
+            right += certainty * cells.mean(row, column) * t;
             count[label] += 1;
         }
-    if (std::min(count[0], count[1]) < 20) return false;
+    if (std::min(count[0], count[1]) < least_squares_of_a_phase) return false;
     normal.diagonal().array() += 1e-9 * normal.trace();
     model.levels = normal.ldlt().solve(right);
     std::array<double, 2> squares{}, sum{}, structure_squares{};
     for (int pass = 0; pass < 2; ++pass)
         for (long row = 0; row < rows; ++row)
             for (long column = 0; column < columns; ++column) {
-                if (cells.weight(row, column) == 0) continue;
+                if (weight(row, column) == 0) continue;
                 const int label = labels(row, column);
                 if (pass == 0) {
                     const double residual = cells.mean(row, column) - model.levels.dot(terms_at(place(column, columns), place(row, rows), label == 1));
@@ -87,7 +89,7 @@ bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double 
 double cost(const PhaseModel& model, const Cells& cells, long row, long column, int label, const Terms& t) {
     const double level = (cells.mean(row, column) - model.levels.dot(t)) / model.scatter[label];
     const double structure = (cells.log_variance(row, column) - model.structure[label]) / model.structure_scatter[label];
-    return 0.5 * level * level + std::log(model.scatter[label]) + 0.5 * structure * structure + std::log(model.structure_scatter[label]);
+    return std::min(0.5 * level * level, most_cost) + std::log(model.scatter[label]) + std::min(0.5 * structure * structure, most_cost) + std::log(model.structure_scatter[label]);
 }
 
 /// How much rather vacuum than sample; and the energy of the division given.
@@ -104,9 +106,8 @@ Preference preference(const PhaseModel& model, const Cells& cells, const PixelMa
             if (cells.weight(row, column) == 0) continue;
             const double x = place(column, columns), y = place(row, rows);
             const double vacuum = cost(model, cells, row, column, 0, terms_at(x, y, false)), sample = cost(model, cells, row, column, 1, terms_at(x, y, true));
-            const double least = std::min(vacuum, sample) + most_difference;
-            found.difference(row, column) = std::min(sample, least) - std::min(vacuum, least);
-            found.energy += std::min(labels(row, column) == 1 ? sample : vacuum, least);
+            found.difference(row, column) = sample - vacuum;
+            found.energy += labels(row, column) == 1 ? sample : vacuum;
         }
     return found;
 }

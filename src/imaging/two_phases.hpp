@@ -31,7 +31,8 @@ struct TwoPhases {
 ///
 ///   energy = Σ [½ ((m − level)/σ_m)² + ln σ_m + ½ ((v − v̄)/σ_v)² + ln σ_v] + 2 · length of the border in squares
 ///
-/// the least of which is found by minimum cuts and new levels in turns, from a dozen starts (grey levels, variances, half planes).
+/// with squares of at most 16; levels and scatter are those of squares away from the border. That
+/// energy's least is found by minimum cuts and new levels in turns, from a dozen starts (grey levels, variances, half planes).
 /// The border is then cut anew in squares of half the size within a band of ±3, down to single pixels, each against the
 /// levels and scatter of its surroundings.
 /// Source: Boykov, Kolmogorov, IEEE Trans. Pattern Anal. Mach. Intell. 26 (2004) 1124 (minimum cuts); Lombaert et al., ICCV

@@ -122,6 +122,11 @@ TEST(PhaseCut, IsTheDivisionOfLeastEnergy) {
     EXPECT_NEAR(energy(minimum_cut(wish, cost, PixelMask::Ones(3, 4), PixelMask::Zero(3, 4))), least, 1e-12);
 }
 
+TEST(PhaseCut, OfNothingFreeIsWhatItWas) {
+    const PixelMask labels = PixelMask::Ones(4, 5);
+    EXPECT_TRUE((minimum_cut(CellMap::Zero(4, 5), 1.0, PixelMask::Zero(4, 5), labels) == labels).all());
+}
+
 TEST(PhaseCut, LeavesFixedSquaresAlone) {
     PixelMask labels = PixelMask::Zero(3, 9);
     labels.rightCols(4) = 1;
