@@ -36,7 +36,7 @@ OverRuns over_runs(const Members& members, double ideal, Value value) {
 }
 
 ContourRow row_of(const Members& members) {
-    ContourRow row{.kind = members.front()->kind, .judged = members.front()->judged, .profile_judged = members.front()->profile_judged, .runs = static_cast<int>(members.size())};
+    ContourRow row{.kind = members.front()->kind, .judged = members.front()->judged, .runs = static_cast<int>(members.size())};
     row.segments = over_runs(members, 1.0, [](const auto& t) { return static_cast<double>(t.segments); });
     row.completeness = over_runs(members, 1.0, [](const auto& t) { return t.completeness; });
     row.rms_error = over_runs(members, 0.0, [](const auto& t) { return t.rms_error; });
@@ -78,7 +78,6 @@ void judge(std::vector<ContourVerdict>& verdicts, const ContourRow& row) {
         fmt::format("{:.3f} px on average, {:.3f} px in run {}", row.rms_error.mean, row.rms_error.worst, row.rms_error.worst_run));
     add("overhangs all found, none false", row.overhangs_found == row.overhangs && row.overhangs_false == 0,
         fmt::format("{} of {} found, {} false", row.overhangs_found, row.overhangs, row.overhangs_false));
-    if (!row.profile_judged) return;
     add(fmt::format("Rq within {:g} % in every run", 100.0 * height_tolerance), std::abs(row.rms_height_ratio.worst - 1.0) <= height_tolerance,
         fmt::format("{:+.2f} % on average, {:+.2f} % in run {}", 100.0 * (row.rms_height_ratio.mean - 1.0), 100.0 * (row.rms_height_ratio.worst - 1.0), row.rms_height_ratio.worst_run));
     for (std::size_t band = 0; band < row.spectrum_ratio.size(); ++band) {

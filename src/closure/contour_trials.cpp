@@ -71,7 +71,6 @@ ContourTrial trial_of(const ContourKind& kind, const ContourTrialOptions& option
     trial.run = run;
     trial.kind = kind.name;
     trial.judged = kind.judged;
-    trial.profile_judged = kind.profile_judged;
     if (!options.pictures.empty()) write_contour_picture(options.pictures, trial, picture.pixels, picture.contour.truth.curve, trace);
     return trial;
 }
@@ -96,7 +95,7 @@ std::vector<ContourKind> contour_kinds(long size) {
     overhanging.bulges = static_cast<int>(size / 125);
     tilted.tilt = 20.0 * pi / 180.0;
     fine.cutoff_wavelength = 3.0;
-    kinds.push_back({.name = "SNR 2 + overhangs", .curve = overhanging, .picture = picture(2.0), .profile_judged = false});
+    kinds.push_back({.name = "SNR 2 + overhangs", .curve = overhanging, .picture = picture(2.0)});
     kinds.push_back({"SNR 2, tilted 20 deg", tilted, picture(2.0)});
     kinds.push_back({.name = "SNR 2, upright", .curve = curve, .picture = picture(2.0), .transposed = true});
     for (const auto& [name, signal_to_noise] : {std::pair{"clean, waves to 3 px", 0.0}, {"SNR 5, waves to 3 px", 5.0}, {"SNR 2, waves to 3 px", 2.0}})

@@ -20,7 +20,7 @@ struct OverRuns {
 /// All trials of one kind of picture.
 struct ContourRow {
     std::string kind;
-    bool judged = true, profile_judged = true;
+    bool judged = true;
     int runs = 0, refused = 0, vacuum_mistaken = 0;
     OverRuns segments, completeness, rms_error, largest_error, offset, within_two_errors, rms_height_ratio, floor_ratio, overhang_depth_ratio;
     std::array<OverRuns, 5> spectrum_ratio;

@@ -21,7 +21,6 @@ struct ContourKind {
     laboratory::MicrographOptions picture;
     bool transposed = false;                 ///< the curve runs down the picture, the sample to its right
     bool judged = true;                      ///< else it shows a limit
-    bool profile_judged = true;              ///< height and spectrum too: of a curve that is a function of x
 };
 
 /// The kinds of a trial, for pictures of size² pixels: self-affine curves, H = 0.8, of 16 px rms height, with waves from the
@@ -49,7 +48,7 @@ inline constexpr double shortest_compared_wave = 6.0;
 struct ContourTrial {
     int run = 0;
     std::string kind;
-    bool judged = true, profile_judged = true;  ///< as of the kind
+    bool judged = true;                ///< as of the kind
     std::string refusal;               ///< why there is no trace
     int segments = 0;
     bool vacuum_mistaken = false;      ///< the trace runs with the sample on its left hand
