@@ -8,6 +8,8 @@
 
 #include <Eigen/Sparse>
 
+#include "trace_smoothing.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -130,14 +132,7 @@ private:
     /// The edge's own width. A trace with error e that follows noise by K̄ = ∫K dq/π shows w² + ⟨e²⟩ − 2 N K̄: errors blur the mean
     /// profile, and noise that was followed makes it steeper.
     [[nodiscard]] double freed_of_fit(double width) const {
-        return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_kept(), narrowest * narrowest, widest * widest));
-    }
-
-    [[nodiscard]] double mean_kept() const {
-        constexpr int nodes = 200;
-        double sum = 0;
-        for (int i = 0; i < nodes; ++i) sum += kept(std::numbers::pi * (i + 0.5) / nodes, smoothing_);
-        return sum / nodes;
+        return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_spline_transfer(smoothing_), narrowest * narrowest, widest * widest));
     }
 
     void shift(double distance) {
@@ -302,81 +297,21 @@ private:
         return long_run_variance(outer_place) + long_run_variance(inner_place);
     }
 
-    [[nodiscard]] double long_run_variance(const Array1D& series) const {
-        const Index n = series.size(), lags = std::min<Index>(8, n / 4);
-        const Array1D centred = series - series.mean();
-        double sum = centred.square().mean();
-        for (Index lag = 1; lag <= lags; ++lag) {
-            double product = 0;
-            for (Index k = 0; k + lag < n; ++k) product += centred[k] * centred[k + lag];
-            sum += 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags + 1)) * product / static_cast<double>(n);
-        }
-        return std::max(sum, 0.05 * centred.square().mean());
-    }
-
-    [[nodiscard]] static double kept(double q, double length) {
-        const double bend = 2 - 2 * std::cos(q);
-        return 1 / (1 + std::pow(length, 4) * bend * bend);
-    }
-
-    /// Spectrum of places before smoothing, by wavevectors per px.
-    struct Spectrum {
-        std::vector<double> q, density, width;
-    };
-
-    [[nodiscard]] Spectrum spectrum() const {
-        const Index n = curve_.size();
+    /// Spectrum of places before smoothing, off a base of waves longer than 130 px.
+    [[nodiscard]] PlaceSpectrum spectrum() const {
         const auto base = smoothed(curve_, 20.0);
         const auto across = normals(base);
         const Array1D information = local_information();
         const Array1D off = evidence_.score / information;
         Array1D height = (curve_.x + off * normals_.x - base.x) * across.x + (curve_.y + off * normals_.y - base.y) * across.y;
-        height -= height.mean();
-        Array1D window(n);
-        for (Index k = 0; k < n; ++k) window[k] = 1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
-        height *= window * std::sqrt(1.0 / 1.5);
-        Spectrum found;
-        constexpr int bins = 24, modes = 12;
-        const double lowest = 0.08, ratio = std::pow(std::numbers::pi / lowest, 1.0 / bins);
-        for (int b = 0; b < bins; ++b) {
-            const double from = lowest * std::pow(ratio, b), to = from * ratio;
-            double sum = 0;
-            for (int m = 0; m < modes; ++m) {
-                const double q = from + (to - from) * (m + 0.5) / modes;
-                double re = 0, im = 0;
-                const double step_re = std::cos(q), step_im = std::sin(q);
-                double turn_re = 1, turn_im = 0;
-                for (Index k = 0; k < n; ++k) {
-                    re += height[k] * turn_re, im += height[k] * turn_im;
-                    const double next = turn_re * step_re - turn_im * step_im;
-                    turn_im = turn_re * step_im + turn_im * step_re, turn_re = next;
-                }
-                sum += (re * re + im * im) / static_cast<double>(n);
-            }
-            found.q.push_back(std::sqrt(from * to)), found.density.push_back(sum / modes), found.width.push_back(to - from);
-        }
-        return found;
+        return place_spectrum(height);
     }
 
     void choose_smoothing() {
         noise_ = measured_noise();
         const auto places = spectrum();
-        double best = 1e300, length = smoothing_;
-        for (double candidate = 0.2; candidate < 12; candidate *= 1.07) {
-            const double risk = expected_squares(places, noise_, candidate);
-            if (risk < best) best = risk, length = candidate;
-        }
-        smoothing_ = length;
-        error_squares_ = best;
-    }
-
-    [[nodiscard]] static double expected_squares(const Spectrum& places, double noise, double length) {
-        double sum = 0;
-        for (std::size_t i = 0; i < places.q.size(); ++i) {
-            const double k = kept(places.q[i], length), signal = std::max(0.0, places.density[i] - noise);
-            sum += ((1 - k) * (1 - k) * signal + k * k * noise) * places.width[i];
-        }
-        return (sum + noise * places.q.front()) / std::numbers::pi;  // the longest waves are followed
+        smoothing_ = best_smoothing(places, noise_);
+        error_squares_ = expected_squares(places, noise_, smoothing_);
     }
 
     void measure_error() {
