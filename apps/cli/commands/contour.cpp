@@ -70,21 +70,6 @@ workflow::ContourOptions options_of(const Arguments& a) {
     return options;
 }
 
-/// Options of a trace's file in place of the command line's; anchors alone beside them.
-workflow::ContourOptions with_anchors(const Arguments& a, workflow::ContourOptions options, std::optional<std::string>& digest) {
-    if (a.anchors.empty()) return options;
-    const auto stored = workflow::read_trace(a.anchors);
-    if (!stored.options) {
-        options.trace.anchors = stored.anchors;
-        return options;
-    }
-    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() && !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
-                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
-    if (!plain) throw InvalidArgument(a.anchors + " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
-    digest = stored.digest;
-    return *stored.options;
-}
-
 /// Where the files of one picture go.
 struct Outputs {
     fs::path stem;          ///< without ending
@@ -95,6 +80,28 @@ Outputs outputs_of(const Arguments& a, const std::string& picture, bool batch) {
     if (batch) return {fs::path(a.output) / fs::path(picture).stem(), ".csv"};
     const fs::path path(a.output);
     return {path.parent_path() / path.stem(), path.extension().empty() ? ".csv" : path.extension().string()};
+}
+
+/// Results must not take the place of what they were made from.
+void require_not_the_same(const fs::path& output, const std::string& input) {
+    std::error_code error;
+    if (fs::equivalent(output, input, error)) throw InvalidArgument(fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
+}
+
+/// Options of a trace's file in place of the command line's; anchors alone beside them.
+workflow::ContourOptions with_anchors(const Arguments& a, workflow::ContourOptions options, std::optional<std::string>& digest) {
+    if (a.anchors.empty()) return options;
+    const auto stored = workflow::read_trace(a.anchors);
+    if (!stored.options) {
+        if (!a.output.empty()) require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
+        options.trace.anchors = stored.anchors;
+        return options;
+    }
+    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() && !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
+                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
+    if (!plain) throw InvalidArgument(a.anchors + " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
+    digest = stored.digest;
+    return *stored.options;
 }
 
 std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) {
@@ -111,6 +118,10 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
 
 void write_picture(const Arguments& a, const workflow::TracedPicture& picture, const workflow::ContourOptions& options, const Outputs& to) {
     const auto chosen = chosen_segments(a, picture.profiles.size());
+    const auto& input = picture.micrograph.file;
+    require_not_the_same(to.stem.string() + to.extension, input);
+    require_not_the_same(to.stem.string() + ".json", input);
+    if (!a.no_overlay) require_not_the_same(to.stem.string() + ".png", input);
     for (const auto i : chosen) {
         const auto path = chosen.size() == 1 ? to.stem.string() + to.extension : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
         io::write_whole_file(path, workflow::profile_text(picture, i, options.shape));
