@@ -4,18 +4,15 @@
 #include <cmath>
 #include <vector>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
 constexpr double least_aspect = 1.5;  // length over thickness
 constexpr int most_outline = 8;       // px
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
+double median(const std::vector<double>& values) { return values.empty() ? 0 : order_statistic(values, 0.5); }
 
 struct Moments {
     double mean = 0, deviation = 0;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -54,11 +56,7 @@ void take_illumination_off(Grey& grey) {
         for (long column = 0; column < grey.cols(); ++column) grey(row, column) -= static_cast<float>(terms(row, column).dot(coefficients));
 }
 
-float lower_quartile(std::vector<float>& values) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
+float lower_quartile(const std::vector<float>& values) { return order_statistic(values, 0.25); }
 
 /// Standard deviation of one pixel's noise from a mask that is blind to planes, of pixels far enough apart for noise that a
 /// camera has blurred; by the lower quartile of magnitudes, as structure may fill half of a frame.

@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -18,9 +20,7 @@ constexpr int reweightings = 6;
 double median_magnitude(const std::vector<double>& values) {
     std::vector<double> magnitudes(values.size());
     std::transform(values.begin(), values.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
-    const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-    std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-    return *middle;
+    return order_statistic(std::move(magnitudes), 0.5);
 }
 
 /// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours (that of

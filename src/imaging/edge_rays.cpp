@@ -8,6 +8,8 @@
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -166,12 +168,7 @@ StepFit searched(const Profile& profile, double width, double sign, double farth
     return best;
 }
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
+double median_of(const std::vector<double>& values) { return values.empty() ? 0 : order_statistic(values, 0.5); }
 
 /// Pixels a sector would have where it lies wholly within the frame.
 double whole_sector(const Outline& outline, std::size_t rays, const Window& window) {

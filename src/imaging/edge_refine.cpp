@@ -8,6 +8,7 @@
 
 #include <Eigen/Sparse>
 
+#include "order_statistic.hpp"
 #include "trace_smoothing.hpp"
 
 namespace setae::imaging {
@@ -219,10 +220,7 @@ private:
 
     /// The move that nineteen points in twenty do not exceed.
     [[nodiscard]] static double most_of(const Array1D& moves) {
-        std::vector<double> sorted(moves.begin(), moves.end());
-        const auto at = sorted.begin() + static_cast<long>(0.95 * static_cast<double>(sorted.size() - 1));
-        std::nth_element(sorted.begin(), at, sorted.end());
-        return *at;
+        return order_statistic(std::vector<double>(moves.begin(), moves.end()), 0.95);
     }
 
     /// Anchors draw the place nearest to them, between two points, along the normal there.

@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -102,8 +104,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
                 bottoms.push_back(letters[i].box.br().y);
             }
         if (line.letters.size() < 2) continue;
-        std::nth_element(bottoms.begin(), bottoms.begin() + static_cast<long>(bottoms.size() / 2), bottoms.end());
-        const int baseline = bottoms[bottoms.size() / 2];
+        const int baseline = order_statistic(bottoms, 0.5);
         for (const auto& part : parts) {
             if (std::find(kept.begin(), kept.end(), part.label) != kept.end() || (part.box & line.box).empty()) continue;
             const bool between = part.box.x > line.letters.front().br().x - 1 && part.box.br().x < line.letters.back().x + 1;

@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "order_statistic.hpp"
+
 namespace setae::imaging {
 namespace {
 
@@ -28,9 +30,8 @@ LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum) : rise_x_(pixels.ro
     std::vector<float> rises;
     const long stride = std::max(1L, pixels.size() / 200'000);
     for (long i = 0; i < pixels.size(); i += stride) rises.push_back(std::hypot(rise_x_.data()[i], rise_y_.data()[i]));
-    const auto strong = rises.begin() + static_cast<long>(0.99 * static_cast<double>(rises.size() - 1));
-    std::nth_element(rises.begin(), strong, rises.end());
-    const float unit = *strong > 0 ? 1.0F / *strong : 0.0F;
+    const float strong = order_statistic(std::move(rises), 0.99);
+    const float unit = strong > 0 ? 1.0F / strong : 0.0F;
     rise_x_ *= unit, rise_y_ *= unit;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "order_statistic.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -32,10 +33,9 @@ long fill_undefined(PreparedPicture& picture) {
     std::vector<float> defined;
     for (long i = 0; i < picture.pixels.size(); ++i)
         if (std::isfinite(picture.pixels.data()[i])) defined.push_back(picture.pixels.data()[i]);
-    const auto middle = defined.begin() + static_cast<long>(defined.size() / 2);
-    std::nth_element(defined.begin(), middle, defined.end());
+    const float median = order_statistic(std::move(defined), 0.5);
     for (long i = 0; i < picture.pixels.size(); ++i)
-        if (!std::isfinite(picture.pixels.data()[i])) picture.pixels.data()[i] = *middle, picture.hidden.data()[i] = 1;
+        if (!std::isfinite(picture.pixels.data()[i])) picture.pixels.data()[i] = median, picture.hidden.data()[i] = 1;
     return count;
 }
 
@@ -57,10 +57,8 @@ double noise_of(const FramePixels& pixels) {
     std::vector<float> differences;
     const long stride = std::max(1L, pixels.size() / 200'000);
     for (long i = 1; i < pixels.size(); i += stride) differences.push_back(std::abs(pixels.data()[i] - pixels.data()[i - 1]));
-    const auto middle = differences.begin() + static_cast<long>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
     constexpr double to_deviation = 1.4826 / 1.4142135623730951;  // of a normal variate, and of a difference of two
-    return to_deviation * static_cast<double>(*middle);
+    return to_deviation * static_cast<double>(order_statistic(std::move(differences), 0.5));
 }
 
 long remove_spikes(FramePixels& pixels) {

@@ -12,6 +12,7 @@
 
 #include "label_meaning.hpp"
 #include "letter_lines.hpp"
+#include "order_statistic.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -93,9 +94,7 @@ LabelMeaning checked(const LetterLine& line, const std::string& reading) {
 double median_level(const cv::Mat1f& patch) {
     std::vector<float> values;
     for (int y = 0; y < patch.rows; ++y) values.insert(values.end(), patch.ptr<float>(y), patch.ptr<float>(y) + patch.cols);
-    const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
+    return static_cast<double>(order_statistic(std::move(values), 0.5));
 }
 
 cv::Mat1b mask_near(const cv::Mat1f& patch, double level, double tolerance) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "order_statistic.hpp"
 #include "phase_cut.hpp"
 
 namespace setae::imaging {
@@ -23,6 +24,7 @@ constexpr double least_share = 1e-3;     // of the range of levels: what is less
 constexpr double least_squares_of_a_phase = 20;
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
+constexpr double told_structure = 1.3;   // ratio of noise by which one phase has more of it
 constexpr long most_samples = 1'000'000; // of pixels for a median
 constexpr long band = 3;                 // squares on either side of a border cut anew
 
@@ -120,12 +122,6 @@ double border(const PixelMask& labels) {
             if (row + 1 < labels.rows() && labels(row, column) != labels(row + 1, column)) length += 1;
         }
     return length;
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 PixelMask above(const Map& map, double level) { return (map > level).cast<std::uint8_t>(); }
@@ -241,6 +237,35 @@ PixelMask enlarged(const PixelMask& labels, long rows, long columns, long ratio)
     return larger;
 }
 
+/// Levels and noise away from the border, and which phase is vacuum: that with less structure, of like ones the brighter.
+void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& hidden, const PhaseModel& model, long side, Vacuum vacuum) {
+    std::array<std::vector<double>, 2> levels;
+    const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
+    const long stride = std::max(1L, pixels.size() / most_samples);
+    for (long i = 0; i < pixels.size(); i += stride)
+        if (inner.data()[i] != 0 && hidden.data()[i] == 0) levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
+    std::array<double, 2> level{}, noise{};
+    for (int label : {0, 1}) {
+        if (levels[label].empty()) continue;
+        level[label] = order_statistic(std::move(levels[label]), 0.5);
+        noise[label] = side > 1 ? std::exp(0.5 * model.structure[label]) : model.scatter[label];
+    }
+    const double ratio = noise[1] > 0 && noise[0] > 0 ? noise[1] / noise[0] : 1.0;
+    const bool structured = ratio > told_structure || ratio < 1 / told_structure;
+    bool swap = structured ? ratio < 1 : level[0] < level[1];
+    result.vacuum_assumed = vacuum == Vacuum::automatic && !structured;
+    if (vacuum == Vacuum::bright) swap = level[0] < level[1];
+    if (vacuum == Vacuum::dark) swap = level[0] > level[1];
+    if (swap) {
+        result.sample = 1 - result.sample;
+        std::swap(level[0], level[1]);
+        std::swap(noise[0], noise[1]);
+    }
+    result.vacuum_level = level[0], result.sample_level = level[1];
+    result.vacuum_noise = noise[0], result.sample_noise = noise[1];
+    result.vacuum = level[0] >= level[1] ? Vacuum::bright : Vacuum::dark;
+}
+
 }  // namespace
 
 TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacuum) {
@@ -263,32 +288,7 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     }
     result.sample = labels.rows() == pixels.rows() && labels.cols() == pixels.cols() ? labels : enlarged(labels, pixels.rows(), pixels.cols(), 1);
 
-    std::array<std::vector<double>, 2> levels;
-    const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
-    const long stride = std::max(1L, pixels.size() / most_samples);
-    for (long i = 0; i < pixels.size(); i += stride)
-        if (inner.data()[i] != 0 && hidden.data()[i] == 0) levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
-    std::array<double, 2> level{}, noise{};
-    for (int label : {0, 1}) {
-        if (levels[label].empty()) continue;
-        level[label] = median_of(levels[label]);
-        noise[label] = side > 1 ? std::exp(0.5 * best.model.structure[label]) : best.model.scatter[label];
-    }
-    const double ratio = noise[1] > 0 && noise[0] > 0 ? noise[1] / noise[0] : 1.0;
-    // label 0 is vacuum where it has less structure; of like structure where it is brighter
-    const bool structured = ratio > 1.3 || ratio < 1 / 1.3;
-    bool swap = structured ? ratio < 1 : level[0] < level[1];
-    result.vacuum_assumed = vacuum == Vacuum::automatic && !structured;
-    if (vacuum == Vacuum::bright) swap = level[0] < level[1];
-    if (vacuum == Vacuum::dark) swap = level[0] > level[1];
-    if (swap) {
-        result.sample = 1 - result.sample;
-        std::swap(level[0], level[1]);
-        std::swap(noise[0], noise[1]);
-    }
-    result.vacuum_level = level[0], result.sample_level = level[1];
-    result.vacuum_noise = noise[0], result.sample_noise = noise[1];
-    result.vacuum = level[0] >= level[1] ? Vacuum::bright : Vacuum::dark;
+    name_phases(result, pixels, hidden, best.model, side, vacuum);
     return result;
 }
 
