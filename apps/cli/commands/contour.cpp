@@ -173,8 +173,9 @@ Outcome traced(const Arguments& a, const std::string& path, const workflow::Cont
 }
 
 ExitCode run(const Arguments& a) {
+    if (a.pictures.empty()) throw InvalidArgument("no picture given; name one, several, or a folder");
     const auto pictures = listed(a.pictures);
-    const bool batch = pictures.size() > 1 || (!a.pictures.empty() && fs::is_directory(a.pictures.front()));
+    const bool batch = pictures.size() > 1 || fs::is_directory(a.pictures.front());
     if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
     if (batch && !a.save_calibration.empty()) throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
     std::optional<std::string> digest;
@@ -216,7 +217,7 @@ ExitCode run(const Arguments& a) {
 void add_contour(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("contour", "from a micrograph's edge to a profile with errors");
-    verb->add_option("pictures", arguments->pictures, "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")->required();
+    verb->add_option("pictures", arguments->pictures, "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
     verb->add_option("-o,--output", arguments->output, "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
     verb->add_option("--anchors", arguments->anchors, "points the trace must pass (JSON), or a whole trace to be made again");
     verb->add_option("--segment", arguments->segment, "number of the segment written, longest first, or all");
