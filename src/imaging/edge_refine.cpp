@@ -336,7 +336,6 @@ private:
         edge.blur = shape_.width;
         edge.curve = samples_of_edge();
         edge.shape = shape_;
-        edge.vacuum_noise = vacuum_noise_, edge.sample_noise = sample_noise_;
         edge.noise_density = noise_;
         edge.smoothing_length = smoothing_;
         const double noise = std::sqrt(0.5 * (vacuum_noise_ * vacuum_noise_ + sample_noise_ * sample_noise_));

@@ -16,7 +16,6 @@ struct RefinedEdge {
     Array1D standard_error;        ///< of each point along the normal [px]; infinite where the edge was lost
     EdgeShape shape;
     double blur = 0;               ///< width of the shape without what the trace's own error adds [px]
-    double vacuum_noise = 0, sample_noise = 0;  ///< scatter about the shape, a pixel beyond the edge
     double noise_density = 0;      ///< of places before smoothing [px³]
     double smoothing_length = 0;   ///< [px]
     double contrast_to_noise = 0;  ///< of the step that has the edge's slope and width, over the noise of a pixel on either side

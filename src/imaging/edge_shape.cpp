@@ -39,7 +39,6 @@ Parameters parameters_of(const EdgeShape& s) {
 struct Fit {
     Parameters parameters;
     double squares = 0;
-    Parameters deviations = Parameters::Zero();
 };
 
 /// Squares weighted by count over the noise of a pixel.
@@ -96,8 +95,6 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
         }
         if (!better) break;
     }
-    const Normal inverse = (normal + 1e-12 * normal.trace() * Normal::Identity()).inverse();
-    fit.deviations = inverse.diagonal().cwiseMax(0).cwiseSqrt();
     return fit;
 }
 
@@ -144,8 +141,6 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
     }
     auto shape = shape_of(best.parameters);
     if (shape.fringe_rules()) shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest, widest);
-    shape.step_deviation = best.deviations[1];
-    shape.place_deviation = best.deviations[2];
     return shape;
 }
 

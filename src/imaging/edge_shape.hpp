@@ -14,8 +14,6 @@ namespace setae::imaging {
 /// d: distance from the curve, positive in vacuum [px]. The fringe is odd: the slope is steepest at t = 0, with it or without.
 struct EdgeShape {
     double level = 0, step = 0, place = 0, width = 1, fringe = 0, fringe_width = 3;
-    double step_deviation = 0;  ///< standard deviation of step
-    double place_deviation = 0;
 
     [[nodiscard]] double value(double distance) const;  ///< without level, place taken for 0
     [[nodiscard]] double slope(double distance) const;
