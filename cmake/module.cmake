@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# setae_module(name LINKS targets... PRIVATE targets...)
+# setae_module(name [FOLDERS folders...] LINKS targets... PRIVATE targets...)
 #
 # A module is one directory, one library setae::<name>, one include directory. Sources are the *.cpp beside
-# CMakeLists.txt, tests are tests/*_test.cpp (one program a module, label "unit"; tests in files named
+# CMakeLists.txt and in FOLDERS, whose tests are in tests/<folder>; tests are tests/*_test.cpp (one program a module, label "unit"; tests in files named
 # *_property_test.cpp carry the label "property"), benchmarks are benchmarks/*_bench.cpp.
 function(setae_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -26,20 +26,27 @@ function(setae_test target label)
 endfunction()
 
 function(setae_module name)
-  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE;TEST_LINKS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  cmake_parse_arguments(ARG "" "" "FOLDERS;LINKS;PRIVATE;TEST_LINKS" ${ARGN})
+  list(TRANSFORM ARG_FOLDERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE source_folders)
+  list(TRANSFORM ARG_FOLDERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/tests/" OUTPUT_VARIABLE test_folders)
+  list(TRANSFORM source_folders APPEND "/*.cpp" OUTPUT_VARIABLE source_patterns)
+  list(TRANSFORM test_folders APPEND "/*_test.cpp" OUTPUT_VARIABLE test_patterns)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${source_patterns})
   add_library(setae_${name} ${sources})
   add_library(setae::${name} ALIAS setae_${name})
   set_target_properties(setae_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(setae_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(ARG_FOLDERS)
+    target_include_directories(setae_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
   target_link_libraries(setae_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
   setae_compile_options(setae_${name})
   install(TARGETS setae_${name} EXPORT setae ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
   if(SETAE_TESTS)
-    file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.cpp)
+    file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*_test.cpp ${test_patterns})
     set(property_tests ${tests})
     list(FILTER property_tests INCLUDE REGEX "_property_test\\.cpp$")
     list(FILTER tests EXCLUDE REGEX "_property_test\\.cpp$")

@@ -4,11 +4,14 @@
 #include <zip.h>
 
 #include <algorithm>
-#include <array>
+#include <limits>
+#include <mutex>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "expand.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io {
@@ -18,8 +21,15 @@ struct CloseMember {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
+constexpr std::uint64_t head_bytes = 1 << 16;
+
 [[noreturn]] void broken(const Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "ZIP: " + what);
+}
+
+/// The directory of an archive stands at its end: what was looked for there is not there.
+[[noreturn]] void no_archive(const Source& source, const std::string& reason) {
+    throw FormatError(source.name, {.offset = source.size}, fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
 }
 
 zip* opened_file(const Source& source) {
@@ -30,7 +40,7 @@ zip* opened_file(const Source& source) {
     zip_error_init_with_code(&error, code);
     const std::string reason = zip_error_strerror(&error);
     zip_error_fini(&error);
-    broken(source, reason + "; the archive is damaged or truncated");
+    no_archive(source, reason);
 }
 
 zip* opened_memory(const Source& source, const std::string& content) {
@@ -42,8 +52,41 @@ zip* opened_memory(const Source& source, const std::string& content) {
     zip_error_fini(&error);
     if (archive) return archive;
     if (buffer) zip_source_free(buffer);
-    broken(source, reason + "; the archive is damaged or truncated");
+    no_archive(source, reason);
 }
+
+/// Whether a member's name stays in the archive's own folder.
+bool stays_inside(std::string_view name) {
+    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
+    while (!name.empty()) {
+        const auto end = std::min(name.find_first_of("/\\"), name.size());
+        if (name.substr(0, end) == "..") return false;
+        name.remove_prefix(std::min(end + 1, name.size()));
+    }
+    return true;
+}
+
+/// What a member announces of itself.
+zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
+    zip_stat_t stat;
+    if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) || !(stat.valid & ZIP_STAT_COMP_SIZE))
+        broken(source, fmt::format("member {} has no size", index));
+    return stat;
+}
+
+/// A member expanded when it is asked for, once, whichever thread asks first.
+struct LazyMember {
+    Source archive;
+    std::string name, head;
+    std::mutex guard;
+    std::shared_ptr<const std::string> content;
+
+    std::shared_ptr<const std::string> expanded() {
+        const std::lock_guard lock(guard);
+        if (!content) content = std::make_shared<const std::string>(Archive(archive).read(name));
+        return content;
+    }
+};
 
 }  // namespace
 
@@ -54,6 +97,8 @@ void Archive::Close::operator()(zip* archive) const { zip_discard(archive); }
 Archive::Archive(const Source& source) : source_(source) {
     if (source.path.empty()) content_ = std::make_shared<const std::string>(source.all());
     zip_.reset(content_ ? opened_memory(source_, *content_) : opened_file(source_));
+    for (const auto& name : names())
+        if (!stays_inside(name)) broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
 }
 
 std::vector<std::string> Archive::names() const {
@@ -66,23 +111,50 @@ std::vector<std::string> Archive::names() const {
 
 bool Archive::has(const std::string& name) const { return zip_name_locate(zip_.get(), name.c_str(), 0) >= 0; }
 
-std::string Archive::read(const std::string& name) const {
+std::uint64_t Archive::index_of(const std::string& name) const {
     const auto index = zip_name_locate(zip_.get(), name.c_str(), 0);
     if (index < 0) broken(source_, fmt::format("no member '{}', it holds: {}", name, fmt::join(names(), ", ")));
-    const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), static_cast<zip_uint64_t>(index), 0));
+    return static_cast<std::uint64_t>(index);
+}
+
+std::uint64_t Archive::size(const std::string& name) const { return announced(zip_.get(), index_of(name), source_).size; }
+
+std::string Archive::read(const std::string& name) const { return head(name, std::numeric_limits<std::uint64_t>::max()); }
+
+std::string Archive::head(const std::string& name, std::uint64_t count) const {
+    const auto index = index_of(name);
+    const auto compressed = std::min<std::uint64_t>(announced(zip_.get(), index, source_).comp_size, source_.size);
+    const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), index, 0));
     if (!file) broken(source_, fmt::format("member '{}': {}", name, zip_strerror(zip_.get())));
     std::string content;
+    content.reserve(std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count}));
     std::vector<char> chunk(1 << 18);
-    for (;;) {
-        const auto got = zip_fread(file.get(), chunk.data(), chunk.size());
+    while (content.size() < count) {
+        const auto got = zip_fread(file.get(), chunk.data(), std::min<std::uint64_t>(chunk.size(), count - content.size()));
         if (got < 0) broken(source_, fmt::format("member '{}' is damaged: {}", name, zip_file_strerror(file.get())));
-        if (got == 0) return content;
+        if (got == 0) break;
         content.append(chunk.data(), static_cast<std::size_t>(got));
+        if (content.size() > most_expanded(compressed))
+            broken(source_, fmt::format("member '{}' expands from {} bytes to more than {}; if it is honest, unpack the archive with another program first", name, compressed, most_expanded(compressed)));
     }
+    return content;
 }
 
 Source Archive::member(const std::string& name) const {
-    return memory_source(fmt::format("{}: {}", source_.name, name), read(name));
+    auto lazy = std::make_shared<LazyMember>();
+    lazy->archive = source_;
+    lazy->name = name;
+    lazy->head = head(name, head_bytes);
+    Source source{fmt::format("{}: {}", source_.name, name), size(name), {}, {}};
+    source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
+        if (offset > size || count > size - offset) throw FormatError(label, {.offset = size}, fmt::format("the member ends here, expected {} bytes from byte {}; it is truncated", count, offset));
+        const bool in_head = offset + count <= lazy->head.size();
+        const auto content = in_head ? nullptr : lazy->expanded();
+        const std::string& from = in_head ? lazy->head : *content;
+        if (offset + count > from.size()) throw FormatError(label, {.offset = from.size()}, "ZIP: the member is shorter than the archive's directory says");
+        std::copy_n(from.data() + offset, count, target);
+    };
+    return source;
 }
 
 }  // namespace setae::io

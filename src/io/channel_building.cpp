@@ -2,7 +2,6 @@
 #include "channel_building.hpp"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -25,6 +24,19 @@ std::vector<double> size_of(const HeightMap& map) { return {map.size[0], map.siz
 std::vector<double> size_of(const LineScan& scan) { return {scan.size}; }
 std::vector<double> size_of(const Profile& profile) {
     return {std::abs(profile.positions[profile.positions.size() - 1] - profile.positions[0])};
+}
+
+const char* size_example(const ChannelInfo& info) { return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\""; }
+
+/// Infinite heights made undefined in place; whether any is defined.
+bool settle(double* heights, Index count) {
+    bool any = false;
+    for (Index i = 0; i < count; ++i) {
+        const bool defined = std::isfinite(heights[i]);
+        if (!defined) heights[i] = undefined;
+        any = any || defined;
+    }
+    return any;
 }
 
 }  // namespace
@@ -58,10 +70,7 @@ Measurement checked(Measurement measurement, const Source& source) {
     const bool is_map = std::holds_alternative<HeightMap>(measurement);
     if (points[0] < 2 || (is_map && points[1] < 2))
         throw FormatError(source.name, {}, fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
-    std::visit(
-        [](auto& m) { m.heights = m.heights.isFinite().select(m.heights, std::numeric_limits<double>::quiet_NaN()).eval(); },
-        measurement);
-    const auto heights_defined = std::visit([](const auto& m) { return m.heights.isFinite().any(); }, measurement);
+    const bool heights_defined = std::visit([](auto& m) { return settle(m.heights.data(), m.heights.size()); }, measurement);
     if (!heights_defined)
         throw UndefinedDataError(fmt::format("{}: all {} heights are undefined", source.name, points[0] * points[1]));
     const bool is_profile = std::holds_alternative<Profile>(measurement);  // a traced curve may end where it began
@@ -91,6 +100,37 @@ Array1D standard_errors(const RawTable::RawColumn& column, const Source& source)
         if (!(column.values[i] >= 0.0) || !std::isfinite(column.values[i]))
             throw FormatError(source.name, {}, fmt::format("standard error {} of point {}; expected a number >= 0", column.values[i], i + 1));
     return column.values * length_unit(column.unit, source).factor;
+}
+
+double complete(ChannelInfo& info, const ReadOptions& options, const Source& source) {
+    double factor = 1.0;
+    if (info.unit.empty() && options.unit) {
+        const auto unit = length_unit(*options.unit, source);
+        info.unit = unit.name;
+        factor = unit.factor;
+    } else if (!info.unit.empty()) {
+        info.unit = length_unit(info.unit, source).name;
+    }
+    if (info.size.empty() && options.size) {
+        if (options.size->size() != info.shape.size())
+            throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name, options.size->size(), info.shape.size(),
+                                              size_example(info)));
+        info.size = *options.size;
+    }
+    for (const double size : info.size)
+        if (!(size > 0.0) || !std::isfinite(size)) throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
+    info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
+    info.metadata.file = source.name;
+    info.metadata.format = info.format;
+    info.metadata.unit = info.unit;
+    return factor;
+}
+
+Channel incomplete_channel(ChannelInfo info, const Source& source) {
+    const auto message = info.unit.empty() && info.size.empty() ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name, size_example(info))
+                         : info.unit.empty()                    ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
+                                                                : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
+    return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
 }
 
 std::string required_unit(const ReadOptions& options, const Source& source) {

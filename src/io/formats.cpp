@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "readers.hpp"
+#include "expand.hpp"
+#include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
 
@@ -13,80 +14,33 @@ namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
-        {.identifier = "ce-container",
-         .name = "contact.engineering container",
-         .extensions = ".zip",
-         .description = "ZIP with index.json or meta.yml and one measurement or more; the original file is preferred to its "
-                        "processed copy, its heights are scaled by the index only where they carry no scale themselves",
-         .reference = "https://contact.engineering",
-         .tested_on_real_files = true,
-         .detect = detect_container,
-         .open = open_container},
-        {.identifier = "x3p",
-         .name = "X3P",
-         .extensions = ".x3p .xml",
-         .description = "ZIP with main.xml and binary or listed points of a surface or profile; signed integers or floats, "
-                        "increments and offsets applied, invalid points undefined, checksums verified",
-         .reference = "ISO 25178-72:2017 (formerly ISO 5436-2)",
-         .tested_on_real_files = true,
-         .detect = detect_x3p,
-         .open = open_x3p},
-        {.identifier = "di",
-         .name = "Nanoscope",
-         .extensions = ".spm .001 .002 .003 .di .txt",
-         .description = "Digital Instruments, Veeco, Bruker from version 4.3: text header and an integer image a channel; "
-                        "hard scale times soft sensitivity, rows stored from bottom to top",
-         .reference = "Nanoscope 5 to 9 file headers, as described by Gwyddion's user guide",
-         .tested_on_real_files = true,
-         .detect = detect_nanoscope,
-         .open = open_nanoscope},
-        {.identifier = "nc",
-         .name = "NetCDF topography",
-         .extensions = ".nc",
-         .description = "classic NetCDF with variables heights, x, y and perhaps mask, as containers hold them",
-         .reference = "NetCDF Users Guide, classic format",
-         .writes = true,
-         .tested_on_real_files = true,
-         .detect = detect_netcdf,
-         .open = open_netcdf},
-        {.identifier = "npy",
-         .name = "NumPy array",
-         .extensions = ".npy",
-         .description = "versions 1 to 3, floats or integers of either byte order, C or Fortran order, first index x; size "
-                        "and unit must be given",
-         .reference = "NumPy Enhancement Proposal 1",
-         .writes = true,
-         .tested_on_real_files = true,
-         .carries_scale = false,
-         .detect = detect_npy,
-         .open = open_npy},
-        {.identifier = "matrix",
-         .name = "text matrix",
-         .extensions = ".txt .asc",
-         .description = "numbers only, a row of the map a line from the top, with Gwyddion's header (width, height, value "
-                        "units) or size and unit given",
-         .reference = "Gwyddion user guide, export as ASCII data matrix",
-         .tested_on_real_files = true,
-         .carries_scale = false,
-         .detect = detect_matrix_text,
-         .open = open_matrix_text},
-        {.identifier = "xy",
-         .name = "two-column text",
-         .extensions = ".txt .csv .asc .dat .hfm",
-         .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal "
-                        "steps give a line scan, others a profile as traced; also Dektak CSV, a third column 'valid' "
-                        "or 'standard_error', and setae's own profiles with the response of their trace",
-         .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
-         .writes = true,
-         .tested_on_real_files = true,
-         .carries_scale = false,
-         .detect = detect_xy,
-         .open = open_xy},
+        // exchange
+        container_format(),
+        x3p_format(),
+
+        // arrays
+        netcdf_format(),
+        npy_format(),
+
+        // scanning probes
+        nanoscope_format(),
+
+        // optical and stylus profilers
+
+        // text and sheets, asked last: their columns may begin anywhere
+        matrix_text_format(),
+        xy_format(),
     };
     return table;
 }
 
 namespace {
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> found;
+    split_cells(text, ' ', found);
+    return found;
+}
 
 std::string first_bytes(std::string_view head) {
     std::string shown;
@@ -100,12 +54,27 @@ std::string first_bytes(std::string_view head) {
     return shown;
 }
 
+/// Formats whose usual endings the name has, for a file that none of them recognises.
+std::string expected_by_name(const std::string& name) {
+    std::string names;
+    for (const auto& format : formats())
+        for (const auto ending : words(format.extensions))
+            if (lowered(name).ends_with(ending)) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
+    return names.empty() ? "" : fmt::format("; its name is that of {}, whose files begin otherwise: it may be damaged or of another version", names);
+}
+
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (looks_like_text(head))
         throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header");
     throw FormatError(source.name, {.offset = 0},
-                      fmt::format("begins with '{}', which no format setae reads does; `setae formats` lists them", first_bytes(head)));
+                      fmt::format("begins with '{}', which no format setae reads does{}; `setae formats` lists them", first_bytes(head), expected_by_name(source.name)));
+}
+
+/// What a gzip file holds, under the file's own name.
+Source unpacked(const Source& source) {
+    if (!is_gzip(source.head(3))) return source;
+    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
 }
 
 /// Sizes the user or an index gave against the file's own, which stay.
@@ -135,7 +104,29 @@ const Format& detect_format(const Source& source) {
     return *possible;
 }
 
-std::vector<Channel> open(const Source& source, const ReadOptions& options) {
+const Format& format_to_write(const std::string& path) {
+    std::string endings;
+    for (const auto& format : formats()) {
+        if (!format.writes()) continue;
+        for (const auto ending : words(format.extensions)) {
+            if (lowered(path).ends_with(ending)) return format;
+            endings += fmt::format("{}{}", endings.empty() ? "" : ", ", ending);
+        }
+    }
+    throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings));
+}
+
+std::vector<std::string> missing(const ChannelInfo& info) {
+    std::vector<std::string> names;
+    if (info.size.empty()) names.emplace_back("size");
+    if (info.unit.empty()) names.emplace_back("unit");
+    if (info.metadata.instrument.name.empty()) names.emplace_back("instrument");
+    if (info.metadata.acquisition_time.empty()) names.emplace_back("date");
+    return names;
+}
+
+std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
+    const auto source = unpacked(packed);
     auto channels = detect_format(source).open(source, options);
     compare_sizes(channels, options, source);
     return channels;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/io/whole_file.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
@@ -20,14 +22,43 @@
 namespace setae::io {
 namespace {
 
-std::ifstream opened(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw FileError(fmt::format("{}: no such file", path));
-    if (std::filesystem::is_directory(path, ignored))
-        throw FileError(fmt::format("{}: is a folder, expected a file", path));
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(fmt::format("{}: cannot be opened for reading; check its permissions", path));
-    return file;
+/// An open file that closes itself.
+class Descriptor {
+public:
+    /// @throws FileError for a missing path, a folder or a file that cannot be opened.
+    explicit Descriptor(const std::string& path) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) throw FileError(fmt::format("{}: no such file", path));
+        if (std::filesystem::is_directory(path, ignored)) throw FileError(fmt::format("{}: is a folder, expected a file", path));
+        number_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        if (number_ < 0) throw FileError(fmt::format("{}: cannot be opened for reading; check its permissions", path));
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { ::close(number_); }
+
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_ = -1;
+};
+
+void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t count, char* target) {
+    const Descriptor file(path);
+    while (count > 0) {
+        const auto got = ::pread(file.number(), target, count, static_cast<off_t>(offset));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path, count, offset));
+        target += got;
+        offset += static_cast<std::uint64_t>(got);
+        count -= static_cast<std::uint64_t>(got);
+    }
+}
+
+/// Refuses what lies beyond the end of a source.
+void require_inside(const std::string& name, std::uint64_t size, std::uint64_t offset, std::uint64_t count) {
+    if (offset > size || count > size - offset)
+        throw FormatError(name, {.offset = size}, fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
 }
 
 /// A name beside `path` that no other writer of this or another process uses.
@@ -46,22 +77,21 @@ std::optional<pid_t> writer_of(const std::string& name) {
 
 }  // namespace
 
+std::string Source::bytes(std::uint64_t offset, std::uint64_t count) const {
+    require_inside(name, size, offset, count);
+    std::string content(count, '\0');
+    read_into(offset, count, content.data());
+    return content;
+}
+
 Source file_source(const std::string& path) {
-    auto file = std::make_shared<std::ifstream>(opened(path));
-    file->seekg(0, std::ios::end);
-    const auto end = file->tellg();
+    const Descriptor file(path);
+    const auto end = ::lseek(file.number(), 0, SEEK_END);
     if (end < 0) throw FileError(fmt::format("{}: cannot be read; expected a regular file", path));
     Source source{path, static_cast<std::uint64_t>(end), path, {}};
-    source.bytes = [path, size = source.size](std::uint64_t offset, std::uint64_t count) {
-        if (offset > size || count > size - offset)
-            throw FormatError(path, {.offset = size},
-                              fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
-        auto stream = opened(path);
-        std::string content(count, '\0');
-        stream.seekg(static_cast<std::streamoff>(offset));
-        stream.read(content.data(), static_cast<std::streamsize>(count));
-        if (!stream && count > 0) throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path, count, offset));
-        return content;
+    source.read_into = [path, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
+        require_inside(path, size, offset, count);
+        read_from_file(path, offset, count, target);
     };
     return source;
 }
@@ -69,13 +99,21 @@ Source file_source(const std::string& path) {
 Source memory_source(std::string name, std::string content) {
     const auto shared = std::make_shared<const std::string>(std::move(content));
     Source source{std::move(name), shared->size(), {}, {}};
-    source.bytes = [shared, label = source.name](std::uint64_t offset, std::uint64_t count) {
-        if (offset > shared->size() || count > shared->size() - offset)
-            throw FormatError(label, {.offset = shared->size()},
-                              fmt::format("the content ends here, expected {} bytes from byte {}; it is truncated", count, offset));
-        return shared->substr(offset, count);
+    source.read_into = [shared, label = source.name](std::uint64_t offset, std::uint64_t count, char* target) {
+        require_inside(label, shared->size(), offset, count);
+        std::copy_n(shared->data() + offset, count, target);
     };
     return source;
+}
+
+Source part_of(const Source& source, std::string name, std::uint64_t offset, std::uint64_t count) {
+    require_inside(source.name, source.size, offset, count);
+    Source part{std::move(name), count, {}, {}};
+    part.read_into = [whole = source, label = part.name, offset, size = count](std::uint64_t from, std::uint64_t length, char* target) {
+        require_inside(label, size, from, length);
+        whole.read_into(offset + from, length, target);
+    };
+    return part;
 }
 
 std::string read_file(const std::string& path) { return file_source(path).all(); }

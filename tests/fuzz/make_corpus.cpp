@@ -7,6 +7,7 @@
 
 #include "../../src/imaging/tests/micrograph_samples.hpp"
 #include "../../src/imaging/tests/recordings.hpp"
+#include "format_samples.hpp"
 
 namespace {
 
@@ -39,6 +40,13 @@ std::vector<Sample> descriptions() {
             {"emd Velox", told({1, 1, 2, rows, columns, 2, 129}, "m\nm\n{\"BinaryResult\": {\"PixelSize\": {\"width\": \"1e-10\", \"height\": \"1e-10\"}, \"PixelUnitX\": \"m\", \"PixelUnitY\": \"m\"}}")}};
 }
 
+void write(const std::filesystem::path& folder, std::string name, const std::string& content) {
+    std::filesystem::create_directories(folder);
+    for (auto& c : name)
+        if (c == ' ' || c == '/') c = '_';
+    std::ofstream(folder / name, std::ios::binary) << content;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -51,12 +59,11 @@ int main(int argc, char** argv) {
     for (const auto& description : descriptions()) samples.push_back(description);
     for (const auto& large : micrographs_of(30000)) samples.emplace_back(large.first + " large", large.second);
     for (const auto& film : films()) samples.push_back(film);
-    for (auto [name, content] : samples) {
-        const auto folder = std::filesystem::path(argv[1]) / target_of(name);
-        std::filesystem::create_directories(folder);
-        for (auto& c : name)
-            if (c == ' ') c = '_';
-        std::ofstream(folder / name, std::ios::binary) << content;
+    const std::filesystem::path corpus = argv[1];
+    for (const auto& [name, content] : samples) write(corpus / target_of(name), name, content);
+    for (const auto& sample : setae::io::tests::format_samples()) {
+        write(corpus / ("topography_" + sample.format), sample.name, sample.content);
+        write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }
     return 0;
 }

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "fuzz_target.hpp"
+#include "fuzz_input.hpp"
 #include "setae/io/whole_file.hpp"
 
 namespace {

@@ -40,13 +40,13 @@ ExitCode run(const Common& common) {
         workflow::Json list = workflow::Json::array();
         for (const auto& f : io::formats())
             list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
-                            {"reference", f.reference}, {"reads", f.reads}, {"writes", f.writes}, {"tested_on_real_files", f.tested_on_real_files}});
+                            {"reference", f.reference}, {"writes", f.writes()}, {"tested_on_real_files", f.tested_on_real_files}});
         print_json({{"formats", list}, {"force_curves", as_json(io::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
         return ExitCode::done;
     }
-    workflow::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+    workflow::TidyTable table{"", {"format", "name", "extensions", "writes", "real files", "description"}, {}};
     for (const auto& f : io::formats())
-        table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.reads), yes(f.writes), yes(f.tested_on_real_files), f.description});
+        table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.writes()), yes(f.tested_on_real_files), f.description});
     const auto curves = as_table("force curves, for setae jkr", io::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
     print(workflow::as_text(table) + "\n" + workflow::as_text(curves) + "\n" + workflow::as_text(micrographs) +

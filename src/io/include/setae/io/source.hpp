@@ -12,8 +12,11 @@ struct Source {
     std::string name;         ///< for messages: the path, or "container.zip: member"
     std::uint64_t size = 0;   ///< bytes
     std::string path;         ///< on disk; empty for a member of an archive
-    std::function<std::string(std::uint64_t offset, std::uint64_t count)> bytes;  ///< exactly `count` bytes
+    /// exactly `count` bytes from `offset` into memory of the caller, from any thread
+    std::function<void(std::uint64_t offset, std::uint64_t count, char* target)> read_into;
 
+    /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated then.
+    [[nodiscard]] std::string bytes(std::uint64_t offset, std::uint64_t count) const;
     [[nodiscard]] std::string all() const { return bytes(0, size); }
     /// The first `count` bytes, or all where there are fewer.
     [[nodiscard]] std::string head(std::uint64_t count) const { return bytes(0, count < size ? count : size); }
@@ -25,5 +28,8 @@ struct Source {
 
 /// Bytes in memory under a name.
 [[nodiscard]] Source memory_source(std::string name, std::string content);
+
+/// Part of a source, such as an archive behind a picture. @throws FormatError where the source ends before.
+[[nodiscard]] Source part_of(const Source& source, std::string name, std::uint64_t offset, std::uint64_t count);
 
 }  // namespace setae::io

@@ -13,13 +13,14 @@
 #include "archive.hpp"
 #include "bytes.hpp"
 #include "channel_building.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/digest.hpp"
 #include "setae/topography/line_scans.hpp"
 #include "text.hpp"
+#include "xml_file.hpp"
 
 // X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points itself, a binary file.
 // coordinate [m] = value · Increment + Offset; x is the fastest index; int16, int32, float32 or float64, little-endian.
@@ -251,6 +252,7 @@ Channel to_channel(const Document& document, const Points& points, std::vector<A
     info.name = "height";
     info.format = "x3p";
     info.unit = "m";
+    if (!document.profile) info.orientation = "rows from the top, as stored";
     info.alerts = std::move(alerts);
     return loaded_channel(std::move(info), document.profile ? to_line(document, points, source) : to_map(document, points, source));
 }
@@ -268,16 +270,9 @@ std::vector<Alert> check_document(const Archive& archive, const std::string& xml
     return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written", "make sure of increments and offsets"}};
 }
 
-pugi::xml_document parsed(const std::string& xml, const Source& source) {
-    pugi::xml_document document;
-    const auto result = document.load_buffer(xml.data(), xml.size());
-    if (!result) throw FormatError(source.name, {.offset = static_cast<std::uint64_t>(result.offset)}, fmt::format("X3P: main.xml: {}", result.description()));
-    return document;
-}
-
 std::vector<Channel> open_xml(const std::string& xml, const Archive* archive, const Source& source) {
-    const auto parsed_xml = parsed(xml, source);
-    const auto root = find_root(parsed_xml);
+    const auto tree = parsed_xml(xml, source, "X3P: main.xml");
+    const auto root = find_root(tree);
     if (!root) broken(source, "main.xml holds no ISO5436_2 document");
     const auto document = parse_document(root, source);
     const auto list = root.child("Record3").child("DataList");
@@ -298,8 +293,6 @@ std::vector<Channel> open_xml(const std::string& xml, const Archive* archive, co
 
 constexpr const char* document_member = "main.xml";
 
-}  // namespace
-
 Match detect_x3p(std::string_view head, const Source& source) {
     if (is_zip(head)) return Archive(source).has(document_member) ? Match::yes : Match::no;
     const bool xml = head.find("<?xml") < 8;
@@ -310,6 +303,22 @@ std::vector<Channel> open_x3p(const Source& source, const ReadOptions&) {
     if (!is_zip(source.head(4))) return open_xml(source.all(), nullptr, source);
     const Archive archive(source);
     return open_xml(archive.read(document_member), &archive, source);
+}
+
+}  // namespace
+
+Format x3p_format() {
+    return {.identifier = "x3p",
+            .name = "X3P",
+            .extensions = ".x3p .xml",
+            .description = "ZIP with main.xml and binary or listed points of a surface or profile; checksums are verified",
+            .heights = "value times increment plus offset of the axis, in metres; int16, int32, float32 or float64; points marked invalid or NaN are undefined",
+            .orientation = "first point at the top left, x the fastest index",
+            .reference = "ISO 25178-72:2017 (formerly ISO 5436-2)",
+            .tested_on_real_files = true,
+            .carries_scale = true,
+            .detect = detect_x3p,
+            .open = open_x3p};
 }
 
 }  // namespace setae::io

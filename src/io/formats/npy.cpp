@@ -2,6 +2,8 @@
 #include "setae/io/npy.hpp"
 
 #include <charconv>
+#include <map>
+#include <utility>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -10,7 +12,8 @@
 
 #include "bytes.hpp"
 #include "channel_building.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
+#include "raster.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/whole_file.hpp"
@@ -103,39 +106,11 @@ std::uint64_t data_bytes(const NpyHeader& header, const Source& source) {
     return count;
 }
 
-double value_at(const char* from, const NpyHeader& header) {
-    const auto order = header.order;
-    switch (header.kind) {
-        case 'f': return header.bytes == 8 ? load<double>(from, order) : static_cast<double>(load<float>(from, order));
-        case 'i':
-            switch (header.bytes) {
-                case 1: return load<std::int8_t>(from, order);
-                case 2: return load<std::int16_t>(from, order);
-                case 4: return load<std::int32_t>(from, order);
-                default: return static_cast<double>(load<std::int64_t>(from, order));
-            }
-        default:
-            switch (header.bytes) {
-                case 1: return load<std::uint8_t>(from, order);
-                case 2: return load<std::uint16_t>(from, order);
-                case 4: return load<std::uint32_t>(from, order);
-                default: return static_cast<double>(load<std::uint64_t>(from, order));
-            }
-    }
-}
-
-topography::Measurement read_npy(const Source& source, const NpyHeader& header, const std::vector<double>& size,
-                                 const topography::Metadata& metadata, double factor) {
-    const auto data = source.bytes(header.data_offset, data_bytes(header, source));
-    const auto nx = header.shape[0], ny = header.shape.size() > 1 ? header.shape[1] : Index{1};
-    Array2D heights(nx, ny);
-    for (Index i = 0; i < nx; ++i)
-        for (Index j = 0; j < ny; ++j) {
-            const auto at = header.fortran ? i + j * nx : i * ny + j;
-            heights(i, j) = factor * value_at(data.data() + static_cast<std::size_t>(at) * header.bytes, header);
-        }
-    if (header.shape.size() == 1) return checked(topography::LineScan{heights.col(0), size[0], false, metadata}, source);
-    return checked(topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata}, source);
+Sample sample_of(const NpyHeader& header) {
+    static const std::map<std::pair<char, std::size_t>, Sample> samples{
+        {{'i', 1}, Sample::int8},   {{'u', 1}, Sample::uint8},  {{'i', 2}, Sample::int16},   {{'u', 2}, Sample::uint16},  {{'i', 4}, Sample::int32},
+        {{'u', 4}, Sample::uint32}, {{'i', 8}, Sample::int64},  {{'u', 8}, Sample::uint64}, {{'f', 4}, Sample::float32}, {{'f', 8}, Sample::float64}};
+    return samples.at({header.kind, header.bytes});
 }
 
 std::string with_header(std::string_view shape, const double* values, Index count) {
@@ -150,8 +125,6 @@ std::string with_header(std::string_view shape, const double* values, Index coun
     return content;
 }
 
-}  // namespace
-
 Match detect_npy(std::string_view head, const Source&) { return head.starts_with(magic) ? Match::yes : Match::no; }
 
 std::vector<Channel> open_npy(const Source& source, const ReadOptions& options) {
@@ -159,19 +132,28 @@ std::vector<Channel> open_npy(const Source& source, const ReadOptions& options) 
     if (header.shape.empty() || header.shape.size() > 2)
         broken(source, magic.size(), fmt::format("array of {} dimensions, expected 1 or 2", header.shape.size()));
     (void)data_bytes(header, source);
-    ChannelInfo info;
-    info.format = "npy";
-    info.shape = header.shape;
-    info.size = required_size(options, header.shape.size(), source);
-    const auto unit = length_unit(required_unit(options, source), source);
-    info.unit = unit.name;
-    info.metadata.file = source.name;
-    info.metadata.format = "npy";
-    info.metadata.unit = info.unit;
-    auto read = [source, header, size = info.size, metadata = info.metadata, factor = unit.factor] {
-        return read_npy(source, header, size, metadata, factor);
-    };
-    return {Channel{std::move(info), std::move(read)}};
+    ChannelInfo info{.name = "heights", .format = "npy"};
+    const bool line = header.shape.size() == 1;
+    if (!line) info.orientation = "first index x, second y downwards, as stored";
+    const Raster raster{.offset = header.data_offset, .nx = header.shape[0], .ny = line ? 1 : header.shape[1], .sample = sample_of(header), .order = header.order,
+                        .columns = !line && !header.fortran};
+    return {raster_channel(std::move(info), source, raster, {}, options)};
+}
+
+}  // namespace
+
+Format npy_format() {
+    return {.identifier = "npy",
+            .name = "NumPy array",
+            .extensions = ".npy",
+            .description = "versions 1 to 3, floats or integers of either byte order, C or Fortran order; size and unit must be given",
+            .heights = "values in the unit given; NaN and infinities are undefined",
+            .orientation = "first index x, second y downwards",
+            .reference = "NumPy Enhancement Proposal 1",
+            .tested_on_real_files = true,
+            .carries_scale = false,
+            .detect = detect_npy,
+            .open = open_npy};
 }
 
 void write_npy(const std::string& path, const Array2D& values) {

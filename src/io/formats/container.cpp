@@ -10,7 +10,7 @@
 
 #include "archive.hpp"
 #include "channel_building.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
@@ -235,8 +235,6 @@ Channel entry_channel(const Source& source, const Archive& archive, const json& 
     }
 }
 
-}  // namespace
-
 Match detect_container(std::string_view head, const Source& source) {
     if (!is_zip(head)) return Match::no;
     const Archive archive(source);
@@ -252,6 +250,22 @@ std::vector<Channel> open_container(const Source& source, const ReadOptions&) {
             channels.push_back(entry_channel(source, archive, item, text(surface, "name")));
     if (channels.empty()) throw FormatError(source.name, {}, "container without measurements");
     return channels;
+}
+
+}  // namespace
+
+Format container_format() {
+    return {.identifier = "ce-container",
+            .name = "contact.engineering container",
+            .extensions = ".zip",
+            .description = "ZIP with index.json or meta.yml and one measurement or more; the original file is preferred to its processed copy",
+            .heights = "as the original file says; the index's scale is applied only where that file carries none",
+            .orientation = "as the original file says",
+            .reference = "https://contact.engineering",
+            .tested_on_real_files = true,
+            .carries_scale = true,
+            .detect = detect_container,
+            .open = open_container};
 }
 
 }  // namespace setae::io

@@ -7,7 +7,7 @@
 
 #include "channel_building.hpp"
 #include "header.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -149,8 +149,6 @@ std::vector<Channel> open_profile(const Source& source) {
     return {loaded_channel(std::move(info), checked(std::move(profile), source))};
 }
 
-}  // namespace
-
 Match detect_xy(std::string_view head, const Source&) {
     if (is_profile_file(head)) return Match::yes;
     return numeric_columns(head) > 0 ? Match::maybe : Match::no;
@@ -179,6 +177,22 @@ std::vector<Channel> open_xy(const Source& source, const ReadOptions& options) {
     info.alerts = units.alerts;
     require_two_points(profile, source);
     return {loaded_channel(std::move(info), checked(to_measurement(std::move(profile)), source))};
+}
+
+}  // namespace
+
+Format xy_format() {
+    return {.identifier = "xy",
+            .name = "two-column text",
+            .extensions = ".txt .csv .asc .dat .hfm",
+            .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, others a profile as traced; also Dektak CSV, a third column 'valid' or 'standard_error', and setae's own profiles with the response of their trace",
+            .heights = "values in the unit stated or given; empty cells and nan are undefined",
+            .orientation = "",
+            .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
+            .tested_on_real_files = true,
+            .carries_scale = false,
+            .detect = detect_xy,
+            .open = open_xy};
 }
 
 }  // namespace setae::io

@@ -6,7 +6,7 @@
 
 #include "channel_building.hpp"
 #include "netcdf_classic.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -66,8 +66,6 @@ topography::Measurement to_measurement(const ClassicNetcdf& file, const Variable
     return topography::LineScan{line * factor, factor * axis_length(file, "x", shape[0], source), periodic, std::move(metadata)};
 }
 
-}  // namespace
-
 Match detect_netcdf(std::string_view head, const Source&) {
     const bool classic = head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5);
     return classic ? Match::yes : Match::no;
@@ -83,8 +81,24 @@ std::vector<Channel> open_netcdf(const Source& source, const ReadOptions& option
     metadata.file = source.name;
     metadata.format = "nc";
     metadata.unit = unit.name;
-    ChannelInfo info{.name = "heights", .format = "nc", .unit = unit.name};
+    ChannelInfo info{.name = "heights", .format = "nc", .unit = unit.name, .orientation = heights->shape.size() == 2 ? "first index x, second y downwards, as stored" : ""};
     return {loaded_channel(std::move(info), checked(to_measurement(file, *heights, unit.factor, source, metadata), source))};
+}
+
+}  // namespace
+
+Format netcdf_format() {
+    return {.identifier = "nc",
+            .name = "NetCDF topography",
+            .extensions = ".nc",
+            .description = "classic NetCDF with variables heights, x, y and perhaps mask, as containers hold them",
+            .heights = "in the unit of the attribute; masked points and fill values are undefined",
+            .orientation = "first index x, second y downwards",
+            .reference = "NetCDF Users Guide, classic format",
+            .tested_on_real_files = true,
+            .carries_scale = true,
+            .detect = detect_netcdf,
+            .open = open_netcdf};
 }
 
 }  // namespace setae::io

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "readers.hpp"
+#include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -15,14 +15,14 @@
 
 namespace setae::io {
 
+namespace {
+
 Match detect_matrix_text(std::string_view head, const Source&) {
     if (!looks_like_text(head)) return Match::no;
     const auto text = decoded(std::string(head.substr(0, 4096)), Encoding::detect);
     if (text.starts_with("# Channel:") || text.starts_with("# Kanal:") || text.starts_with("# Width:")) return Match::yes;
     return numeric_columns(head) > 3 ? Match::yes : Match::no;
 }
-
-namespace {
 
 /// Gwyddion's header of a text matrix, in English and German.
 struct MatrixHeader {
@@ -59,8 +59,6 @@ MatrixHeader parse_matrix_header(const std::vector<std::string>& lines, const So
     return header;
 }
 
-}  // namespace
-
 std::vector<Channel> open_matrix_text(const Source& source, const ReadOptions& options) {
     const auto table = read_raw_table(source);
     const auto header = parse_matrix_header(table.header, source);
@@ -84,8 +82,25 @@ std::vector<Channel> open_matrix_text(const Source& source, const ReadOptions& o
     ChannelInfo info;
     info.name = header.name;
     info.format = "matrix";
+    info.orientation = "rows from the top, as stored";
     info.unit = map.metadata.unit;
     return {loaded_channel(std::move(info), checked(std::move(map), source))};
+}
+
+}  // namespace
+
+Format matrix_text_format() {
+    return {.identifier = "matrix",
+            .name = "text matrix",
+            .extensions = ".txt .asc",
+            .description = "numbers only, a row of the map a line, with Gwyddion's header (width, height, value units) or size and unit given",
+            .heights = "values in the unit stated or given; nan and bad are undefined",
+            .orientation = "first line at the top",
+            .reference = "Gwyddion user guide, export as ASCII data matrix",
+            .tested_on_real_files = true,
+            .carries_scale = false,
+            .detect = detect_matrix_text,
+            .open = open_matrix_text};
 }
 
 }  // namespace setae::io

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "bytes.hpp"
 #include "channel_building.hpp"
 #include "header.hpp"
-#include "readers.hpp"
+#include "raster.hpp"
+#include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "text.hpp"
@@ -185,30 +185,6 @@ Block find_block(const Section& image, const std::string& name, const Source& so
     return block;
 }
 
-/// h(x, y) from rows stored from bottom to top, several rows at a time: a map turned row by row misses the cache at each value.
-template <class Integer>
-void fill(Array2D& heights, const std::string& data, double factor) {
-    constexpr Index together = 16;
-    const auto nx = heights.rows(), ny = heights.cols();
-    for (Index first = 0; first < ny; first += together)
-        for (Index i = 0; i < nx; ++i)
-            for (Index j = first; j < std::min(first + together, ny); ++j) {
-                const auto at = static_cast<std::size_t>((ny - 1 - j) * nx + i) * sizeof(Integer);
-                heights(i, j) = factor * load<Integer>(data.data() + at, std::endian::little);
-            }
-}
-
-topography::Measurement read_image(const Source& source, const Block& block, double factor, std::array<double, 2> size,
-                                   const topography::Metadata& metadata) {
-    const auto data = source.bytes(block.offset, block.length());
-    topography::HeightMap map{Array2D(block.nx, block.ny), size, false, metadata};
-    if (block.bytes == 2)
-        fill<std::int16_t>(map.heights, data, factor);
-    else
-        fill<std::int32_t>(map.heights, data, factor);
-    return checked(std::move(map), source);
-}
-
 topography::Metadata file_metadata(const std::vector<Section>& sections, const Source& source) {
     topography::Metadata metadata;
     metadata.file = source.name;
@@ -235,14 +211,11 @@ Channel image_channel(const Section& image, const std::vector<Section>& sections
     info.size = {size[0], size[1]};
     const auto scale = height_scale(required(image, "z scale", source), sections, block.bytes);
     if (!scale) return non_height_channel(std::move(info));
-    info.unit = info.metadata.unit = length_unit(scale->unit, source).name;
-    auto read = [source, block, factor = scale->factor, size, metadata = info.metadata] {
-        return read_image(source, block, factor, size, metadata);
-    };
-    return {std::move(info), std::move(read)};
+    info.unit = scale->unit;
+    info.orientation = "rows from the bottom, turned";
+    const Raster raster{.offset = block.offset, .nx = block.nx, .ny = block.ny, .sample = block.bytes == 2 ? Sample::int16 : Sample::int32, .bottom_up = true};
+    return raster_channel(std::move(info), source, raster, {.factor = scale->factor});
 }
-
-}  // namespace
 
 Match detect_nanoscope(std::string_view head, const Source&) { return head.starts_with(first_section) ? Match::yes : Match::no; }
 
@@ -255,6 +228,22 @@ std::vector<Channel> open_nanoscope(const Source& source, const ReadOptions&) {
             channels.push_back(image_channel(section, sections, common, source));
     if (channels.empty()) throw FormatError(source.name, {}, "Nanoscope: no image in the header; force curves and older versions are not read");
     return channels;
+}
+
+}  // namespace
+
+Format nanoscope_format() {
+    return {.identifier = "di",
+            .name = "Nanoscope",
+            .extensions = ".spm .001 .002 .003 .di .txt",
+            .description = "Digital Instruments, Veeco, Bruker from version 4.3: text header and an integer image a channel",
+            .heights = "raw times hard scale times soft sensitivity over 2^16 or 2^32; no point is undefined",
+            .orientation = "rows stored from the bottom, turned",
+            .reference = "Nanoscope 5 to 9 file headers, as described by Gwyddion's user guide",
+            .tested_on_real_files = true,
+            .carries_scale = true,
+            .detect = detect_nanoscope,
+            .open = open_nanoscope};
 }
 
 }  // namespace setae::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "setae/io/source.hpp"
+
+namespace setae::io {
+
+/// The most bytes that compressed ones may become: 8 MiB and a hundredfold. Measured surfaces compress less; what expands more is
+/// an attack, or a map of one value.
+[[nodiscard]] constexpr std::uint64_t most_expanded(std::uint64_t compressed) { return (std::uint64_t{8} << 20) + 100 * compressed; }
+
+/// The content of a zlib or gzip stream; bytes behind it are left alone.
+/// @throws FormatError "<format>: …" at `offset`, where the stream stands in its source, for one that is damaged, ends early or
+/// becomes more than most_expanded.
+[[nodiscard]] std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format);
+
+/// The content of a Zstandard stream; otherwise as inflated.
+[[nodiscard]] std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format);
+
+/// Whether bytes begin as gzip.
+[[nodiscard]] bool is_gzip(std::string_view head);
+
+}  // namespace setae::io
