@@ -91,7 +91,7 @@ std::vector<Channel> open_plu(const Source& source, const ReadOptions& options) 
         info.metadata.acquisition_time = head.date;
         info.metadata.instrument.name = instrument_name(head);
         info.metadata.instrument.type = "optical";
-        if (!head.comment.empty()) info.metadata.attributes["comment"] = head.comment;
+        if (!head.comment.empty() && head.comment != "(None)") info.metadata.attributes["comment"] = head.comment;
         const auto rows = cursor.number<std::uint32_t>(), columns = cursor.number<std::uint32_t>();
         if (profile && rows != 1) cursor.fail(fmt::format("a profile of {} rows, expected 1", rows));
         const Raster raster{.offset = cursor.position(), .nx = columns, .ny = rows, .sample = Sample::float32};
