@@ -22,9 +22,12 @@ namespace setae::io {
 /// Shape as ChannelInfo::shape has it.
 [[nodiscard]] std::vector<Index> channel_shape(const topography::Measurement& measurement);
 
-/// The measurement with infinite heights made undefined, after checking what every reader owes its caller.
+/// What every reader owes its caller, of heights that are not infinite.
 /// @throws UndefinedDataError where no height is defined; FormatError for fewer than two points or an extent that is no
 /// positive length.
+void require_measurement(const topography::Measurement& measurement, const Source& source);
+
+/// The measurement with infinite heights made undefined. @throws as require_measurement.
 [[nodiscard]] topography::Measurement checked(topography::Measurement measurement, const Source& source);
 
 /// A length unit in setae's spelling (m, cm, mm, µm, nm, Å, pm; others as they are) and its factor to metres.

@@ -211,8 +211,13 @@ std::uint64_t line_bytes(const Raster& raster) {
 
 topography::Measurement measured(const Source& source, const Raster& raster, const RawScale& scale, bool line, const std::vector<double>& size, const topography::Metadata& metadata) {
     auto heights = read_raster(source, raster, scale);
-    if (line) return checked(topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata}, source);
-    return checked(topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata}, source);
+    topography::Measurement measurement = topography::LineScan{};
+    if (line)
+        measurement = topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata};
+    else
+        measurement = topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata};
+    require_measurement(measurement, source);
+    return measurement;
 }
 
 }  // namespace

@@ -135,8 +135,7 @@ std::optional<double> stated_range(const Header& header) {
 
 /// Heights that are `amplitude` times the raw integers, made to span the amplitude.
 topography::Measurement spanning(topography::Measurement measurement, double amplitude) {
-    const Array1D heights = topography::all_heights(measurement);
-    const double range = heights.maxCoeff() - heights.minCoeff();
+    const double range = std::visit([](const auto& one) { return one.heights.maxCoeff() - one.heights.minCoeff(); }, measurement);
     return topography::scaled(std::move(measurement), range > 0.0 ? amplitude / range : 0.0);
 }
 
