@@ -129,7 +129,8 @@ std::string title_at(Cursor& cursor, std::uint64_t end) {
 void require_in_frame(const Image& image, const FrameHead& frame, const Cursor& cursor) {
     require_raster(image.raster, cursor.source(), "NT-MDT");
     const auto end = image.raster.offset + image.raster.row_distance() * static_cast<std::uint64_t>(image.raster.ny);
-    if (end > frame.end()) cursor.fail(fmt::format("'{}': {} × {} values should end at byte {}, their frame ends at {}; the file is damaged", image.name, image.raster.nx, image.raster.ny, end, frame.end()));
+    if (end > frame.end())
+        cursor.fail(fmt::format("'{}': {} × {} values should end at byte {}, their frame ends at {}; the file is damaged", image.name, image.raster.nx, image.raster.ny, end, frame.end()));
 }
 
 std::optional<Image> scanned_image(Cursor& cursor, const FrameHead& frame) {
@@ -255,7 +256,9 @@ Channel image_channel(const Image& image, const FrameHead& frame, const Source& 
         info.size = {std::abs(image.x.step) * static_cast<double>(image.raster.nx) * length_unit(image.x.unit, source).factor,
                      std::abs(image.y.step) * static_cast<double>(image.raster.ny) * length_unit(image.y.unit, source).factor};
     const bool no_scale = is_length(info.unit) && !image.z.is_length();
-    if (no_scale) info.alerts.push_back({"NO_HEIGHT_SCALE", source.name, fmt::format("'{}' has a step of {} {}, its numbers cannot be made heights", info.name, image.z.step, info.unit), "export the map again with its calibration"});
+    if (no_scale)
+        info.alerts.push_back({"NO_HEIGHT_SCALE", source.name, fmt::format("'{}' has a step of {} {}, its numbers cannot be made heights", info.name, image.z.step, info.unit),
+                               "export the map again with its calibration"});
     if (!image.z.is_length()) {
         info.shape = {image.raster.nx, image.raster.ny};
         info.metadata.file = source.name;

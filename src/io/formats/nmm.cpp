@@ -178,7 +178,8 @@ void require_members(const Archive& archive, const ScanField& field, const Sourc
     for (Index scan = 0; scan < field.scans; ++scan)
         for (Index line = 0; line < field.lines; ++line)
             for (const auto* ending : {".dsc", ".dat"})
-                if (const auto name = line_member(field, scan, line) + ending; !archive.has(name)) throw FormatError(source.name, {}, fmt::format("NMM: no member '{}'; the archive is not complete", name));
+                if (const auto name = line_member(field, scan, line) + ending; !archive.has(name))
+                    throw FormatError(source.name, {}, fmt::format("NMM: no member '{}'; the archive is not complete", name));
 }
 
 /// Unit of the machine's other columns; empty for those of unknown meaning.

@@ -26,7 +26,10 @@ std::string columns(Index points) {
 
 std::string rows(const Array2D& heights, Index line) {
     std::string text;
-    for (Index i = 0; i < heights.rows(); ++i) text += fmt::format("{:.9e} {:.9e} {:.6e} {:.3e} {:.17g}\r\n", 1e-3 + 0.5e-6 * static_cast<double>(i), 2e-6 * static_cast<double>(line), 0.01, 0.1, heights(i, line));
+    for (Index i = 0; i < heights.rows(); ++i) {
+        const double x = 1e-3 + 0.5e-6 * static_cast<double>(i), y = 2e-6 * static_cast<double>(line);
+        text += fmt::format("{:.9e} {:.9e} {:.6e} {:.3e} {:.17g}\r\n", x, y, 0.01, 0.1, heights(i, line));
+    }
     return text;
 }
 

@@ -12,7 +12,8 @@ constexpr Index nx = 6, ny = 4;
 
 FormatSample sample(const std::string& name, std::uint32_t kind, const std::vector<Array2D>& layers, std::size_t channel) {
     const auto& heights = layers[channel];
-    FormatSample sample{.format = "plu", .name = name, .content = plu_file(kind, layers), .channel = channel, .shape = {heights.rows()}, .size = {1.5 * units::um * static_cast<double>(heights.rows())},
+    FormatSample sample{.format = "plu", .name = name, .content = plu_file(kind, layers), .channel = channel, .shape = {heights.rows()},
+                        .size = {1.5 * units::um * static_cast<double>(heights.rows())},
                         .heights = heights * units::um, .tolerance = 1e-7};
     if (kind == 3) {
         sample.shape.push_back(heights.cols());
@@ -36,7 +37,8 @@ std::string plu_file(std::uint32_t kind, const std::vector<Array2D>& layers) {
     for (const auto& layer : layers) {
         file.number(rows).number(columns);
         file.rows<float>(layer.isNaN().select(1000001.0, layer));
-        file.number(static_cast<float>(layer.isNaN().select(1e9, layer).minCoeff())).number(static_cast<float>(layer.isNaN().select(-1e9, layer).maxCoeff())).text("picture", 3 * rows * columns, '\x33');
+        const double least = layer.isNaN().select(1e9, layer).minCoeff(), greatest = layer.isNaN().select(-1e9, layer).maxCoeff();
+        file.number(static_cast<float>(least)).number(static_cast<float>(greatest)).text("picture", 3 * rows * columns, '\x33');
     }
     return file.content();
 }

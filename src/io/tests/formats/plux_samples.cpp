@@ -26,7 +26,8 @@ FormatSample sample(const std::string& name, const std::vector<Array2D>& layers,
     const auto& heights = layers[channel];
     Members members{{"index.xml", index_of(heights.rows(), heights.cols(), static_cast<int>(layers.size()))}, {"recipe.txt", "<?xml version=\"1.0\"?><xml></xml>"}};
     for (std::size_t k = 0; k < layers.size(); ++k) members.emplace_back(fmt::format("LAYER_{}.raw", k), floats(layers[k]));
-    FormatSample sample{.format = "plux", .name = name, .content = zip_archive(members), .channel = channel, .shape = {heights.rows()}, .size = {0.645 * units::um * static_cast<double>(heights.rows())},
+    FormatSample sample{.format = "plux", .name = name, .content = zip_archive(members), .channel = channel, .shape = {heights.rows()},
+                        .size = {0.645 * units::um * static_cast<double>(heights.rows())},
                         .heights = heights * units::um, .tolerance = 1e-7};
     if (heights.cols() > 1) {
         sample.shape.push_back(heights.cols());
