@@ -92,7 +92,9 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
 
 }  // namespace
 
-const Format& detect_format(const Source& source) {
+namespace {
+
+const Format& detected(const Source& source) {
     const auto head = source.head(detection_bytes);
     const Format* possible = nullptr;
     for (const auto& format : formats()) {
@@ -103,6 +105,10 @@ const Format& detect_format(const Source& source) {
     if (!possible) unknown(source, head);
     return *possible;
 }
+
+}  // namespace
+
+const Format& detect_format(const Source& source) { return detected(unpacked(source)); }
 
 const Format& format_to_write(const std::string& path) {
     std::string endings;
@@ -127,7 +133,7 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 
 std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
     const auto source = unpacked(packed);
-    auto channels = detect_format(source).open(source, options);
+    auto channels = detected(source).open(source, options);
     compare_sizes(channels, options, source);
     return channels;
 }
