@@ -24,8 +24,15 @@ const std::vector<Format>& formats() {
 
         // scanning probes
         nanoscope_format(),
+        wsxm_format(),
+        mdt_format(),
+        nmm_format(),
 
         // optical and stylus profilers
+        qep_format(),
+        plu_format(),
+        plux_format(),
+        al3d_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

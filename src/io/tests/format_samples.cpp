@@ -13,8 +13,15 @@ std::vector<FormatSample> format_samples() {
 
         // scanning probes
         nanoscope_samples,
+        wsxm_samples,
+        mdt_samples,
+        nmm_samples,
 
         // optical and stylus profilers
+        qep_samples,
+        plu_samples,
+        plux_samples,
+        al3d_samples,
 
         // text and sheets
     };

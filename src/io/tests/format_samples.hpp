@@ -33,5 +33,12 @@ struct FormatSample {
 
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> wsxm_samples();
+[[nodiscard]] std::vector<FormatSample> mdt_samples();
+[[nodiscard]] std::vector<FormatSample> nmm_samples();
+[[nodiscard]] std::vector<FormatSample> qep_samples();
+[[nodiscard]] std::vector<FormatSample> plu_samples();
+[[nodiscard]] std::vector<FormatSample> plux_samples();
+[[nodiscard]] std::vector<FormatSample> al3d_samples();
 
 }  // namespace setae::io::tests
