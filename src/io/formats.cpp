@@ -26,6 +26,16 @@ const std::vector<Format>& formats() {
         nanoscope_format(),
 
         // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

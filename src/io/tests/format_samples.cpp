@@ -15,6 +15,15 @@ std::vector<FormatSample> format_samples() {
         nanoscope_samples,
 
         // optical and stylus profilers
+        opd_samples,
+        opdx_samples,
+        metropro_samples,
+        bcr_samples,
+        nms_samples,
+        frt_samples,
+        tmd_samples,
+        zmg_samples,
+        os3d_samples,
 
         // text and sheets
     };

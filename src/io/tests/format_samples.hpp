@@ -33,5 +33,14 @@ struct FormatSample {
 
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> opd_samples();
+[[nodiscard]] std::vector<FormatSample> opdx_samples();
+[[nodiscard]] std::vector<FormatSample> metropro_samples();
+[[nodiscard]] std::vector<FormatSample> bcr_samples();
+[[nodiscard]] std::vector<FormatSample> nms_samples();
+[[nodiscard]] std::vector<FormatSample> frt_samples();
+[[nodiscard]] std::vector<FormatSample> tmd_samples();
+[[nodiscard]] std::vector<FormatSample> zmg_samples();
+[[nodiscard]] std::vector<FormatSample> os3d_samples();
 
 }  // namespace setae::io::tests
