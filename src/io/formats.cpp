@@ -14,6 +14,8 @@ namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
+        // SPDX-License-Identifier: GPL-3.0-or-later
+
         // exchange
         container_format(),
         x3p_format(),
@@ -29,6 +31,16 @@ const std::vector<Format>& formats() {
         nmm_format(),
 
         // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
         qep_format(),
         plu_format(),
         plux_format(),

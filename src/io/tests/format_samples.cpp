@@ -7,6 +7,8 @@ namespace setae::io::tests {
 
 std::vector<FormatSample> format_samples() {
     const std::vector<std::function<std::vector<FormatSample>()>> makers{
+        // SPDX-License-Identifier: GPL-3.0-or-later
+
         // exchange
 
         // arrays
@@ -18,6 +20,15 @@ std::vector<FormatSample> format_samples() {
         nmm_samples,
 
         // optical and stylus profilers
+        opd_samples,
+        opdx_samples,
+        metropro_samples,
+        bcr_samples,
+        nms_samples,
+        frt_samples,
+        tmd_samples,
+        zmg_samples,
+        os3d_samples,
         qep_samples,
         plu_samples,
         plux_samples,

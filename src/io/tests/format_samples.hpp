@@ -36,6 +36,15 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> wsxm_samples();
 [[nodiscard]] std::vector<FormatSample> mdt_samples();
 [[nodiscard]] std::vector<FormatSample> nmm_samples();
+[[nodiscard]] std::vector<FormatSample> opd_samples();
+[[nodiscard]] std::vector<FormatSample> opdx_samples();
+[[nodiscard]] std::vector<FormatSample> metropro_samples();
+[[nodiscard]] std::vector<FormatSample> bcr_samples();
+[[nodiscard]] std::vector<FormatSample> nms_samples();
+[[nodiscard]] std::vector<FormatSample> frt_samples();
+[[nodiscard]] std::vector<FormatSample> tmd_samples();
+[[nodiscard]] std::vector<FormatSample> zmg_samples();
+[[nodiscard]] std::vector<FormatSample> os3d_samples();
 [[nodiscard]] std::vector<FormatSample> qep_samples();
 [[nodiscard]] std::vector<FormatSample> plu_samples();
 [[nodiscard]] std::vector<FormatSample> plux_samples();
