@@ -13,6 +13,9 @@ std::vector<FormatSample> format_samples() {
 
         // scanning probes
         nanoscope_samples,
+        jpk_samples,
+        jpk_qi_samples,
+        park_samples,
 
         // optical and stylus profilers
 
