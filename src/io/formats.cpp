@@ -25,6 +25,7 @@ const std::vector<Format>& formats() {
 
         // scanning probes
         nanoscope_format(),
+        ibw_format(),
         jpk_format(),
         jpk_qi_format(),
         park_format(),

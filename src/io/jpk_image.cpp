@@ -107,7 +107,7 @@ topography::Metadata metadata_of(const TiffFile& file) {
     keep(metadata, "sample", file.text(first, sample_name));
     keep(metadata, "feedback_mode", file.text(first, feedback_mode));
     keep(metadata, "scan_direction", file.text(first, motion));
-    if (const auto angle = file.number(first, grid_angle)) metadata.attributes["scan_angle"] = fmt::format("{} rad", *angle);
+    if (const auto angle = file.number(first, grid_angle)) metadata.attributes["scan_angle"] = fmt::format("{} rad", *angle + 0.0);
     if (const auto stiffness = file.number(first, spring_constant)) metadata.attributes["spring_constant"] = fmt::format("{} N/m", *stiffness);
     return metadata;
 }

@@ -13,6 +13,7 @@ std::vector<FormatSample> format_samples() {
 
         // scanning probes
         nanoscope_samples,
+        ibw_samples,
         jpk_samples,
         jpk_qi_samples,
         park_samples,

@@ -112,5 +112,52 @@ TEST(ParkFile, OrientationIsThatOfThePictureInTheSameFile) {
     EXPECT_LT(std::abs(correlation(heights.transpose(), picture)), 0.1);
 }
 
+TEST(IbwFile, HeightsAreThoseOfAnotherReader) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 8u);
+    const auto trace = map_of(named(channels, "HeightTrace")), retrace = map_of(named(channels, "HeightRetrace"));
+    EXPECT_EQ(trace.shape(), (std::array<Index, 2>{256, 256}));
+    EXPECT_NEAR(spread(trace.heights), 8.945481491256412e-08, 1e-6 * 8.945e-8);
+    expect_corners(trace, 1.0, {-3.9969469867173757e-07, -3.3123345133390103e-07, -7.045921961434942e-07, -6.817558642069343e-07});
+    EXPECT_NEAR(spread(retrace.heights), 1.1028457213263467e-07, 1e-6 * 1.1e-7);
+    expect_corners(retrace, 1.0, {-3.0985046350906487e-07, -2.915543859671743e-07, -6.877208988953498e-07, -6.616979817408719e-07});
+    EXPECT_EQ(trace.metadata.instrument.name, "Cypher");
+    EXPECT_EQ(trace.metadata.acquisition_time, "2019-10-24 12:14:13 PM");
+}
+
+/// Igor's point k lies at k · sfA, and Asylum sets sfA to scan size over n − 1: from the first point to the last are 20 µm, and the
+/// map of 256 pixels is 256 sfA wide.
+TEST(IbwFile, ScanSizeLiesBetweenFirstAndLastPoint) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
+    const auto map = map_of(open(path.string()).at(0));
+    EXPECT_EQ(map.metadata.attributes.at("scan_size"), "2e-05");
+    EXPECT_NEAR(255.0 * map.pixel_size()[0], 2e-5, 1e-17);
+    EXPECT_NEAR(map.size[0], 2.007843137254902e-05, 1e-17);
+    EXPECT_NEAR(map.size[1], 2.007843137254902e-05, 1e-17);
+}
+
+/// The wave says "m" of all eight channels, also of volts and degrees.
+TEST(IbwFile, PotentialIsNoLength) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
+    const auto channels = open(path.string());
+    for (const auto& [name, unit] : {std::pair{"NapPotentialTrace", "V"}, {"NapPotentialRetrace", "V"}, {"PhaseTrace", "deg"}, {"AmplitudeRetrace", "m"}}) {
+        EXPECT_EQ(named(channels, name).info.unit, unit) << name;
+        EXPECT_FALSE(named(channels, name).info.is_height) << name;
+    }
+}
+
+TEST(IbwFile, WithoutUnitTakesTheUsers) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/10x10-one_channel_without_name.ibw");
+    const auto open_question = open(path.string()).at(0);
+    EXPECT_TRUE(open_question.info.unit.empty());
+    EXPECT_TRUE(open_question.info.size.empty());
+    EXPECT_THROW((void)open_question.read(), InvalidArgument);
+    const auto map = map_of(open(path.string(), {.size = {{10e-9, 10e-9}}, .unit = "nm"}).at(0));
+    EXPECT_EQ(map.shape(), (std::array<Index, 2>{10, 10}));
+    EXPECT_NEAR(spread(map.heights) / units::nm, 0.480049350063276, 1e-6);
+    expect_corners(map, units::nm, {1.0, 1.0, 2.0, 2.0});
+}
+
 }  // namespace
 }  // namespace setae::io
