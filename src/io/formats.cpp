@@ -9,6 +9,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
+#include "tiff_file.hpp"
 
 namespace setae::io {
 
@@ -26,6 +27,10 @@ const std::vector<Format>& formats() {
 
         // scanning probes
         nanoscope_format(),
+        ibw_format(),
+        jpk_format(),
+        jpk_qi_format(),
+        park_format(),
         wsxm_format(),
         mdt_format(),
         nmm_format(),
@@ -84,6 +89,7 @@ std::string expected_by_name(const std::string& name) {
 
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
+    if (is_tiff(head)) refuse_tiff(source);
     if (looks_like_text(head))
         throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header");
     throw FormatError(source.name, {.offset = 0},

@@ -15,6 +15,10 @@ std::vector<FormatSample> format_samples() {
 
         // scanning probes
         nanoscope_samples,
+        ibw_samples,
+        jpk_samples,
+        jpk_qi_samples,
+        park_samples,
         wsxm_samples,
         mdt_samples,
         nmm_samples,

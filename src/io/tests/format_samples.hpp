@@ -33,6 +33,10 @@ struct FormatSample {
 
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> ibw_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_qi_samples();
+[[nodiscard]] std::vector<FormatSample> park_samples();
 [[nodiscard]] std::vector<FormatSample> wsxm_samples();
 [[nodiscard]] std::vector<FormatSample> mdt_samples();
 [[nodiscard]] std::vector<FormatSample> nmm_samples();
