@@ -32,6 +32,7 @@ struct FormatSample {
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
 // one function a format, in formats/<name>_samples.cpp
+[[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 
 }  // namespace setae::io::tests
