@@ -141,11 +141,13 @@ void write_whole_file(const std::string& path, const std::function<void(const st
     refuse_writing(path, "replaced");
 }
 
-void write_whole_file(const std::string& path, std::string_view content) {
+void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
+
+void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
     write_whole_file(path, [&](const std::string& temporary) {
         std::ofstream file(temporary, std::ios::binary);
         if (!file) refuse_writing(path, "created");
-        file.write(content.data(), static_cast<std::streamsize>(content.size()));
+        for (const auto part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
         file.close();
         if (!file) refuse_writing(path, "written");
     });

@@ -9,6 +9,7 @@ std::vector<FormatSample> format_samples() {
     const std::vector<std::function<std::vector<FormatSample>()>> makers{
         // exchange
         x3p_samples,
+        sdf_samples,
 
         // arrays
 
