@@ -20,6 +20,7 @@ const std::vector<Format>& formats() {
         // exchange
         container_format(),
         x3p_format(),
+        sdf_format(),
 
         // arrays
         netcdf_format(),

@@ -10,6 +10,8 @@ std::vector<FormatSample> format_samples() {
         // SPDX-License-Identifier: GPL-3.0-or-later
 
         // exchange
+        x3p_samples,
+        sdf_samples,
 
         // arrays
 

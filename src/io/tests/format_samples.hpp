@@ -32,6 +32,8 @@ struct FormatSample {
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
 // one function a format, in formats/<name>_samples.cpp
+[[nodiscard]] std::vector<FormatSample> x3p_samples();
+[[nodiscard]] std::vector<FormatSample> sdf_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 [[nodiscard]] std::vector<FormatSample> ibw_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
