@@ -8,6 +8,7 @@ namespace setae::io::tests {
 std::vector<FormatSample> format_samples() {
     const std::vector<std::function<std::vector<FormatSample>()>> makers{
         // exchange
+        container_samples,
 
         // arrays
 
