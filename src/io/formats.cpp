@@ -97,12 +97,6 @@ std::string expected_by_name(const std::string& name) {
                       fmt::format("begins with '{}', which no format setae reads does{}; `setae formats` lists them", first_bytes(head), expected_by_name(source.name)));
 }
 
-/// What a gzip file holds, under the file's own name.
-Source unpacked(const Source& source) {
-    if (!is_gzip(source.head(3))) return source;
-    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
-}
-
 /// Sizes the user or an index gave against the file's own, which stay.
 void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, const Source& source) {
     if (!options.size) return;

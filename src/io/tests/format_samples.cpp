@@ -10,6 +10,7 @@ std::vector<FormatSample> format_samples() {
         // SPDX-License-Identifier: GPL-3.0-or-later
 
         // exchange
+        container_samples,
         x3p_samples,
         sdf_samples,
 

@@ -22,6 +22,7 @@ struct FormatSample {
     std::vector<double> size;  ///< [m], as ChannelInfo
     Array2D heights;           ///< [m], h(x, y), NaN undefined; a line has one column
     double tolerance = 1e-12;  ///< of heights, relative to the largest; of what the file's numbers can hold
+    std::string member_format = {};  ///< of the channel, where it is that of a file inside this one
     bool may_lose_its_end = false;  ///< nothing in the format tells how long a file is: cut, it is a shorter one
 };
 
@@ -32,6 +33,7 @@ struct FormatSample {
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
 // one function a format, in formats/<name>_samples.cpp
+[[nodiscard]] std::vector<FormatSample> container_samples();
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();

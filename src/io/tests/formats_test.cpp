@@ -26,7 +26,7 @@ TEST_P(FormatSamples, AreDetected) {
 TEST_P(FormatSamples, TellShapeAndSizeBeforeHeightsAreRead) {
     const auto channel = open(source_of(GetParam()), GetParam().options).at(GetParam().channel);
     EXPECT_EQ(channel.info.shape, GetParam().shape);
-    EXPECT_EQ(channel.info.format, GetParam().format);
+    EXPECT_EQ(channel.info.format, GetParam().member_format.empty() ? GetParam().format : GetParam().member_format);
     EXPECT_TRUE(channel.info.is_height);
     EXPECT_FALSE(channel.info.unit.empty());
     EXPECT_EQ(channel.info.orientation.empty(), GetParam().shape.size() == 1) << channel.info.orientation;
