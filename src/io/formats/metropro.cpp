@@ -75,7 +75,8 @@ std::string text_at(Cursor& cursor, std::uint64_t offset, std::uint64_t bytes) {
 topography::Metadata metadata_of(Cursor& cursor) {
     topography::Metadata metadata;
     metadata.instrument.type = "interferometer";
-    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty()) metadata.instrument.name = "Zygo " + system;
+    metadata.instrument.name = "Zygo";
+    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty()) metadata.instrument.name += " " + system;
     metadata.acquisition_time = utc_text(cursor.number_at<std::int32_t>(at::time));
     // the older field holds the lower 16 bits; the newer one is little-endian
     cursor.set_order(std::endian::little);
