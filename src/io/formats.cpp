@@ -29,6 +29,8 @@ const std::vector<Format>& formats() {
         jpk_format(),
         jpk_qi_format(),
         park_format(),
+        mi_format(),
+        nanosurf_format(),
 
         // optical and stylus profilers
 

@@ -17,6 +17,8 @@ std::vector<FormatSample> format_samples() {
         jpk_samples,
         jpk_qi_samples,
         park_samples,
+        mi_samples,
+        nanosurf_samples,
 
         // optical and stylus profilers
 

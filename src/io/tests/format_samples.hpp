@@ -37,5 +37,7 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_qi_samples();
 [[nodiscard]] std::vector<FormatSample> park_samples();
+[[nodiscard]] std::vector<FormatSample> mi_samples();
+[[nodiscard]] std::vector<FormatSample> nanosurf_samples();
 
 }  // namespace setae::io::tests
