@@ -33,6 +33,7 @@ const std::vector<Format>& formats() {
         nanosurf_format(),
 
         // optical and stylus profilers
+        lext_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

@@ -108,10 +108,13 @@ topography::Measurement words(const Source& source, const MiFile& file, std::siz
 
 Channel channel_of(const MiFile& file, std::size_t number, ChannelInfo info, const Source& source, const ReadOptions& options) {
     const auto& entries = file.channels[number];
-    info.name = info.metadata.name = entry(entries, "bufferLabel");
+    info.name = entry(entries, "bufferLabel");
     info.unit = plain_unit(entry(entries, "bufferUnit"));
-    for (const auto* key : {"direction", "trace"})
-        if (const auto value = entry(entries, key); !value.empty()) info.metadata.attributes["line_direction"] = lowered(value);
+    if (const auto direction = lowered(entry(entries, entries.contains("trace") ? "trace" : "direction")); !direction.empty()) {
+        info.metadata.attributes["line_direction"] = direction;
+        info.name += fmt::format(" ({})", direction);
+    }
+    info.metadata.name = info.name;
     info.shape = {static_cast<Index>(file.nx), static_cast<Index>(file.ny)};
     info.size = {header_number(entry(file.entries, "xLength"), "xLength", source, "MI"), header_number(entry(file.entries, "yLength"), "yLength", source, "MI")};
     const bool in_words = file.encoding.starts_with("ASCII"), in_range = !in_words || file.encoding == "ASCII";

@@ -21,6 +21,7 @@ std::vector<FormatSample> format_samples() {
         nanosurf_samples,
 
         // optical and stylus profilers
+        lext_samples,
 
         // text and sheets
     };

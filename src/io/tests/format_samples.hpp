@@ -39,5 +39,6 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> park_samples();
 [[nodiscard]] std::vector<FormatSample> mi_samples();
 [[nodiscard]] std::vector<FormatSample> nanosurf_samples();
+[[nodiscard]] std::vector<FormatSample> lext_samples();
 
 }  // namespace setae::io::tests

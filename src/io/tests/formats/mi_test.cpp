@@ -48,7 +48,7 @@ TEST(Mi, NumbersInWordsAreRead) {
 
 TEST(Mi, OtherQuantitiesAreListedWithTheirUnit) {
     const auto channels = opened(sample_of("BINARY").content);
-    EXPECT_EQ(channels.at(0).info.name, "Deflection");
+    EXPECT_EQ(channels.at(0).info.name, "Deflection (trace)");
     EXPECT_EQ(channels[0].info.unit, "V");
     EXPECT_FALSE(channels[0].info.is_height);
     EXPECT_EQ(channels.at(1).info.metadata.attributes.at("line_direction"), "retrace");
