@@ -27,10 +27,10 @@ FormatSample sample(const char* name, std::endian order) {
     const double lowest = static_cast<double>(std::numeric_limits<Integer>::min()), count = std::ldexp(1.0, bits);
     const Array2D raw = lopsided_heights(nx, ny, bits == 8 ? 0.25 : 20.0).floor() + lowest;
     ByteBuilder file(order);
-    file.text("[DataSet]\r\nVersion=2\r\nGroupCount=2\r\nGr0-Name=Scan forward\r\nGr0-Count=4\r\nGr1-Name=Scan backward\r\nGr1-Count=4\r\nGr0-Ch2=DataSet-0:2\r\nGr0-Ch10=DataSet-0:10\r\nGr1-Ch2=DataSet-1:2\r\n\r\n");
+    file.text("[DataSet]\r\nVersion=2\r\nGroupCount=2\r\nGr0-Name=Scan forward\r\nGr0-Count=12\r\nGr1-Name=Scan backward\r\nGr1-Count=4\r\nGr0-Ch2=DataSet-0:2\r\nGr0-Ch10=DataSet-0:10\r\nGr1-Ch2=DataSet-1:2\r\n\r\n");
     file.text("[DataSet-Info]\r\nDate=07-08-2018\r\nTime=12:56:42\r\nHead type=FlexAFM\r\n\r\n");
     file.text(section("DataSet-0:2", "Scan forward", "Amplitude", "V", bits, is_signed, order)).text(section("DataSet-0:10", "Scan forward", "Phase", "\xb0", bits, is_signed, order));
-    file.text(section("DataSet-1:2", "Scan backward", "Z-Axis", "\xb5m", bits, is_signed, order)).text("#!");
+    file.text(section("DataSet-1:2", "Scan backward", "Z-Axis", "\xb5m", bits, is_signed, order)).text("\r\n#!");
     const Array2D other = Array2D::Constant(nx, ny, 1.0);
     file.rows<Integer>(other).template rows<Integer>(other).template rows<Integer>(raw.rowwise().reverse());
     const Array2D heights = (least + range * (raw - lowest) / count) * units::um;
