@@ -32,6 +32,8 @@ const std::vector<Format>& formats() {
         jpk_format(),
         jpk_qi_format(),
         park_format(),
+        mi_format(),
+        nanosurf_format(),
         wsxm_format(),
         mdt_format(),
         nmm_format(),
@@ -51,6 +53,7 @@ const std::vector<Format>& formats() {
         plu_format(),
         plux_format(),
         al3d_format(),
+        lext_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

@@ -22,6 +22,8 @@ std::vector<FormatSample> format_samples() {
         jpk_samples,
         jpk_qi_samples,
         park_samples,
+        mi_samples,
+        nanosurf_samples,
         wsxm_samples,
         mdt_samples,
         nmm_samples,
@@ -40,6 +42,7 @@ std::vector<FormatSample> format_samples() {
         plu_samples,
         plux_samples,
         al3d_samples,
+        lext_samples,
 
         // text and sheets
     };

@@ -41,6 +41,8 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_qi_samples();
 [[nodiscard]] std::vector<FormatSample> park_samples();
+[[nodiscard]] std::vector<FormatSample> mi_samples();
+[[nodiscard]] std::vector<FormatSample> nanosurf_samples();
 [[nodiscard]] std::vector<FormatSample> wsxm_samples();
 [[nodiscard]] std::vector<FormatSample> mdt_samples();
 [[nodiscard]] std::vector<FormatSample> nmm_samples();
@@ -57,5 +59,6 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> plu_samples();
 [[nodiscard]] std::vector<FormatSample> plux_samples();
 [[nodiscard]] std::vector<FormatSample> al3d_samples();
+[[nodiscard]] std::vector<FormatSample> lext_samples();
 
 }  // namespace setae::io::tests
