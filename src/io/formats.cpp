@@ -26,6 +26,8 @@ const std::vector<Format>& formats() {
         nanoscope_format(),
 
         // optical and stylus profilers
+        sur_format(),
+        mnt_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

@@ -15,6 +15,8 @@ std::vector<FormatSample> format_samples() {
         nanoscope_samples,
 
         // optical and stylus profilers
+        sur_samples,
+        mnt_samples,
 
         // text and sheets
     };

@@ -33,5 +33,7 @@ struct FormatSample {
 
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> sur_samples();
+[[nodiscard]] std::vector<FormatSample> mnt_samples();
 
 }  // namespace setae::io::tests
