@@ -178,6 +178,9 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
 }
 
 Source Archive::member(const std::string& name) const {
+    const auto stat = announced(zip_.get(), index_of(name), source_);
+    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size); stat.size > most_expanded(compressed))
+        broken(source_, fmt::format("member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged", name, stat.size, compressed, most_expanded(compressed)));
     auto lazy = std::make_shared<LazyMember>();
     lazy->archive = source_;
     lazy->name = name;

@@ -28,6 +28,11 @@ const std::vector<Format>& formats() {
         // optical and stylus profilers
         sur_format(),
         mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
+        oir_format(),
+        poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

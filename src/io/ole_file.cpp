@@ -2,7 +2,6 @@
 #include "ole_file.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cursor.hpp"
+#include "pieces.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
 
@@ -122,50 +122,26 @@ bool OleFile::has(const std::string& name) const {
     return std::any_of(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
 }
 
-std::vector<OleFile::Piece> OleFile::pieces_of(const Stream& stream) const {
-    const bool small = stream.size < least_large_;
-    const auto part = small ? small_sector_bytes_ : sector_bytes_;
-    const auto sectors = stream.size == 0 ? std::vector<std::uint32_t>{} : chain(small ? small_table_ : table_, stream.first, parts(stream.size, part));
-    std::vector<Piece> pieces;
-    for (std::uint64_t at = 0; const auto sector : sectors) {
-        auto offset = offset_of(sector);
-        if (small) {
-            const auto place = std::uint64_t{sector} * small_sector_bytes_;
-            if (place / sector_bytes_ >= small_stream_.size()) fail(source_.size, fmt::format("stream '{}' leaves the small streams; the file is damaged", stream.name));
-            offset = offset_of(small_stream_[place / sector_bytes_]) + place % sector_bytes_;
-        }
-        const auto size = std::min(part, stream.size - at);
-        if (offset > source_.size || size > source_.size - offset)
-            fail(source_.size, fmt::format("the file ends here, stream '{}' goes on to byte {}; it is truncated", stream.name, offset + size));
-        if (!pieces.empty() && pieces.back().offset + pieces.back().size == offset)
-            pieces.back().size += size;
-        else
-            pieces.push_back({at, offset, size});
-        at += size;
-    }
-    return pieces;
-}
-
 Source OleFile::stream(const std::string& name) const {
     const auto found = std::find_if(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
     if (found == streams_.end()) fail(0, fmt::format("no stream '{}', it holds: {}", name, fmt::join(names(), ", ")));
-    const auto pieces = std::make_shared<const std::vector<Piece>>(pieces_of(*found));
-    Source stream{fmt::format("{}: {}", source_.name, name), found->size, {}, {}};
-    stream.read_into = [file = source_, pieces, label = stream.name, total = stream.size](std::uint64_t offset, std::uint64_t count, char* target) {
-        if (offset > total || count > total - offset)
-            throw FormatError(label, {.offset = total}, fmt::format("the stream ends here, expected {} bytes from byte {}; it is truncated or damaged", count, offset));
-        auto piece = std::upper_bound(pieces->begin(), pieces->end(), offset, [](std::uint64_t place, const Piece& other) { return place < other.at; });
-        while (count > 0) {
-            const auto& from = *std::prev(piece);
-            const auto within = offset - from.at, taken = std::min(count, from.size - within);
-            file.read_into(from.offset + within, taken, target);
-            offset += taken;
-            count -= taken;
-            target += taken;
-            ++piece;
+    const bool small = found->size < least_large_;
+    const auto part = small ? small_sector_bytes_ : sector_bytes_;
+    std::vector<Piece> pieces;
+    if (found->size > 0) {
+        auto left = found->size;
+        for (const auto sector : chain(small ? small_table_ : table_, found->first, parts(found->size, part))) {
+            pieces.push_back({small ? small_offset_of(sector) : offset_of(sector), std::min(part, left)});
+            left -= pieces.back().size;
         }
-    };
-    return stream;
+    }
+    return joined(source_, fmt::format("{}: {}", source_.name, name), pieces);
+}
+
+std::uint64_t OleFile::small_offset_of(std::uint32_t sector) const {
+    const auto place = std::uint64_t{sector} * small_sector_bytes_;
+    if (place / sector_bytes_ >= small_stream_.size()) fail(source_.size, fmt::format("small sector {} lies beyond the small streams; the file is damaged", sector));
+    return offset_of(small_stream_[place / sector_bytes_]) + place % sector_bytes_;
 }
 
 }  // namespace setae::io

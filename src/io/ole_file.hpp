@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/io/source.hpp"
@@ -36,10 +37,6 @@ private:
         std::uint32_t first = 0;
         std::uint64_t size = 0;
     };
-    /// Bytes of a stream that stand side by side in the file, from `at` in the stream on.
-    struct Piece {
-        std::uint64_t at = 0, offset = 0, size = 0;
-    };
 
     [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const;
     void read_table();
@@ -48,7 +45,7 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> chain(const std::vector<std::uint32_t>& table, std::uint32_t first, std::uint64_t count) const;
     [[nodiscard]] std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& sectors) const;
     [[nodiscard]] std::uint64_t offset_of(std::uint32_t sector) const { return (std::uint64_t{sector} + 1) * sector_bytes_; }
-    [[nodiscard]] std::vector<Piece> pieces_of(const Stream& stream) const;
+    [[nodiscard]] std::uint64_t small_offset_of(std::uint32_t sector) const;
 
     Source source_;
     std::string format_;

@@ -195,8 +195,9 @@ Axis axis_of(Tree& tree, const Entry& scale) {
     return axis;
 }
 
-topography::Metadata metadata_of(Tree& tree, const Entry& document) {
+topography::Metadata metadata_of(Tree& tree, const Entry& document, const Source& file) {
     topography::Metadata metadata;
+    metadata.file = file.name;
     std::string version;
     for (std::uint16_t part = 1; part <= 4; ++part)
         if (const auto number = tree.number<std::uint32_t>(document, {0xc8, part})) version += fmt::format("{}{}", version.empty() ? "" : ".", *number);
@@ -226,7 +227,6 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
     if (x_axis.is_length && y_axis.is_length) info.size = {nx * std::abs(x_axis.step), ny * std::abs(y_axis.step)};
     if (!z_axis.is_length) {
         info.shape = {nx, ny};
-        info.metadata.file = tree.stream().name;
         return non_height_channel(std::move(info));
     }
     if (ny > 1) info.orientation = "rows from the top, as stored; not stated in the file, taken as Mountains shows it";
@@ -261,7 +261,7 @@ std::vector<Channel> open_mnt(const Source& source, const ReadOptions& options) 
     const auto document = tree.child({8, stream.size - 8}, 1);
     const auto list = document ? tree.at(*document, {0x2bd, 2, 1}) : std::nullopt;
     if (!list) broken(source, 0, "no list of objects; the file is damaged");
-    const auto common = metadata_of(tree, *document);
+    const auto common = metadata_of(tree, *document, source);
     std::vector<Channel> channels;
     for (const auto& entry : tree.objects(*list))
         if (auto channel = surface_channel(tree, entry, common, options)) channels.push_back(std::move(*channel));

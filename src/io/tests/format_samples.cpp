@@ -17,6 +17,11 @@ std::vector<FormatSample> format_samples() {
         // optical and stylus profilers
         sur_samples,
         mnt_samples,
+        vk_samples,
+        zon_samples,
+        zag_samples,
+        oir_samples,
+        poir_samples,
 
         // text and sheets
     };

@@ -35,5 +35,10 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 [[nodiscard]] std::vector<FormatSample> sur_samples();
 [[nodiscard]] std::vector<FormatSample> mnt_samples();
+[[nodiscard]] std::vector<FormatSample> vk_samples();
+[[nodiscard]] std::vector<FormatSample> zon_samples();
+[[nodiscard]] std::vector<FormatSample> zag_samples();
+[[nodiscard]] std::vector<FormatSample> oir_samples();
+[[nodiscard]] std::vector<FormatSample> poir_samples();
 
 }  // namespace setae::io::tests
