@@ -21,6 +21,10 @@ namespace setae::io {
 /// The content of a Zstandard stream; otherwise as inflated.
 [[nodiscard]] std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format);
 
+/// The first `count` bytes of a Zstandard stream of which `stream` may be only a part, or all where there are fewer.
+/// @throws FormatError for a damaged stream.
+[[nodiscard]] std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset, const std::string& format);
+
 /// Whether bytes begin as gzip.
 [[nodiscard]] bool is_gzip(std::string_view head);
 

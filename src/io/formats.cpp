@@ -53,7 +53,14 @@ const std::vector<Format>& formats() {
         plu_format(),
         plux_format(),
         al3d_format(),
+        sur_format(),
+        mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
         lext_format(),
+        oir_format(),
+        poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         matrix_text_format(),

@@ -42,7 +42,14 @@ std::vector<FormatSample> format_samples() {
         plu_samples,
         plux_samples,
         al3d_samples,
+        sur_samples,
+        mnt_samples,
+        vk_samples,
+        zon_samples,
+        zag_samples,
         lext_samples,
+        oir_samples,
+        poir_samples,
 
         // text and sheets
     };

@@ -59,6 +59,13 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> plu_samples();
 [[nodiscard]] std::vector<FormatSample> plux_samples();
 [[nodiscard]] std::vector<FormatSample> al3d_samples();
+[[nodiscard]] std::vector<FormatSample> sur_samples();
+[[nodiscard]] std::vector<FormatSample> mnt_samples();
+[[nodiscard]] std::vector<FormatSample> vk_samples();
+[[nodiscard]] std::vector<FormatSample> zon_samples();
+[[nodiscard]] std::vector<FormatSample> zag_samples();
 [[nodiscard]] std::vector<FormatSample> lext_samples();
+[[nodiscard]] std::vector<FormatSample> oir_samples();
+[[nodiscard]] std::vector<FormatSample> poir_samples();
 
 }  // namespace setae::io::tests
