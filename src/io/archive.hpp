@@ -19,7 +19,6 @@ namespace setae::io {
 /// Whether a member's name stays in the archive's own folder: no "../x", "/x", "c:x".
 [[nodiscard]] bool stays_inside(std::string_view name);
 
-/// A ZIP archive open for reading, on disk or in memory, from one thread at a time.
 /// A ZIP archive open for reading, from one thread at a time: a file, a part of one, or bytes in memory. Only its directory and the
 /// members asked for are read.
 class Archive {

@@ -94,6 +94,8 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
 Source unpacked(const Source& source) {
     if (!is_gzip(source.head(3))) return source;
     return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
+}
+
 std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset, const std::string& format) {
     const auto context = zstd_context();
     std::string content(std::min<std::uint64_t>(count, most_expanded(stream.size())), '\0');
