@@ -10,6 +10,7 @@ std::vector<FormatSample> format_samples() {
         // exchange
         x3p_samples,
         sdf_samples,
+        gwy_samples,
 
         // arrays
 

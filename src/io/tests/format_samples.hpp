@@ -34,6 +34,7 @@ struct FormatSample {
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
+[[nodiscard]] std::vector<FormatSample> gwy_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 
 }  // namespace setae::io::tests
