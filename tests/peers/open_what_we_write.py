@@ -25,6 +25,7 @@ ENDINGS = ("x3p", "sdf", "gwy", "nc", "npy", "csv")
 UNREAD = {
     ("SurfaceTopography", "x3p", "line"): "reads surfaces alone",
     ("SurfaceTopography", "sdf", "line"): "reads maps alone",
+    ("SurfaceTopography", "csv", "map"): "reads matrices without commas alone",
     ("surfalize", "x3p", "line"): "reads surfaces alone",
     ("surfalize", "sdf", "line"): "reads surfaces alone",
 }
@@ -57,8 +58,6 @@ def by_surface_topography(path, kind, package):
     topography = reader.topography(**given)
     topography = topography.to_unit("m")
     size = np.array(topography.physical_sizes)
-    if kind == "line" and path.suffix == ".csv":
-        size = size * 7 / 6  # a text of positions ends at the last of them
     return plain(topography.heights()), size
 
 

@@ -98,7 +98,7 @@ TEST(Sdf1, HoldsTheNumbersItShows) {
     EXPECT_NEAR(map.heights(6, 3) - map.heights(5, 3), (0.97986 - 0.94907) * 1e-6, 1e-18);
 }
 
-/// The file states no units; what the package that came with it reads are metres. data[row][column].
+/// The file states no units. data[row][column] as gwyfile 0.3.0 (PyPI) reads it, and its mean and standard deviation.
 TEST(TestGwy, HoldsTheHeightsItsPackageReads) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/gwyddion/test.gwy");
     const auto channel = open(path.string()).at(0);
@@ -107,8 +107,11 @@ TEST(TestGwy, HoldsTheHeightsItsPackageReads) {
     EXPECT_EQ(missing(channel.info).at(0), "size");
     EXPECT_EQ(missing(channel.info).at(1), "unit");
     const auto map = std::get<HeightMap>(read(path.string(), 0, {.size = {{1e-6, 1e-6}}, .unit = "m"}));
-    EXPECT_NEAR(map.heights(0, 0), 0.00082494, 5e-9);
-    EXPECT_NEAR(map.heights(33, 44), 0.00085301, 5e-9);
+    EXPECT_DOUBLE_EQ(map.heights(0, 0), 0.0008249385446819946);
+    EXPECT_DOUBLE_EQ(map.heights(33, 44), 0.0008530156002708358);
+    EXPECT_DOUBLE_EQ(map.heights(44, 33), 0.0006755414017863563);
+    EXPECT_NEAR(map.heights.mean(), 0.0005152968462939743, 1e-16);
+    EXPECT_NEAR(standard_deviation(map.heights), 0.00018771126171581148, 1e-16);
 }
 
 }  // namespace
