@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
+#include "counted_source.hpp"
 #include "error_message.hpp"
 #include "format_samples.hpp"
 #include "gwy_sample_parts.hpp"
@@ -98,6 +100,31 @@ TEST(Gwy, ComponentsWithoutEndAreRefused) {
     std::string small;
     for (int k = 0; k < 200'001; ++k) small += std::string("\0b\1", 3);
     EXPECT_NE(refusal(gwy_file(small)).find("more than 200000 components"), std::string::npos);
+}
+
+TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
+    auto small = gwy_file(of_field(field) + gwy_text("/0/data/title", "behind the heights"));
+    const std::uint64_t more = std::uint64_t{8} * (11264 * 11264 - 12);
+    const auto grow = [&](const std::string& name) {  // the size of an object behind its name
+        std::uint32_t size = 0;
+        const auto at = small.find(name + '\0') + name.size() + 1;
+        std::memcpy(&size, small.data() + at, sizeof(size));
+        size += static_cast<std::uint32_t>(more);
+        std::memcpy(small.data() + at, &size, sizeof(size));
+    };
+    grow("GwyContainer");
+    grow("GwyDataField");
+    const auto put = [&](const std::string& name, std::uint32_t value) { std::memcpy(small.data() + small.find(name) + name.size(), &value, sizeof(value)); };
+    using namespace std::string_literals;
+    put("xres\0i"s, 11264);
+    put("yres\0i"s, 11264);
+    put("data\0D"s, 11264 * 11264);
+    const auto heights_end = small.find("data\0D"s) + 10 + 12 * 8;
+    const auto file = counted_source(small.substr(0, heights_end), more, small.substr(heights_end));
+    const auto info = open(file.source, {}).at(0).info;
+    EXPECT_EQ(info.shape, (std::vector<Index>{11264, 11264}));
+    EXPECT_EQ(info.name, "behind the heights");
+    EXPECT_LT(*file.bytes_read, 1u << 20);
 }
 
 // ---- written ----------------------------------------------------------------------------------------------------------
