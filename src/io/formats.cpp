@@ -21,6 +21,7 @@ const std::vector<Format>& formats() {
         container_format(),
         x3p_format(),
         sdf_format(),
+        gwy_format(),
 
         // arrays
         netcdf_format(),

@@ -9,6 +9,7 @@
 #include "format_list.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "writing.hpp"
 
 // Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and unit, and
 // perhaps mask; or heights(n) over positions x(n).
@@ -98,7 +99,8 @@ Format netcdf_format() {
             .tested_on_real_files = true,
             .carries_scale = true,
             .detect = detect_netcdf,
-            .open = open_netcdf};
+            .open = open_netcdf,
+            .write = write_measurement_as_netcdf};
 }
 
 }  // namespace setae::io

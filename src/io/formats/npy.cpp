@@ -15,6 +15,7 @@
 #include "format_list.hpp"
 #include "raster.hpp"
 #include "setae/core/errors.hpp"
+#include "writing.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/whole_file.hpp"
 
@@ -153,7 +154,8 @@ Format npy_format() {
             .tested_on_real_files = true,
             .carries_scale = false,
             .detect = detect_npy,
-            .open = open_npy};
+            .open = open_npy,
+            .write = write_measurement_as_npy};
 }
 
 void write_npy(const std::string& path, const Array2D& values) {

@@ -13,6 +13,7 @@ std::vector<FormatSample> format_samples() {
         container_samples,
         x3p_samples,
         sdf_samples,
+        gwy_samples,
 
         // arrays
 

@@ -36,6 +36,7 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> container_samples();
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
+[[nodiscard]] std::vector<FormatSample> gwy_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 [[nodiscard]] std::vector<FormatSample> ibw_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
