@@ -28,7 +28,12 @@ const std::vector<Format>& formats() {
         // optical and stylus profilers
 
         // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
         matrix_text_format(),
+        xyz_format(),
         xy_format(),
     };
     return table;
