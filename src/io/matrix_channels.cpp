@@ -44,6 +44,8 @@ Layer layer_of(const NumberLines& lines, const MatrixHeader& header, const ReadO
         throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends here with {} × {} numbers, its header announces {} × {}; it is truncated or damaged", layer.nx, layer.ny,
                                                                    header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
     const bool size_of_map = options.size && options.size->size() == 2;
+    if (lines.rows == 1 && lines.columns <= 3 && !header.is_map)
+        throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends after one line of {} numbers, expected more points", lines.columns));
     layer.is_line = (layer.nx == 1 || layer.ny == 1) && !header.is_map && !size_of_map;
     return layer;
 }
@@ -80,6 +82,7 @@ Measurement measured(const NumberLines& lines, const Layer& layer, double factor
 }
 
 Channel channel_of(const NumberLines& lines, const MatrixHeader& header, const ReadOptions& options, const std::vector<Alert>& alerts) {
+    require_whole_last_line(lines);
     const auto layer = layer_of(lines, header, options);
     ChannelInfo info;
     info.name = info.metadata.name = header.name;

@@ -29,7 +29,7 @@ Axis axis_of(const Array1D& values, const char* name) {
     std::sort(sorted.begin(), sorted.end());
     const double range = sorted.back() - sorted.front();
     if (!(range > 0.0) || !std::isfinite(range)) return fail("is the same everywhere");
-    // a grid of n points has at most n/2 positions along each direction, so that steps are longer than 2 range/n
+    // a grid of n points has fewer than n positions along each direction, so that steps are longer than range/n
     const double same = most_stray * range / static_cast<double>(sorted.size());
     std::vector<double> positions{sorted.front()};
     double least_gap = range;
@@ -39,14 +39,14 @@ Axis axis_of(const Array1D& values, const char* name) {
         least_gap = std::min(least_gap, gap);
         positions.push_back(value);
     }
-    if (2 * positions.size() > sorted.size()) return fail(fmt::format("has {} values for {} points", positions.size(), sorted.size()));
+    if (positions.size() >= sorted.size()) return fail(fmt::format("has {} values for {} points", positions.size(), sorted.size()));
     double node = 0.0;
     std::vector<double> nodes{0.0};
     for (std::size_t i = 1; i < positions.size(); ++i) nodes.push_back(node += std::round((positions[i] - positions[i - 1]) / least_gap));
     const double step = range / node;
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (std::abs(positions[i] - positions[0] - nodes[i] * step) > most_stray * step) return fail("has no constant step");
-    if (node + 1.0 > static_cast<double>(sorted.size()) / least_filled) return fail("has gaps of too many steps");
+    if (node + 1.0 > static_cast<double>(sorted.size())) return fail("has gaps of too many steps");
     return {positions.front(), step, static_cast<Index>(node) + 1, {}};
 }
 
@@ -58,7 +58,8 @@ PointGrid grid_of(const Array1D& x, const Array1D& y, const Array1D& heights) {
     for (const auto* axis : {&along_x, &along_y})
         if (!axis->problem.empty()) return {.problem = axis->problem};
     const double nodes = static_cast<double>(along_x.count) * static_cast<double>(along_y.count), points = static_cast<double>(x.size());
-    if (points < least_filled * nodes) return {.problem = fmt::format("{} points lie on {} × {} nodes, too few to be a map", x.size(), along_x.count, along_y.count)};
+    const bool sparse = points < least_filled * nodes || x.size() < along_x.count + along_y.count;
+    if (sparse) return {.problem = fmt::format("{} points lie on {} × {} nodes, too few to be a map", x.size(), along_x.count, along_y.count)};
     if (points > nodes) return {.problem = fmt::format("{} points lie on {} × {} nodes, some twice", x.size(), along_x.count, along_y.count)};
     PointGrid grid{Array2D::Constant(along_x.count, along_y.count, undefined),
                    {static_cast<double>(along_x.count) * along_x.step, static_cast<double>(along_y.count) * along_y.step}, {}};

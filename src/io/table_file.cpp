@@ -86,7 +86,9 @@ Numbers parse_rows(const std::string& text, const std::vector<std::string_view>&
     start.layout = layout;
     start.begin = static_cast<std::uint64_t>(lines[layout.first_row].data() - text.data());
     start.line = layout.first_row;
-    Numbers numbers{read_numbers(find_number_lines(start, start.begin, text.size())), std::vector<bool>(columns, true), std::vector<std::string>(columns)};
+    const auto rows = find_number_lines(start, start.begin, text.size());
+    require_whole_last_line(rows);
+    Numbers numbers{read_numbers(rows), std::vector<bool>(columns, true), std::vector<std::string>(columns)};
     const auto last = static_cast<Index>(columns - 1);
     if (numbers.values.row(last).isNaN().all()) {  // words for undefined numbers, or rows that end in separators
         numbers.has_text.assign(columns, false);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "matrix_header.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/format.hpp"
@@ -95,6 +96,16 @@ Chunk look_at(const Source& source, std::uint64_t begin, std::uint64_t chunk_beg
         at = static_cast<std::size_t>(stop - text.data()) + 1;
     }
     return chunk;
+}
+
+/// Lines up to the header of a second map, where there is one.
+void keep_first_part(std::vector<std::string_view>& lines) {
+    bool numbers = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto line = trimmed(lines[i]);
+        if (numbers && begins_numbers(line, {})) return lines.resize(i);
+        numbers = numbers || !(line.empty() || line.front() == '#');
+    }
 }
 
 /// Bytes from an offset to the end of its line.
@@ -219,6 +230,7 @@ std::optional<TextStart> find_start(const Source& source) {
         const auto text = decoded(head, Encoding::detect);
         auto lines = split_lines(text);
         if (!whole && lines.size() > 1) lines.pop_back();
+        keep_first_part(lines);
         auto layout = find_layout(lines, {});
         if (!layout && !whole) {  // a first row longer than what was read: its dialect shows in what there is of it
             const auto cut = std::string_view(text).substr(0, text.find_last_of(" \t;,"));
@@ -262,33 +274,31 @@ void parse_number_line(std::string_view line, const Layout& layout, std::uint64_
 }
 
 NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::uint64_t end) {
-    NumberLines lines{start.source, start.layout, static_cast<Index>(start.layout.columns), 0, {}, {}, start.line};
+    NumberLines lines{start.source, start.layout, static_cast<Index>(start.layout.columns), 0, {}, {}, start.line, end, {}};
     const auto count = static_cast<std::size_t>((end - begin + chunk_bytes - 1) / chunk_bytes);
     std::vector<Chunk> chunks(count);
     parallel::for_each_index(count, {}, [&](std::size_t i) {
         const auto chunk_begin = begin + i * chunk_bytes;
         chunks[i] = look_at(start.source, begin, chunk_begin, std::min(chunk_begin + chunk_bytes, end), end);
     });
-    std::uint64_t last_row = begin, last_row_line = 0;
     for (const auto& chunk : chunks) {
         if (!chunk.first) continue;
         if (!lines.blocks.empty()) lines.blocks.back().size = *chunk.first - lines.blocks.back().offset;
         lines.blocks.push_back({*chunk.first, 0, lines.lines, lines.rows});
         for (const auto& found : chunk.breaks)
             if (lines.breaks.size() < most_breaks) lines.breaks.push_back({found.offset, found.line + lines.lines, found.row + lines.rows});
-        if (chunk.rows > 0) {
-            last_row = chunk.last_row;
-            last_row_line = lines.lines + chunk.last_row_line + 1;
-        }
+        if (chunk.rows > 0) lines.last = {chunk.last_row, lines.lines + chunk.last_row_line, lines.rows + chunk.rows - 1};
         lines.lines += chunk.lines;
         lines.rows += chunk.rows;
     }
     if (!lines.blocks.empty()) lines.blocks.back().size = end - lines.blocks.back().offset;
-    if (lines.rows > 0) {
-        std::vector<double> numbers(start.layout.columns);
-        parse_number_line(whole_line(start.source, last_row, end), start.layout, last_row_line, start.source.name, numbers.data());
-    }
     return lines;
+}
+
+void require_whole_last_line(const NumberLines& lines) {
+    if (lines.rows == 0) return;
+    std::vector<double> numbers(lines.layout.columns);
+    parse_number_line(whole_line(lines.source, lines.last.offset, lines.end), lines.layout, lines.last.line + 1, lines.source.name, numbers.data());
 }
 
 Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {

@@ -43,12 +43,16 @@ struct NumberLines {
     std::vector<Block> blocks;
     std::vector<Break> breaks;  ///< the first of them; more than a file of maps could need are not kept
     std::uint64_t lines = 0;    ///< of the text up to the end of the part
+    std::uint64_t end = 0;      ///< byte behind the part
+    Break last;                 ///< the last line of numbers
 };
 
-/// Finds the lines of a start's source from byte `begin` to `end`, before which there are `line` lines. Reads every byte once, on all
-/// cores, and parses nothing but the last line.
-/// @throws FormatError with the line: a last line of another number of cells, or a cell of it that is no number.
+/// Finds the lines of a start's source from byte `begin` to `end`. Reads every byte once, on all cores, and parses nothing.
 [[nodiscard]] NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::uint64_t end);
+
+/// Refuses a last line of another number of cells, or with a cell that is no number: the text was cut within it.
+/// @throws FormatError with the line.
+void require_whole_last_line(const NumberLines& lines);
 
 /// Where numbers go and what they are multiplied by: number k of line j at (k, j), or at (j, n − 1 − k) of lines that are columns
 /// from the bottom.

@@ -104,10 +104,12 @@ bool names_mirror(const std::vector<std::string>& names) {
 
 /// Factor to SI of a column's unit; micro-radians are spelled "urad", "microrad", "micror-rad".
 std::optional<double> factor_of(const std::string& name, Quantity quantity) {
-    if (quantity == Quantity::slopes && lowered(name).find("(micror") != std::string::npos) return 1e-6;
-    const auto known = try_parse_unit(parse_header_cell(name).unit);
-    const auto wanted = quantity == Quantity::slopes ? dimension::none : dimension::length;
-    return known && known->dimension == wanted ? std::optional(known->factor) : std::nullopt;
+    auto unit = name.substr(std::min(name.find('(') + 1, name.size()));
+    unit.resize(std::min(unit.find(')'), unit.size()));
+    if (quantity == Quantity::slopes && lowered(unit).starts_with("micro")) return 1e-6;
+    if (quantity == Quantity::slopes && unit.ends_with("rad")) unit.replace(unit.size() - 3, 3, "m");  // its prefix as of a length
+    const auto known = try_parse_unit(unit);
+    return known && known->dimension == dimension::length ? std::optional(known->factor) : std::nullopt;
 }
 
 Columns columns_of(const json& description, const TextStart& start, const Source& source) {
@@ -172,7 +174,9 @@ std::vector<Channel> open_dabam(const Source& source, const ReadOptions& options
     if (!start || start->layout.columns < 2) throw FormatError(source.name, {.line = 1}, "dabam: no rows of positions and heights or slopes");
     const auto description = description_of(source);
     const auto columns = description ? columns_of(*description, *start, source) : columns_of(*start);
-    const auto numbers = read_numbers(find_number_lines(*start, start->begin, start->source.size));
+    const auto lines = find_number_lines(*start, start->begin, start->source.size);
+    require_whole_last_line(lines);
+    const auto numbers = read_numbers(lines);
     Curve curve;
     curve.x.unit = "m";
     curve.x.values = columns.x_factor * numbers.row(0);

@@ -17,6 +17,13 @@ std::vector<FormatSample> format_samples() {
         // optical and stylus profilers
 
         // text and sheets
+        mitutoyo_samples,
+        dektak_csv_samples,
+        hfm_samples,
+        dabam_samples,
+        matrix_samples,
+        xyz_samples,
+        xy_samples,
     };
     std::vector<FormatSample> samples;
     for (const auto& make : makers)

@@ -33,5 +33,12 @@ struct FormatSample {
 
 // one function a format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> mitutoyo_samples();
+[[nodiscard]] std::vector<FormatSample> dektak_csv_samples();
+[[nodiscard]] std::vector<FormatSample> hfm_samples();
+[[nodiscard]] std::vector<FormatSample> dabam_samples();
+[[nodiscard]] std::vector<FormatSample> matrix_samples();
+[[nodiscard]] std::vector<FormatSample> xyz_samples();
+[[nodiscard]] std::vector<FormatSample> xy_samples();
 
 }  // namespace setae::io::tests
