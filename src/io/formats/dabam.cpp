@@ -200,6 +200,7 @@ std::vector<Channel> open_dabam(const Source& source, const ReadOptions& options
             curve.heights.values = integrated(curve.x.values, curve.heights.values);
             info.alerts.push_back({"SLOPES_INTEGRATED", source.name, "the file holds slopes; heights are their integral by the trapezoidal rule, 0 at the first point",
                                    "mean height and mean slope are arbitrary: remove a line or the figure"});
+            info.name += ", integrated";
             info.metadata.attributes["heights from"] = "slopes, integrated by the trapezoidal rule";
         }
         channels.push_back(curve_channel(std::move(info), curve, options, source));
