@@ -55,17 +55,6 @@ zip* opened_memory(const Source& source, const std::string& content) {
     no_archive(source, reason);
 }
 
-/// Whether a member's name stays in the archive's own folder.
-bool stays_inside(std::string_view name) {
-    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
-    while (!name.empty()) {
-        const auto end = std::min(name.find_first_of("/\\"), name.size());
-        if (name.substr(0, end) == "..") return false;
-        name.remove_prefix(std::min(end + 1, name.size()));
-    }
-    return true;
-}
-
 /// What a member announces of itself.
 zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     zip_stat_t stat;
@@ -89,6 +78,16 @@ struct LazyMember {
 };
 
 }  // namespace
+
+bool stays_inside(std::string_view name) {
+    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
+    while (!name.empty()) {
+        const auto end = std::min(name.find_first_of("/\\"), name.size());
+        if (name.substr(0, end) == "..") return false;
+        name.remove_prefix(std::min(end + 1, name.size()));
+    }
+    return true;
+}
 
 bool is_zip(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 

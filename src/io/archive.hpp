@@ -16,6 +16,9 @@ namespace setae::io {
 /// Whether bytes begin as a ZIP archive.
 [[nodiscard]] bool is_zip(std::string_view head);
 
+/// Whether a member's name stays in the archive's own folder: no "../x", "/x", "c:x".
+[[nodiscard]] bool stays_inside(std::string_view name);
+
 /// A ZIP archive open for reading, on disk or in memory, from one thread at a time.
 class Archive {
 public:

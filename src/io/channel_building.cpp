@@ -2,6 +2,7 @@
 #include "channel_building.hpp"
 
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <utility>
 
@@ -63,6 +64,16 @@ Channel non_height_channel(ChannelInfo info) {
     info.is_height = false;
     auto message = fmt::format("{}: channel '{}' holds no heights", info.metadata.file, info.name);
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
+Channel unreadable_member(const Source& source, const std::string& name, const std::string& reason) {
+    ChannelInfo info;
+    info.name = name;
+    info.is_height = false;
+    info.metadata.file = source.name;
+    info.metadata.name = name;
+    info.alerts.push_back({"UNREADABLE_MEMBER", name, reason, "the other measurements are not affected; repair or replace this one"});
+    return {std::move(info), [error = std::current_exception()]() -> Measurement { std::rethrow_exception(error); }};
 }
 
 Measurement checked(Measurement measurement, const Source& source) {

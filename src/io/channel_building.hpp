@@ -16,6 +16,10 @@ namespace setae::io {
 /// A channel of something other than heights: listed, never read.
 [[nodiscard]] Channel non_height_channel(ChannelInfo info);
 
+/// A channel of a member that cannot be opened, for others not to be lost with it: it has the alert UNREADABLE_MEMBER, and its `read`
+/// throws again the error that is handled now, whose text is `reason`.
+[[nodiscard]] Channel unreadable_member(const Source& source, const std::string& name, const std::string& reason);
+
 /// Extent [m] as ChannelInfo::size has it.
 [[nodiscard]] std::vector<double> extent(const topography::Measurement& measurement);
 

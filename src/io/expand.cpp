@@ -81,4 +81,9 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
     }
 }
 
+Source unpacked(const Source& source) {
+    if (!is_gzip(source.head(3))) return source;
+    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
+}
+
 }  // namespace setae::io

@@ -24,4 +24,7 @@ namespace setae::io {
 /// Whether bytes begin as gzip.
 [[nodiscard]] bool is_gzip(std::string_view head);
 
+/// What a gzip file holds, under the file's own name; any other source as it is. @throws as inflated.
+[[nodiscard]] Source unpacked(const Source& source);
+
 }  // namespace setae::io

@@ -9,14 +9,18 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
+#include "tiff_file.hpp"
 
 namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
+        // SPDX-License-Identifier: GPL-3.0-or-later
+
         // exchange
         container_format(),
         x3p_format(),
+        sdf_format(),
 
         // arrays
         netcdf_format(),
@@ -24,8 +28,29 @@ const std::vector<Format>& formats() {
 
         // scanning probes
         nanoscope_format(),
+        ibw_format(),
+        jpk_format(),
+        jpk_qi_format(),
+        park_format(),
+        wsxm_format(),
+        mdt_format(),
+        nmm_format(),
 
         // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
+        qep_format(),
+        plu_format(),
+        plux_format(),
+        al3d_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         mitutoyo_format(),
@@ -70,16 +95,11 @@ std::string expected_by_name(const std::string& name) {
 
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
+    if (is_tiff(head)) refuse_tiff(source);
     if (looks_like_text(head))
         throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header");
     throw FormatError(source.name, {.offset = 0},
                       fmt::format("begins with '{}', which no format setae reads does{}; `setae formats` lists them", first_bytes(head), expected_by_name(source.name)));
-}
-
-/// What a gzip file holds, under the file's own name.
-Source unpacked(const Source& source) {
-    if (!is_gzip(source.head(3))) return source;
-    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
 }
 
 /// Sizes the user or an index gave against the file's own, which stay.
@@ -97,7 +117,9 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
 
 }  // namespace
 
-const Format& detect_format(const Source& source) {
+namespace {
+
+const Format& detected(const Source& source) {
     const auto head = source.head(detection_bytes);
     const Format* possible = nullptr;
     for (const auto& format : formats()) {
@@ -108,6 +130,10 @@ const Format& detect_format(const Source& source) {
     if (!possible) unknown(source, head);
     return *possible;
 }
+
+}  // namespace
+
+const Format& detect_format(const Source& source) { return detected(unpacked(source)); }
 
 const Format& format_to_write(const std::string& path) {
     std::string endings;
@@ -132,7 +158,7 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 
 std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
     const auto source = unpacked(packed);
-    auto channels = detect_format(source).open(source, options);
+    auto channels = detected(source).open(source, options);
     compare_sizes(channels, options, source);
     return channels;
 }

@@ -7,14 +7,39 @@ namespace setae::io::tests {
 
 std::vector<FormatSample> format_samples() {
     const std::vector<std::function<std::vector<FormatSample>()>> makers{
+        // SPDX-License-Identifier: GPL-3.0-or-later
+
         // exchange
+        container_samples,
+        x3p_samples,
+        sdf_samples,
 
         // arrays
 
         // scanning probes
         nanoscope_samples,
+        ibw_samples,
+        jpk_samples,
+        jpk_qi_samples,
+        park_samples,
+        wsxm_samples,
+        mdt_samples,
+        nmm_samples,
 
         // optical and stylus profilers
+        opd_samples,
+        opdx_samples,
+        metropro_samples,
+        bcr_samples,
+        nms_samples,
+        frt_samples,
+        tmd_samples,
+        zmg_samples,
+        os3d_samples,
+        qep_samples,
+        plu_samples,
+        plux_samples,
+        al3d_samples,
 
         // text and sheets
         mitutoyo_samples,
