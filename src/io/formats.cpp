@@ -64,7 +64,12 @@ const std::vector<Format>& formats() {
         poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
         matrix_text_format(),
+        xyz_format(),
         xy_format(),
     };
     return table;

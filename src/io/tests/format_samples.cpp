@@ -53,6 +53,12 @@ std::vector<FormatSample> format_samples() {
         poir_samples,
 
         // text and sheets
+        mitutoyo_samples,
+        dektak_csv_samples,
+        hfm_samples,
+        dabam_samples,
+        xyz_samples,
+        xy_samples,
     };
     std::vector<FormatSample> samples;
     for (const auto& make : makers)

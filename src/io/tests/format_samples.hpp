@@ -68,5 +68,12 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> lext_samples();
 [[nodiscard]] std::vector<FormatSample> oir_samples();
 [[nodiscard]] std::vector<FormatSample> poir_samples();
+[[nodiscard]] std::vector<FormatSample> mitutoyo_samples();
+[[nodiscard]] std::vector<FormatSample> dektak_csv_samples();
+[[nodiscard]] std::vector<FormatSample> hfm_samples();
+[[nodiscard]] std::vector<FormatSample> dabam_samples();
+[[nodiscard]] std::vector<FormatSample> xyz_samples();
+[[nodiscard]] std::vector<FormatSample> xy_samples();
+[[nodiscard]] std::vector<FormatSample> matrix_samples();
 
 }  // namespace setae::io::tests
