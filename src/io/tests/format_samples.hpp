@@ -32,6 +32,13 @@ struct FormatSample {
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
 // one function a format, in formats/<name>_samples.cpp
+[[nodiscard]] std::vector<FormatSample> netcdf_samples();
+[[nodiscard]] std::vector<FormatSample> npy_samples();
+[[nodiscard]] std::vector<FormatSample> npz_samples();
+[[nodiscard]] std::vector<FormatSample> mat_samples();
+[[nodiscard]] std::vector<FormatSample> hdf5_samples();
+[[nodiscard]] std::vector<FormatSample> datx_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_hdf5_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 
 }  // namespace setae::io::tests
