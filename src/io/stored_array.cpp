@@ -59,6 +59,12 @@ bool is_map_or_line(const StoredArray& array) {
     return (dimensions == 1 || dimensions == 2) && !single && !empty;
 }
 
+ReadOptions options_for(const StoredArray& array, const ReadOptions& options) {
+    auto own = options;
+    if (own.size && own.size->size() != (is_line(array) ? 1u : 2u)) own.size.reset();
+    return own;
+}
+
 std::string orientation_of(const StoredArray& array, FirstIndex first) {
     if (is_line(array)) return {};
     return first == FirstIndex::x_to_the_right ? "first index x, second y downwards, as stored" : "first index y downwards, second x, as stored";

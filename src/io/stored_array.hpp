@@ -53,6 +53,9 @@ struct StoredArray {
 /// What the first index of a map counts.
 enum class FirstIndex { x_to_the_right, y_downwards };
 
+/// What the user gave, for one of several arrays: without a size that is another array's, one of a map for a line.
+[[nodiscard]] ReadOptions options_for(const StoredArray& array, const ReadOptions& options);
+
 /// "first index x, second y downwards, as stored" and its counterpart; empty for a line.
 [[nodiscard]] std::string orientation_of(const StoredArray& array, FirstIndex first);
 

@@ -55,7 +55,7 @@ Channel channel_of(const StoredArray& array, const Source& source, const ReadOpt
         return non_height_channel(std::move(info));
     }
     if (known) info.unit = unit;
-    return array_channel(std::move(info), array, FirstIndex::x_to_the_right, {.factor = known ? known->factor : 1.0}, options);
+    return array_channel(std::move(info), array, FirstIndex::x_to_the_right, {.factor = known ? known->factor : 1.0}, options_for(array, options));
 }
 
 Match detect_hdf5(std::string_view head, const Source&) { return find_hdf5(head) ? Match::maybe : Match::no; }

@@ -43,7 +43,7 @@ std::vector<MatVariable> mat73_variables(const Source& source) {
 Channel channel_of(const MatVariable& variable, FirstIndex first, const Source& source, const ReadOptions& options) {
     ChannelInfo info{.name = variable.array.name, .format = mat};
     if (!orientation_of(variable.array, first).empty()) info.orientation = orientation;
-    if (!variable.complex) return array_channel(std::move(info), variable.array, first, {}, options);
+    if (!variable.complex) return array_channel(std::move(info), variable.array, first, {}, options_for(variable.array, options));
     info.shape = first == FirstIndex::y_downwards ? std::vector<Index>{variable.array.shape.rbegin(), variable.array.shape.rend()} : variable.array.shape;
     info.metadata.file = source.name;
     info.metadata.attributes["numbers"] = "complex";

@@ -33,7 +33,7 @@ std::vector<Channel> open_npz(const Source& source, const ReadOptions& options) 
         if (!is_npy(member.head(ending.size() + 2))) throw FormatError(member.name, {.offset = 0}, "NPZ: a member that is no NPY; the archive is damaged");
         const auto array = npy_array(member);
         if (!array.refusal.empty() || !is_map_or_line(array)) continue;
-        channels.push_back(array_channel({.name = name.substr(0, name.size() - ending.size()), .format = "npz"}, array, FirstIndex::x_to_the_right, {}, options));
+        channels.push_back(array_channel({.name = name.substr(0, name.size() - ending.size()), .format = "npz"}, array, FirstIndex::x_to_the_right, {}, options_for(array, options)));
     }
     if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "NPZ: no array of numbers with one or two dimensions and more than one value");
     return channels;
