@@ -39,7 +39,7 @@ struct Inflation {
 
 bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
-std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format) {
+std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format, std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
     Inflation inflation(zlib_or_gzip);
     if (!inflation.good) throw InternalError("zlib does not start");
@@ -57,7 +57,7 @@ std::string inflated(std::string_view stream, const Source& source, std::uint64_
         used += input - z.avail_in;
         content.resize(before + piece - z.avail_out);
         require_bounded(content.size(), stream.size(), source, offset, format);
-        if (state == Z_STREAM_END) return content;
+        if (state == Z_STREAM_END || content.size() >= enough) return content;
         if (state != Z_OK && state != Z_BUF_ERROR) broken(source, offset + used, format, "compressed data are damaged");
         if (used == stream.size() && content.size() == before) broken(source, offset + used, format, "compressed data end early; the file is truncated");
     }

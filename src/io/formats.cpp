@@ -26,6 +26,11 @@ const std::vector<Format>& formats() {
         // arrays
         netcdf_format(),
         npy_format(),
+        npz_format(),
+        mat_format(),
+        hdf5_format(),
+        datx_format(),
+        jpk_hdf5_format(),
 
         // scanning probes
         nanoscope_format(),

@@ -16,6 +16,13 @@ std::vector<FormatSample> format_samples() {
         gwy_samples,
 
         // arrays
+        netcdf_samples,
+        npy_samples,
+        npz_samples,
+        mat_samples,
+        hdf5_samples,
+        datx_samples,
+        jpk_hdf5_samples,
 
         // scanning probes
         nanoscope_samples,

@@ -37,6 +37,13 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
 [[nodiscard]] std::vector<FormatSample> gwy_samples();
+[[nodiscard]] std::vector<FormatSample> netcdf_samples();
+[[nodiscard]] std::vector<FormatSample> npy_samples();
+[[nodiscard]] std::vector<FormatSample> npz_samples();
+[[nodiscard]] std::vector<FormatSample> mat_samples();
+[[nodiscard]] std::vector<FormatSample> hdf5_samples();
+[[nodiscard]] std::vector<FormatSample> datx_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_hdf5_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 [[nodiscard]] std::vector<FormatSample> ibw_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
