@@ -142,7 +142,7 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
 Source Archive::member(const std::string& name) const {
     const auto compressed = std::min<std::uint64_t>(announced(zip_.get(), index_of(name), source_).comp_size, source_.size);
     if (size(name) > most_expanded(compressed))  // whoever trusts the size of a source must not be led by a lie to allocate it
-        broken(source_, fmt::format("member '{}' announces {} bytes of {} compressed; if that is honest, unpack the archive with another program first", name, size(name), compressed));
+        broken(source_, fmt::format("member '{}' expands from {} bytes to {}; if it is honest, unpack the archive with another program first", name, compressed, size(name)));
     auto lazy = std::make_shared<LazyMember>();
     lazy->archive = source_;
     lazy->name = name;
