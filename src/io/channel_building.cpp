@@ -134,7 +134,7 @@ double complete(ChannelInfo& info, const ReadOptions& options, const Source& sou
     for (const double size : info.size)
         if (!(size > 0.0) || !std::isfinite(size)) throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
     info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
-    info.metadata.file = source.name;
+    if (info.metadata.file.empty()) info.metadata.file = source.name;
     info.metadata.format = info.format;
     info.metadata.unit = info.unit;
     return factor;

@@ -15,16 +15,20 @@ namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
-        // SPDX-License-Identifier: GPL-3.0-or-later
-
         // exchange
         container_format(),
         x3p_format(),
         sdf_format(),
+        gwy_format(),
 
         // arrays
         netcdf_format(),
         npy_format(),
+        npz_format(),
+        mat_format(),
+        hdf5_format(),
+        datx_format(),
+        jpk_hdf5_format(),
 
         // scanning probes
         nanoscope_format(),
@@ -32,6 +36,8 @@ const std::vector<Format>& formats() {
         jpk_format(),
         jpk_qi_format(),
         park_format(),
+        mi_format(),
+        nanosurf_format(),
         wsxm_format(),
         mdt_format(),
         nmm_format(),
@@ -51,9 +57,22 @@ const std::vector<Format>& formats() {
         plu_format(),
         plux_format(),
         al3d_format(),
+        sur_format(),
+        mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
+        lext_format(),
+        oir_format(),
+        poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
         matrix_text_format(),
+        xyz_format(),
         xy_format(),
     };
     return table;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "header.hpp"
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "text.hpp"
 
@@ -16,6 +17,12 @@ bool holds_heights(std::string_view name, std::string_view unit) {
     if (!parsed || parsed->dimension != dimension::length) return false;
     const auto lower = lowered(name);
     return std::none_of(others.begin(), others.end(), [&](std::string_view other) { return lower.find(other) != std::string::npos; });
+}
+
+std::string plain_unit(std::string_view unit) {
+    const auto text = trimmed(unit);
+    if (text == "°" || text == "º") return "deg";
+    return text == "~m" ? "um" : std::string(text);
 }
 
 }  // namespace setae::io

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/io/netcdf.hpp"
+#include "setae/io/npy.hpp"
 
 namespace setae::io {
 
@@ -24,6 +26,18 @@ void refuse_trace(const topography::Measurement& measurement, const std::string&
     const auto* profile = std::get_if<topography::Profile>(&measurement);
     if (profile && (profile->response || profile->standard_error.size() > 0))
         throw InvalidArgument(fmt::format("{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv", path));
+}
+
+void write_measurement_as_netcdf(const std::string& path, const topography::Measurement& measurement) {
+    refuse_trace(measurement, path);
+    write_netcdf(path, measurement);
+}
+
+void write_measurement_as_npy(const std::string& path, const topography::Measurement& measurement) {
+    refuse_trace(measurement, path);
+    if (std::holds_alternative<topography::Profile>(measurement))
+        throw InvalidArgument(fmt::format("{}: NPY holds heights alone, this is a profile with positions of its own; write it as .x3p, .nc or .csv", path));
+    std::visit([&](const auto& m) { write_npy(path, m.heights); }, measurement);
 }
 
 std::string row_bytes(const Array2D& heights, double undefined_as) {

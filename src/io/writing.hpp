@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "setae/core/arrays.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::io {
@@ -15,6 +15,11 @@ namespace setae::io {
 /// Refuses what only .csv holds: the standard errors of a profile and the response of its trace.
 /// @throws InvalidArgument that says so.
 void refuse_trace(const topography::Measurement& measurement, const std::string& path);
+
+/// Format::write of NetCDF and NPY. NPY has the heights alone: neither their size nor, of a profile, which is refused, positions.
+/// @throws as write_netcdf, write_npy and refuse_trace.
+void write_measurement_as_netcdf(const std::string& path, const topography::Measurement& measurement);
+void write_measurement_as_npy(const std::string& path, const topography::Measurement& measurement);
 
 /// Heights h(x, y) as little-endian float64, row after row from the top: what most formats hold. Undefined ones become `undefined_as`.
 [[nodiscard]] std::string row_bytes(const Array2D& heights, double undefined_as);

@@ -106,6 +106,7 @@ X3pDocument parse_x3p_document(const pugi::xml_document& xml, const Source& sour
     X3pDocument document;
     const auto head = root.child("Record1"), data = root.child("Record3");
     const std::string feature(trimmed(head.child_value("FeatureType")));
+    if (feature == "PCL") broken(source, "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); give it a grid in another program first");
     if (feature != "SUR" && feature != "PRF")
         broken(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
     document.profile = feature == "PRF";

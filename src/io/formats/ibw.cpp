@@ -124,7 +124,9 @@ std::string name_of(const IgorWave& wave, std::size_t channel) {
 Channel channel_of(const IgorWave& wave, const Note& note, std::size_t channel, ChannelInfo info, const Source& source, const ReadOptions& options) {
     info.name = info.metadata.name = name_of(wave, channel);
     const bool asylum = note.contains("MicroscopeModel") && channel < wave.labels[2].size();
-    info.unit = asylum ? asylum_unit(info.name, note) : wave.data_unit;
+    info.unit = asylum ? asylum_unit(info.name, note) : plain_unit(wave.data_unit);
+    // names tell which channels are heights, the wave tells their unit
+    if (holds_heights(info.name, info.unit) && holds_heights({}, wave.data_unit)) info.unit = wave.data_unit;
     if (info.name.find("Retrace") != std::string::npos || info.name.find("Trace") != std::string::npos)
         info.metadata.attributes["line_direction"] = info.name.find("Retrace") != std::string::npos ? "retrace" : "trace";
     const bool line = wave.points[1] == 0;
@@ -132,8 +134,7 @@ Channel channel_of(const IgorWave& wave, const Note& note, std::size_t channel, 
     info.size = size_of(wave, info.shape.size(), source);
     if (!info.unit.empty() && !holds_heights(info.name, info.unit)) return non_height_channel(std::move(info));
     if (!line) info.orientation = "rows from the bottom, turned";
-    // names tell the unit of the values only where the wave does: its own is that of the heights
-    const double metre = info.unit.empty() ? 1.0 : length_unit(asylum && !wave.data_unit.empty() && holds_heights({}, wave.data_unit) ? wave.data_unit : info.unit, source).factor;
+    const double metre = info.unit.empty() ? 1.0 : length_unit(info.unit, source).factor;
     return raster_channel(std::move(info), source, raster_of(wave, channel), {.factor = metre}, options);
 }
 

@@ -31,7 +31,7 @@ constexpr std::uint64_t common_header_bytes = 834;
 
 /// Offsets in the header.
 namespace at {
-constexpr std::uint64_t header_format = 4, header_bytes = 6, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68, time = 76, comment = 80, scale_factor = 164,
+constexpr std::uint64_t header_format = 4, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68, time = 76, comment = 80, scale_factor = 164,
                         wavelength = 168, obliquity = 176, lateral_resolution = 184, phase_resolution = 218, sign = 232, system_type = 238, serial = 242, objective = 246,
                         part = 258, full_serial = 798;
 }
@@ -75,7 +75,8 @@ std::string text_at(Cursor& cursor, std::uint64_t offset, std::uint64_t bytes) {
 topography::Metadata metadata_of(Cursor& cursor) {
     topography::Metadata metadata;
     metadata.instrument.type = "interferometer";
-    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty()) metadata.instrument.name = "Zygo " + system;
+    metadata.instrument.name = "Zygo";
+    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty()) metadata.instrument.name += " " + system;
     metadata.acquisition_time = utc_text(cursor.number_at<std::int32_t>(at::time));
     // the older field holds the lower 16 bits; the newer one is little-endian
     cursor.set_order(std::endian::little);

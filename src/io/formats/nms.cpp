@@ -23,7 +23,7 @@ constexpr double steps_of_range = 65534.0;
 constexpr std::uint32_t most_points = 100000;
 
 namespace at {
-constexpr std::uint64_t limits = 16, program = 32, title = 68, date = 1076, header_length = 1352, points = 1368, pitch = 1376;
+constexpr std::uint64_t limits = 16, program = 32, title = 52, date = 1076, header_length = 1352, points = 1368, pitch = 1376;
 }
 
 template <class T>
@@ -67,7 +67,7 @@ std::vector<Channel> open_nms(const Source& source, const ReadOptions& options) 
     info.metadata.name = info.name;
     info.metadata.instrument.type = "confocal";
     info.metadata.acquisition_time = text(at::date, 16);
-    if (auto version = text(at::program, 32); !version.empty()) info.metadata.attributes["software_version"] = std::move(version);
+    if (auto version = text(at::program, 16); !version.empty()) info.metadata.attributes["software_version"] = std::move(version);
     const Raster raster{.offset = header_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
     auto picture = info;
     const RawScale scale{.factor = (highest - lowest) * units::um / steps_of_range, .offset = lowest * units::um};

@@ -23,7 +23,7 @@ namespace {
 using namespace std::string_view_literals;
 constexpr std::size_t most_channels = 1000;
 constexpr auto signature = "VCA DATA\x01\x00\x00\x55"sv;
-const std::string format_name = "OPDx";
+constexpr auto* format_name = "OPDx";
 
 /// "Radius: 2 µm"
 std::optional<double> tip_radius(const std::string& stylus) {

@@ -65,6 +65,9 @@ TEST_P(FormatSamples, AreRefusedWithThePlaceWhereTheyAreCut) {
         std::string error;
         try {
             error = error_of(GetParam(), GetParam().content.substr(0, length));
+        } catch (const InvalidArgument& missing) {  // what is left may be a whole text that lacks its size or unit
+            EXPECT_TRUE(GetParam().may_lose_its_end) << "cut at " << length << ": " << missing.what();
+            continue;
         } catch (const Error& other) {
             ADD_FAILURE() << "cut at " << length << ": " << other.what();
             continue;

@@ -19,6 +19,7 @@ public:
 
     TiffPageBuilder& shorts(std::uint16_t id, const std::vector<std::uint16_t>& values) { return numbers(id, 3, values); }
     TiffPageBuilder& longs(std::uint16_t id, const std::vector<std::uint32_t>& values) { return numbers(id, 4, values); }
+    TiffPageBuilder& signed_short(std::uint16_t id, std::int16_t value) { return numbers(id, 8, std::vector{value}); }
     TiffPageBuilder& signed_long(std::uint16_t id, std::int32_t value) { return numbers(id, 9, std::vector{value}); }
     TiffPageBuilder& real(std::uint16_t id, double value) { return numbers(id, 12, std::vector{value}); }
     TiffPageBuilder& text(std::uint16_t id, std::string_view value) { return raw(id, 2, value.size() + 1, std::string(value) + '\0'); }

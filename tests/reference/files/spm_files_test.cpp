@@ -159,5 +159,67 @@ TEST(IbwFile, WithoutUnitTakesTheUsers) {
     expect_corners(map, units::nm, {1.0, 1.0, 2.0, 2.0});
 }
 
+TEST(MiFile, HeightsAreThoseOfAnotherReader) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mi-1.mi");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 4u);
+    const auto map = map_of(named(channels, "Topography (trace)"));
+    EXPECT_EQ(map.shape(), (std::array<Index, 2>{256, 256}));
+    EXPECT_NEAR(map.size[0], 20e-6, 1e-17);
+    EXPECT_NEAR(map.size[1], 20e-6, 1e-17);
+    EXPECT_NEAR(spread(map.heights) / units::um, 0.033215426493512654, 1e-6 * 0.0332);
+    expect_corners(map, units::um, {-0.49869003295898445, -0.5122423553466797, -0.5981623077392578, -0.6289871978759767});
+    EXPECT_EQ(map.metadata.acquisition_time, "Tue Feb 18 15:00:51 2014");
+    EXPECT_EQ(channels[3].info.name, "Friction (retrace)");
+    for (std::size_t k = 1; k < 4; ++k) {
+        EXPECT_FALSE(channels[k].info.is_height);
+        EXPECT_EQ(channels[k].info.unit, "V");
+    }
+}
+
+/// The rms that its manufacturer's package publishes for this file, after the best straight line of each line of the scan is removed.
+TEST(NanosurfFile, RmsAfterFlatteningIsTheOnePublished) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanosurf/sapphire.nid");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 8u);
+    const auto map = map_of(named(channels, "Z-Axis (Scan forward)"));
+    EXPECT_EQ(map.shape(), (std::array<Index, 2>{256, 256}));
+    EXPECT_NEAR(map.size[0], 2.5e-6, 1e-18);
+    const Array2D heights = topography::flattened_lines(map, 1).heights / units::nm;
+    EXPECT_NEAR(std::sqrt(heights.square().mean()), 0.042123098751831574, 1e-9);
+}
+
+TEST(NanosurfFile, ListsForwardAndBackwardChannels) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanosurf/sapphire.nid");
+    const auto channels = open(path.string());
+    EXPECT_EQ(named(channels, "Phase (Scan backward)").info.unit, "deg");
+    EXPECT_EQ(named(channels, "Amplitude (Scan forward)").info.unit, "V");
+    const auto forward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan forward)")), 1).heights, backward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan backward)")), 1).heights;
+    EXPECT_GT(correlation(forward, backward), correlation(forward, backward.colwise().reverse()));
+}
+
+TEST(NanoscopeFile, ListsEachChannelWithDirectionAndUnit) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/di-1.di");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 4u);
+    EXPECT_EQ(channels[0].info.name, "Height (trace)");
+    EXPECT_EQ(channels[1].info.name, "Height (retrace)");
+    EXPECT_EQ(channels[2].info.unit, "deg");
+    EXPECT_EQ(channels[3].info.unit, "mV");
+    EXPECT_EQ(channels[0].info.metadata.acquisition_time, "09:57:48 AM Tue Jan 12 2016");
+    EXPECT_EQ(channels[0].info.metadata.attributes.at("scan_angle"), "1.5708");
+    EXPECT_EQ(channels[0].info.metadata.attributes.at("scan_direction"), "down");
+}
+
+TEST(NanoscopeFile, AmplitudeInVoltsIsNoHeight) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanoscope/full_multiple_images.txt");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_NEAR(channels[0].info.size.at(0), 2e-6, 1e-18);
+    EXPECT_EQ(channels[1].info.name, "Amplitude (retrace)");
+    EXPECT_EQ(channels[1].info.unit, "V");
+    EXPECT_FALSE(channels[1].info.is_height);
+}
+
 }  // namespace
 }  // namespace setae::io

@@ -50,6 +50,7 @@ TEST(Ibw, HeightsAreInTheUnitOfTheWaveEvenIfAxesAreInAnother) {
     content.data_unit = "nm";
     content.lateral_unit = "um";
     content.step = {0.01, 0.01, 1, 1};
+    EXPECT_EQ(opened(content).at(0).info.unit, "nm");
     const auto map = std::get<HeightMap>(opened(content).at(0).read());
     EXPECT_DOUBLE_EQ(map.size[0], 3e-8);
     EXPECT_DOUBLE_EQ(map.heights(1, 1), 1e-9);

@@ -40,13 +40,13 @@ void add_slot(TiffPageBuilder& page, int slot, const char* name, const char* uni
 
 TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool reflected, int bits, int compression = 1) {
     TiffPageBuilder page(order);
-    page.picture(nx, ny, bits, 2, compression).text(0x8050, "measuredHeight").text(0x8052, name).bytes(0x8051, std::string(1, retrace ? '\1' : '\0'), 1);
+    page.picture(nx, ny, bits, 2, compression).text(0x8050, "measuredHeight").text(0x8052, name).signed_short(0x8051, retrace ? 1 : 0);
     page.signed_long(0x8080, 4).text(0x8081, "nominal");
     add_slot(page, 0, "raw", "", 0, 0);
     add_slot(page, 1, "volts", "V", 1e-6, 50);
     add_slot(page, 2, "nominal", "m", 2 * factor, offset);
     add_slot(page, 3, "calibrated", "m", factor, offset);
-    if (reflected) page.bytes(0x8045, "\1", 1);
+    if (reflected) page.signed_short(0x8045, 1);
     return page;
 }
 

@@ -24,6 +24,7 @@ std::string header(const Dialect& dialect) {
     bytes.number(dialect.signature).number(dialect.format).number(dialect.header_bytes).number<std::int16_t>(1).text("Tue Jan 12 2016", 30);
     bytes.number_at<std::uint16_t>(52, dialect.with_intensity ? intensity_nx : 0).number_at<std::uint16_t>(54, dialect.with_intensity ? intensity_ny : 0);
     bytes.number_at<std::uint16_t>(56, dialect.with_intensity ? buckets : 0);
+    bytes.number_at<std::int16_t>(58, 0x7fff).number_at<std::uint32_t>(60, dialect.with_intensity ? 2 * buckets * intensity_nx * intensity_ny : 0);
     bytes.number_at<std::uint16_t>(68, nx).number_at<std::uint16_t>(70, ny).number_at<std::uint32_t>(72, 4 * nx * ny);
     bytes.number_at<std::int32_t>(76, 1311439776).text_at(80, "step height");
     bytes.number_at(164, scale_factor).number_at(168, wavelength).number_at(176, obliquity).number_at(184, pixel);

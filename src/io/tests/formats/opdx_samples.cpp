@@ -22,7 +22,7 @@ std::string settings(const std::string& mode) {
 
 std::string file(const std::string& lines, const std::string& maps, const std::string& mode) {
     using namespace vca;
-    const auto metadata = container("MetaData", {string("DataKind", "Surface Height"), string("Date", "2/11/2021"), string("Time", "11:39:13 PM"),
+    const auto metadata = container("MetaData", {string("DataKind", mode == "Stylus" ? "Surface Profile" : "Surface Height"), string("Date", "2/11/2021"), string("Time", "11:39:13 PM"),
                                                  item("TimeStamp", 0x15, std::string("\x01\x8b\xe1\xab\xc9\xff\xcf\xd7\x01", 9)), string("PrimaryData2D", "Height"),
                                                  container("2D_Channels", {string_list("Height", {"Filled", "Height"})}), container("1D_Channels", {string_list("Height", {"Raw"})}),
                                                  settings(mode)});

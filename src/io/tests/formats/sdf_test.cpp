@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "counted_source.hpp"
 #include "error_message.hpp"
 #include "format_samples.hpp"
 #include "sample_files.hpp"
@@ -87,6 +88,15 @@ TEST(Sdf, MissingScaleIsAskedFor) {
     const auto content = replaced(sample_named("text of floats"), "Xscale = 1.0E-6\r\n", "");
     EXPECT_NE(refusal(content).find("--size"), std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(opened(content, {.size = {{1e-6, 4e-6}}}).at(0).read()).size[1], 4e-6);
+}
+
+TEST(Sdf, OpeningAGigabyteReadsItsHeaderAlone) {
+    auto header = sample_named("type 7").substr(0, 81);
+    header[42] = header[44] = '\0';
+    header[43] = header[45] = '\x2c';  // 11264 × 11264
+    const auto file = counted_source(header, std::uint64_t{8} * 11264 * 11264, "");
+    EXPECT_EQ(open(file.source, {}).at(0).info.shape, (std::vector<Index>{11264, 11264}));
+    EXPECT_LT(*file.bytes_read, 1u << 18);
 }
 
 TEST(SdfWriter, WritesTheBytesOfTheStandard) {
