@@ -57,6 +57,7 @@ TEST(Nanosurf, WhatCannotBeReadIsNamed) {
     EXPECT_NE(message(replaced(content, "SaveMode=Binary", "SaveMode=ASCII")).find("'ASCII'"), std::string::npos);
     EXPECT_NE(message(replaced(content, "SaveBits=16", "SaveBits=24")).find("'24' bits"), std::string::npos);
     EXPECT_NE(message(replaced(content, "Points=6", "Points=2000000000")).find("2000000000 × 4"), std::string::npos);
+    EXPECT_NE(message(replaced(content, "[DataSet]\r", "[DataSet]\rx")).find("names no channel"), std::string::npos);
     EXPECT_NE(message(replaced(content, "Dim2Range=9.5", "Dim2Range=wide")).find("'Dim2Range' is 'wide'"), std::string::npos);
 }
 
