@@ -59,8 +59,7 @@ void find_datasets(hid_t group, const std::string& path, int depth, std::size_t&
     for (const auto& name : members_of(group)) {
         if (++visited > most_objects) return;
         const Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
-        if (!member) continue;
-        const auto type = H5Iget_type(member);
+        const auto type = member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
         if (type == H5I_DATASET) found.push_back(path + "/" + name);
         if (type == H5I_GROUP && depth < deepest_group) find_datasets(member, path + "/" + name, depth + 1, visited, found);
     }
@@ -80,6 +79,14 @@ Hdf5Handle opened_object(hid_t file, const std::string& path) {
         std::swap(object.id, next.id);
     }
     return object;
+}
+
+/// Whether a group of the file has a hard link of that path, to whatever it leads.
+bool is_in(hid_t file, const std::string& path) {
+    const auto slash = path.rfind('/');
+    const auto group = opened_object(file, path.substr(0, slash));
+    H5L_info_t link;
+    return group && H5Iget_type(group) == H5I_GROUP && H5Lget_info(group, path.substr(slash + 1).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
 }
 
 // ---- attributes and records -----------------------------------------------------------------------------------------
@@ -321,6 +328,13 @@ std::vector<std::string> Hdf5File::members(const std::string& group) const {
 std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
     const Hdf5Session session;
     const auto data = opened_object(*file_, path);
+    if (!data && is_in(*file_, path)) {
+        unsigned major = 0, minor = 0, release = 0;
+        H5get_libversion(&major, &minor, &release);
+        StoredArray closed{.name = path, .data = source_};
+        closed.refusal = fmt::format("HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}, whose h5repack --high=2 makes it older", path, major, minor, release);
+        return closed;
+    }
     if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
     const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose), properties(H5Dget_create_plist(data), &H5Pclose);
     const auto plain = type ? plain_type(type) : std::nullopt;

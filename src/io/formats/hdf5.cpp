@@ -28,8 +28,7 @@ void keep_attributes(const Attributes& attributes, topography::Metadata& metadat
     }
 }
 
-/// Extents [m] from the distance of neighbours [µm] along each index; empty where it is not stated. A trailing index may be left out
-/// of the dataset, never of the attribute.
+/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it is not stated.
 std::vector<double> size_of(const StoredArray& array) {
     const auto found = std::find_if(array.attributes.begin(), array.attributes.end(), [](const Attribute& attribute) { return attribute.name == element_size; });
     const auto dimensions = array.shape.size();
@@ -65,7 +64,7 @@ std::vector<Channel> open_hdf5(const Source& source, const ReadOptions& options)
     std::vector<Channel> channels;
     for (const auto& path : file.datasets()) {
         const auto array = file.array(path);
-        if (array && is_map_or_line(*array)) channels.push_back(channel_of(*array, source, options));
+        if (array && (is_map_or_line(*array) || !array->refusal.empty())) channels.push_back(channel_of(*array, source, options));
     }
     if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "HDF5: no dataset of numbers with one or two dimensions and more than one value");
     return channels;

@@ -72,6 +72,22 @@ TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channel.read()).size, 6e-6);
 }
 
+TEST(NetCdf, WhatTheLibraryFillsInIsUndefined) {
+    Hdf5Builder file;
+    file.dataset("/heights", H5T_IEEE_F64LE, {2, 2}, {1.0, 2.0, 9.9692099683868690e+36, 4.0}).attribute("/heights", "unit", std::string("nm")).attribute("/", "_NCProperties", std::string("version=2"));
+    const auto map = std::get<HeightMap>(open(memory_source("sample", file.bytes()), {.size = {{1e-6, 1e-6}}, .unit = {}}).at(0).read());
+    EXPECT_TRUE(std::isnan(map.heights(1, 0)));
+    EXPECT_EQ(map.heights.isNaN().count(), 1);
+}
+
+TEST(NetCdf, HeightsWithoutUnitHaveThatOfTheirPositions) {  // as SurfaceTopography writes unequal steps
+    Hdf5Builder file;
+    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).dataset("/x", H5T_IEEE_F64LE, {3}, {0.0, 1.0, 3.0}).attribute("/x", "unit", std::string("um"));
+    const auto profile = std::get<Profile>(open(memory_source("sample", file.bytes()), {}).at(0).read());
+    EXPECT_DOUBLE_EQ(profile.heights[2], 4e-6);
+    EXPECT_DOUBLE_EQ(profile.positions[2], 3e-6);
+}
+
 TEST(NetCdf, StatedUnitsWinOverGivenOnes) {
     const TemporaryFolder folder;
     Table table;

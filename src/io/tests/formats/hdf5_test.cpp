@@ -90,6 +90,19 @@ TEST(Hdf5, ValuesNeverWrittenAreListedAndRefused) {
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(3, 4), 19.0 * units::nm);
 }
 
+TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
+    Hdf5Builder file({.newest = true});
+    file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).dataset("/b", H5T_STD_I16LE, {4, 5}, numbers(20));
+    auto content = file.bytes();
+    content[content.rfind("OHDR") + 12] ^= 1;  // its checksum then tells the header's damage
+    const auto channels = channels_of(content);
+    ASSERT_EQ(channels.size(), 2u);
+    const std::size_t damaged = channels[0].info.alerts.empty() ? 1 : 0;
+    EXPECT_EQ(channels[damaged].info.alerts.at(0).code, "UNREADABLE_ARRAY");
+    EXPECT_NE(message_of([&] { (void)channels[damaged].read(); }).find("cannot be opened"), std::string::npos);
+    EXPECT_EQ(std::get<HeightMap>(channels[1 - damaged].read()).heights(3, 4), 19.0 * units::nm);
+}
+
 TEST(Hdf5, OtherFiltersAreNamedWithARemedy) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20), {.chunk = {2, 2}, .n_bit = true});
