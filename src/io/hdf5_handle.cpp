@@ -7,6 +7,7 @@
 
 #include "cursor.hpp"
 #include "hdf5_file.hpp"
+#include "hdf5_heaps.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io {
@@ -73,6 +74,7 @@ Hdf5Handle opened_hdf5(const Source& source) {
     const auto start = find_hdf5(source.head(1 << 16));
     if (!start) throw FormatError(source.name, {.offset = std::min<std::uint64_t>(source.size, 512)}, "HDF5: no signature; the file is damaged or truncated");
     require_whole(source, *start);
+    require_sound_heaps(source);
     const Hdf5Session session;
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
     if (source.path.empty()) {

@@ -12,6 +12,7 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "hdf5_file.hpp"
+#include "header.hpp"
 #include "netcdf_classic.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -112,7 +113,7 @@ RawScale raw_scale(const StoredArray& heights, double unit) {
 std::string json_text(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 /// The attribute json: what the writer knew of the measurement.
-void add_info(topography::Metadata& metadata, const std::string& text, const Source& source) {
+void add_info(topography::Metadata& metadata, const std::string& text) {
     const auto info = nlohmann::json::parse(text, nullptr, false);
     if (!info.is_object()) return;
     for (const auto& [key, value] : info.items()) {
@@ -126,8 +127,9 @@ void add_info(topography::Metadata& metadata, const std::string& text, const Sou
     if (instrument.contains("name") && instrument["name"].is_string()) metadata.instrument.name = instrument["name"].get<std::string>();
     if (instrument.contains("type") && instrument["type"].is_string()) metadata.attributes["instrument_type"] = instrument["type"].get<std::string>();
     const nlohmann::json::json_pointer value("/parameters/tip_radius/value"), unit("/parameters/tip_radius/unit");
-    if (instrument.contains(value) && instrument.contains(unit) && instrument[value].is_number() && instrument[unit].is_string())
-        metadata.instrument.tip_radius = instrument[value].get<double>() * length_unit(instrument[unit].get<std::string>(), source).factor;
+    if (!instrument.contains(value) || !instrument.contains(unit) || !instrument[value].is_number() || !instrument[unit].is_string()) return;
+    const auto length = try_parse_unit(instrument[unit].get<std::string>());
+    if (length && length->dimension == dimension::length) metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
 }
 
 /// Heights made undefined where the variable mask is not 0.
@@ -199,7 +201,7 @@ std::vector<Channel> open_netcdf(const Source& source, const ReadOptions& option
     if (!stated.empty() || options.unit) unit = length_unit(stated.empty() ? *options.unit : stated, source).factor;
 
     ChannelInfo info{.name = "heights", .format = nc, .unit = stated};
-    if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text, source);
+    if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text);
     Finish finish{source, {}, {}, x && number_of(x->attributes, "periodic").value_or(0.0) != 0.0};
     if (mask) {
         if (mask->shape != heights->shape) throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");

@@ -103,6 +103,20 @@ TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
     EXPECT_EQ(std::get<HeightMap>(channels[1 - damaged].read()).heights(3, 4), 19.0 * units::nm);
 }
 
+TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
+    Hdf5Builder file;
+    file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).variable_text("/a", "note", "a text of variable length");
+    const auto content = file.bytes();
+    const auto heap = content.find("GCOL");
+    ASSERT_NE(heap, std::string::npos);
+    EXPECT_EQ(channels_of(content).size(), 1u);
+    for (const std::size_t byte : {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space behind it
+        auto damaged = content;
+        damaged[heap + byte] ^= 0x40;
+        EXPECT_NE(message_of([&] { (void)channels_of(damaged); }).find("a heap"), std::string::npos) << byte;
+    }
+}
+
 TEST(Hdf5, OtherFiltersAreNamedWithARemedy) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20), {.chunk = {2, 2}, .n_bit = true});
