@@ -2,6 +2,7 @@
 #include "hdf5_handle.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -85,6 +86,14 @@ Hdf5Handle opened_hdf5(const Source& source) {
     Hdf5Handle file(H5Fopen(source.path.empty() ? source.name.c_str() : source.path.c_str(), H5F_ACC_RDONLY, access), &H5Fclose);
     if (!file) throw FormatError(source.name, {.offset = *start}, "HDF5: the library cannot open it; it is damaged, or another program is writing it");
     return file;
+}
+
+std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start) {
+    for (const auto extent : extents) {
+        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent) return std::numeric_limits<std::uint64_t>::max();
+        start *= extent;
+    }
+    return start;
 }
 
 std::vector<hsize_t> hdf5_extents(hid_t space) {
