@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../../src/io/tests/hdf5_builder.hpp"
@@ -66,9 +67,11 @@ const std::vector<Place>& places() {
     return known;
 }
 
-constexpr const char* names[] = {"unit", "units", "length", "periodic", "json", "_FillValue", "scale_factor", "element_size_um", "Unit", "No Data", "X Converter", "Y Converter",
-                                 "position-pattern.grid.ilength", "position-pattern.grid.jlength", "position-pattern.grid.ulength", "position-pattern.grid.vlength", "net-encoder.scaling.multiplier",
-                                 "MATLAB_class", "MATLAB_empty", "channel.name", "retrace", "NAME", "_NCProperties", "Wavelength", "Z Converter", "add_offset", "net-encoder.scaling.unit.unit", "timing-settings.scanRate", "System Type"};
+constexpr const char* names[] = {
+    "unit", "units", "length", "periodic", "json", "_FillValue", "scale_factor", "element_size_um", "Unit", "No Data", "X Converter",
+    "Y Converter", "position-pattern.grid.ilength", "position-pattern.grid.jlength", "position-pattern.grid.ulength",
+    "position-pattern.grid.vlength", "net-encoder.scaling.multiplier", "MATLAB_class", "MATLAB_empty", "channel.name", "retrace", "NAME",
+    "_NCProperties", "Wavelength", "Z Converter", "add_offset", "net-encoder.scaling.unit.unit", "timing-settings.scanRate", "System Type"};
 
 void add_attribute(io::tests::Hdf5Builder& file, const Place& place, Description& described) {
     const std::string name = names[described.next() % std::size(names)];
@@ -110,7 +113,7 @@ std::string hdf5_file(Description described) {
     file.dataset(place.data, type, sides, values, layout);
     if (format == 1) {
         for (const auto& [name, extent] : {std::pair{"/x", sides.front()}, {"/y", sides.back()}})
-            if (structures & 8 && extent <= most_written) file.dataset(name, H5T_IEEE_F64LE, {extent}, std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(values.size(), extent) == extent ? extent : 0)));
+            if (structures & 8 && extent <= values.size()) file.dataset(name, H5T_IEEE_F64LE, {extent}, std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(extent)));
         if (structures & 16) file.dataset("/mask", H5T_STD_I8LE, sides, values, layout);
     }
     if (format == 2) {
