@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -11,13 +10,14 @@
 
 namespace setae::io::tests {
 
-/// A file larger than the memory of a test, zeros but for its beginning and its end, that counts the bytes read of it.
+/// A file, perhaps larger than the memory of a test, that counts the bytes read of it.
 struct CountedSource {
     Source source;
     std::shared_ptr<std::atomic<std::uint64_t>> bytes_read;
 };
 
-[[nodiscard]] inline CountedSource counted_source(const std::string& begin, std::uint64_t zeros, const std::string& end) {
+/// Zeros but for its beginning and its end.
+[[nodiscard]] inline CountedSource counted_source(const std::string& begin, std::uint64_t zeros = 0, const std::string& end = {}) {
     CountedSource counted{{"large", begin.size() + zeros + end.size(), {}, {}}, std::make_shared<std::atomic<std::uint64_t>>(0)};
     counted.source.read_into = [begin, zeros, end, read = counted.bytes_read](std::uint64_t offset, std::uint64_t count, char* target) {
         *read += count;
@@ -28,16 +28,5 @@ struct CountedSource {
     };
     return counted;
 }
-
-/// A source that begins with `head`, goes on with zeros up to `size`, and counts the bytes that are asked for.
-    std::shared_ptr<std::atomic<std::uint64_t>> read = std::make_shared<std::atomic<std::uint64_t>>(0);
-
-    CountedSource(const std::string& head, std::uint64_t size) {
-        source = {"large", size, {}, [head, counter = read](std::uint64_t offset, std::uint64_t count, char* target) {
-                      *counter += count;
-                      std::fill_n(target, count, '\0');
-                      if (offset < head.size()) std::copy_n(head.data() + offset, std::min<std::uint64_t>(count, head.size() - offset), target);
-                  }};
-    }
 
 }  // namespace setae::io::tests
