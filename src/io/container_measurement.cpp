@@ -30,13 +30,6 @@ struct Entry {
     std::vector<Alert> alerts;
 };
 
-std::optional<topography::Trend> parse_trend(const std::string& mode) {
-    if (mode == "height") return topography::Trend::tilt;
-    if (mode == "curvature") return topography::Trend::parabola;
-    if (mode == "center") return topography::Trend::mean;
-    return std::nullopt;
-}
-
 /// A field that was kept because it is not what it should be decides how a file is read: it is not passed over.
 void require_understood(const ContainerTopography& topography) {
     if (topography.extra.empty()) return;
@@ -70,7 +63,7 @@ Entry entry_of(const ContainerTopography& topography, const std::string& surface
         for (const double size : topography.size) entry.options.size->push_back(size * factor);
     }
     entry.periodic = topography.is_periodic.value_or(false);
-    entry.trend = parse_trend(topography.detrend_mode);
+    entry.trend = trend_of(topography.detrend_mode);
     if (const auto& instrument = topography.instrument) {
         const auto parameters = instrument->parameters.value_or(ContainerInstrument::Parameters{});
         entry.instrument.name = instrument->name;
@@ -166,6 +159,23 @@ Channel unreadable_channel(const Source& source, const std::string& name, const 
 }
 
 }  // namespace
+
+std::optional<topography::Trend> trend_of(const std::string& detrend_mode) {
+    if (detrend_mode == "height") return topography::Trend::tilt;
+    if (detrend_mode == "curvature") return topography::Trend::parabola;
+    if (detrend_mode == "center") return topography::Trend::mean;
+    return std::nullopt;
+}
+
+bool repeats_scale(const Archive& archive, const ContainerTopography& topography) {
+    const auto& original = topography.datafile.original;
+    if (topography.height_scale.value_or(1.0) == 1.0 || original.empty() || !archive.has(original)) return false;
+    try {
+        return detect_format(unpacked(archive.member(original))).carries_scale;
+    } catch (const FormatError&) {
+        return false;
+    }
+}
 
 Channel container_channel(const Source& source, const Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography) {
     try {
