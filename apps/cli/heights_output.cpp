@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heights_output.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/io/netcdf.hpp"
-#include "setae/io/npy.hpp"
+#include "setae/io/format.hpp"
 #include "setae/io/profile_file.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
+
+constexpr const char* text_ending = ".csv";
 
 Array1D positions(const topography::LineScan& scan) {
     return scan.pixel_size() * Array1D::LinSpaced(scan.heights.size(), 0.0, static_cast<double>(scan.heights.size() - 1));
@@ -29,38 +35,58 @@ void write_matrix(const std::string& path, const Array2D& heights) {
     io::write_whole_file(path, text);
 }
 
-bool knows_its_trace(const topography::Profile& profile) { return profile.response || profile.standard_error.size() > 0; }
-
 struct CsvWriter {
     std::string path;
     void operator()(const topography::HeightMap& map) const { write_matrix(path, map.heights); }
     void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
     void operator()(const topography::Profile& profile) const {
-        if (knows_its_trace(profile))
+        if (profile.response || profile.standard_error.size() > 0)
             io::write_profile(path, profile);
         else
             write_line(path, profile.positions, profile.heights);
     }
 };
 
+std::string ending_of(const std::string& path) {
+    auto ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+/// Of formats that are written; .csv, which several are read from, comes last.
+std::vector<std::string> written_endings() {
+    std::vector<std::string> endings;
+    for (const auto& format : io::formats()) {
+        if (!format.writes()) continue;
+        std::istringstream words(format.extensions);
+        for (std::string ending; words >> ending;)
+            if (ending != text_ending) endings.push_back(ending);
+    }
+    endings.emplace_back(text_ending);
+    return endings;
+}
+
 }  // namespace
 
+std::string endings_of_heights() {
+    auto endings = written_endings();
+    const auto last = endings.back();
+    endings.pop_back();
+    return fmt::format("{} or {}", fmt::join(endings, ", "), last);
+}
+
 void require_heights_ending(const std::string& path) {
-    if (!path.ends_with(".npy") && !path.ends_with(".csv") && !path.ends_with(".nc"))
-        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending .nc, .npy or .csv", path));
+    const auto endings = written_endings();
+    if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
+        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings_of_heights()));
 }
 
 void write_heights(const std::string& path, const topography::Measurement& measurement) {
     require_heights_ending(path);
-    const auto* profile = std::get_if<topography::Profile>(&measurement);
-    if (profile && knows_its_trace(*profile) && !path.ends_with(".csv"))
-        throw InvalidArgument(fmt::format("{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv", path));
-    if (path.ends_with(".npy"))
-        std::visit([&](const auto& m) { io::write_npy(path, m.heights); }, measurement);
-    else if (path.ends_with(".csv"))
+    if (ending_of(path) == text_ending)
         std::visit(CsvWriter{path}, measurement);
     else
-        io::write_netcdf(path, measurement);
+        io::format_to_write(path).write(path, measurement);
 }
 
 }  // namespace setae::cli

@@ -44,17 +44,21 @@ std::string digest_of(std::string_view bytes, const EVP_MD* algorithm) {
     return digest.hexadecimal();
 }
 
+std::string digest_of(const Source& source, const EVP_MD* algorithm) {
+    constexpr std::uint64_t piece = 1 << 22;
+    Digest digest(algorithm);
+    for (std::uint64_t at = 0; at < source.size; at += piece) digest.add(source.bytes(at, std::min(piece, source.size - at)));
+    return digest.hexadecimal();
+}
+
 }  // namespace
 
 std::string md5(std::string_view bytes) { return digest_of(bytes, EVP_md5()); }
 
+std::string md5(const Source& source) { return digest_of(source, EVP_md5()); }
+
 std::string sha256(std::string_view bytes) { return digest_of(bytes, EVP_sha256()); }
 
-std::string sha256(const Source& source) {
-    constexpr std::uint64_t piece = 1 << 22;
-    Digest digest(EVP_sha256());
-    for (std::uint64_t at = 0; at < source.size; at += piece) digest.add(source.bytes(at, std::min(piece, source.size - at)));
-    return digest.hexadecimal();
-}
+std::string sha256(const Source& source) { return digest_of(source, EVP_sha256()); }
 
 }  // namespace setae::io

@@ -11,26 +11,72 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
+#include "tiff_file.hpp"
 
 namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
+        // SPDX-License-Identifier: GPL-3.0-or-later
+
         // exchange
         container_format(),
         x3p_format(),
+        sdf_format(),
+        gwy_format(),
 
         // arrays
         netcdf_format(),
         npy_format(),
+        npz_format(),
+        mat_format(),
+        hdf5_format(),
+        datx_format(),
+        jpk_hdf5_format(),
 
         // scanning probes
         nanoscope_format(),
+        ibw_format(),
+        jpk_format(),
+        jpk_qi_format(),
+        park_format(),
+        mi_format(),
+        nanosurf_format(),
+        wsxm_format(),
+        mdt_format(),
+        nmm_format(),
 
         // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
+        qep_format(),
+        plu_format(),
+        plux_format(),
+        al3d_format(),
+        sur_format(),
+        mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
+        lext_format(),
+        oir_format(),
+        poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
         matrix_text_format(),
+        xyz_format(),
         xy_format(),
     };
     return table;
@@ -84,6 +130,7 @@ std::string kind_of(std::string_view head, const Source& source) {
 
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
+    if (is_tiff(head)) refuse_tiff(source);
     if (looks_like_text(head))
         throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header" + expected_by_name(source.name));
     const auto kind = kind_of(head, source);
@@ -107,7 +154,9 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
 
 }  // namespace
 
-const Format& detect_format(const Source& source) {
+namespace {
+
+const Format& detected(const Source& source) {
     const auto head = source.head(detection_bytes);
     const Format* possible = nullptr;
     for (const auto& format : formats()) {
@@ -118,6 +167,10 @@ const Format& detect_format(const Source& source) {
     if (!possible) unknown(source, head);
     return *possible;
 }
+
+}  // namespace
+
+const Format& detect_format(const Source& source) { return detected(unpacked(source)); }
 
 const Format& format_to_write(const std::string& path) {
     std::string endings;
@@ -142,7 +195,7 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 
 std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
     const auto source = unpacked(packed);
-    auto channels = detect_format(source).open(source, options);
+    auto channels = detected(source).open(source, options);
     compare_sizes(channels, options, source);
     return channels;
 }

@@ -61,6 +61,10 @@ void require_inside(const std::string& name, std::uint64_t size, std::uint64_t o
         throw FormatError(name, {.offset = size}, fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
 }
 
+[[noreturn]] void refuse_writing(const std::string& path, const char* what) {
+    throw FileError(fmt::format("{}: cannot be {}; check that the folder exists, is writable and has space", path, what));
+}
+
 /// A name beside `path` that no other writer of this or another process uses.
 std::string temporary_name(const std::string& path) {
     static std::atomic<unsigned> counter{0};
@@ -118,23 +122,35 @@ Source part_of(const Source& source, std::string name, std::uint64_t offset, std
 
 std::string read_file(const std::string& path) { return file_source(path).all(); }
 
-void write_whole_file(const std::string& path, std::string_view content) {
+void write_whole_file(const std::string& path, const std::function<void(const std::string&)>& write) {
     const auto temporary = temporary_name(path);
-    const auto fail = [&](const char* what) {
+    const auto remove = [&] {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        throw FileError(fmt::format("{}: cannot be {}; check that the folder exists, is writable and has space", path, what));
     };
-    {
-        std::ofstream file(temporary, std::ios::binary);
-        if (!file) fail("created");
-        file.write(content.data(), static_cast<std::streamsize>(content.size()));
-        file.close();
-        if (!file) fail("written");
+    try {
+        write(temporary);
+    } catch (...) {
+        remove();
+        throw;
     }
     std::error_code error;
     std::filesystem::rename(temporary, path, error);
-    if (error) fail("replaced");
+    if (!error) return;
+    remove();
+    refuse_writing(path, "replaced");
+}
+
+void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
+
+void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
+    write_whole_file(path, [&](const std::string& temporary) {
+        std::ofstream file(temporary, std::ios::binary);
+        if (!file) refuse_writing(path, "created");
+        for (const auto part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
+        file.close();
+        if (!file) refuse_writing(path, "written");
+    });
 }
 
 void remove_leftovers(const std::string& folder) {

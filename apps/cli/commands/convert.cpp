@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,41 +12,117 @@
 namespace setae::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Arguments {
     Common common;
     FileOptions file;
-    std::string input;
-    std::string output;
+    std::vector<std::string> paths;
+    std::string folder, to;
+    bool all_channels = false;
+
+    [[nodiscard]] bool into_folder() const { return !folder.empty() || !to.empty(); }
 };
 
-/// The first channel of heights, unless one is named.
-std::size_t chosen_channel(const Arguments& arguments, const std::vector<io::Channel>& channels) {
-    if (arguments.file.channel) {
-        if (*arguments.file.channel < channels.size()) return *arguments.file.channel;
-        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", arguments.input, *arguments.file.channel, channels.size()));
+struct Job {
+    std::string input, output;
+};
+
+/// One file to another, or each to its name with another ending in a folder.
+std::vector<Job> jobs_of(const Arguments& arguments) {
+    if (arguments.all_channels && arguments.file.channel) throw InvalidArgument("--channel and --all-channels exclude each other");
+    if (!arguments.into_folder()) {
+        if (arguments.paths.size() != 2)
+            throw InvalidArgument(fmt::format("expected an input file and OUT with an ending {}; several files need -o FOLDER --to x3p", endings_of_heights()));
+        require_heights_ending(arguments.paths[1]);
+        return {{arguments.paths[0], arguments.paths[1]}};
     }
+    if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty()) throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
+    const auto ending = arguments.to.starts_with('.') ? arguments.to : "." + arguments.to;
+    require_heights_ending("--to " + ending);
+    std::vector<Job> jobs;
+    for (const auto& input : arguments.paths) jobs.push_back({input, (fs::path(arguments.folder) / fs::path(input).stem()).string() + ending});
+    std::error_code error;
+    fs::create_directories(arguments.folder, error);
+    if (error) throw FileError(fmt::format("{}: cannot be made a folder; check that nothing else has its name", arguments.folder));
+    return jobs;
+}
+
+/// A file is neither written over itself nor over what another was written to.
+void require_own_output(const std::vector<Job>& jobs, std::size_t index) {
+    const auto& job = jobs[index];
+    std::error_code missing;
+    if (fs::equivalent(job.input, job.output, missing)) throw InvalidArgument(fmt::format("{}: would be written over itself; choose another folder", job.input));
+    for (std::size_t k = 0; k < index; ++k)
+        if (jobs[k].output == job.output) throw InvalidArgument(fmt::format("{}: {} is what {} was written to; convert it by itself", job.input, job.output, jobs[k].input));
+}
+
+/// The channel named, all of heights, or the first of these.
+std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input, const std::vector<io::Channel>& channels) {
+    if (arguments.file.channel) {
+        if (*arguments.file.channel < channels.size()) return {*arguments.file.channel};
+        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", input, *arguments.file.channel, channels.size()));
+    }
+    std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < channels.size(); ++i)
-        if (channels[i].info.is_height) return i;
-    throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", arguments.input, channels.size()));
+        if (channels[i].info.is_height && (arguments.all_channels || chosen.empty())) chosen.push_back(i);
+    if (chosen.empty()) throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", input, channels.size()));
+    return chosen;
+}
+
+/// "a/out.x3p" is "a/out_3.x3p".
+std::string numbered(const std::string& path, std::size_t channel) {
+    const fs::path whole(path);
+    return (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), channel, whole.extension().string())).string();
+}
+
+/// What was written, and whether something was not.
+struct Outcome {
+    workflow::Json files = workflow::Json::array();
+    bool failed = false;
+};
+
+void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) {
+    const auto channels = io::open(job.input, arguments.file.read_options());
+    std::vector<std::string> numbers;
+    for (const auto k : chosen_channels(arguments, job.input, channels)) numbers.push_back(fmt::format("{}", k));
+    const auto code = for_each_item(numbers, [&](const std::string& number) {
+        const auto k = static_cast<std::size_t>(std::stoul(number));
+        const auto output = arguments.all_channels ? numbered(job.output, k) : job.output;
+        const auto& channel = channels[k];
+        write_heights(output, channel.read());
+        show(channel.info.alerts);
+        outcome.files.push_back({{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
+    });
+    outcome.failed = outcome.failed || code != ExitCode::done;
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.input.empty() || arguments.output.empty()) throw InvalidArgument("expected an input file and OUT.nc, OUT.npy or OUT.csv");
-    const auto channels = io::open(arguments.input, arguments.file.read_options());
-    const auto& channel = channels[chosen_channel(arguments, channels)];
-    write_heights(arguments.output, channel.read());
-    show(channel.info.alerts);
-    if (arguments.common.json) print_json({{"input", arguments.input}, {"output", arguments.output}, {"channel", channel.info.name}, {"unit", "m"}});
-    return ExitCode::done;
+    const auto jobs = jobs_of(arguments);
+    std::vector<std::string> inputs;
+    for (const auto& job : jobs) inputs.push_back(job.input);
+    Outcome outcome;
+    std::size_t index = 0;
+    const auto code = for_each_item(inputs, [&](const std::string&) {
+        const auto current = index++;
+        if (arguments.into_folder()) require_own_output(jobs, current);
+        convert_file(arguments, jobs[current], outcome);
+    });
+    if (outcome.files.empty()) return ExitCode::nothing_done;
+    const bool one = !arguments.into_folder() && !arguments.all_channels;
+    if (arguments.common.json) print_json(one ? outcome.files.front() : workflow::Json{{"files", outcome.files}});
+    return code != ExitCode::done || outcome.failed ? ExitCode::some_failed : ExitCode::done;
 }
 
 }  // namespace
 
 void add_convert(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("convert", "write the heights of a file in metres as .nc, .npy or .csv, first index x");
-    verb->add_option("input", arguments->input, "file");
-    verb->add_option("output", arguments->output, "OUT.nc, OUT.npy or OUT.csv");
+    auto* verb = program.add_subcommand("convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy or .csv");
+    verb->add_option("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
+    verb->add_option("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
+    verb->add_option("--to", arguments->to, "ending of files in that folder, such as x3p");
+    verb->add_flag("--all-channels", arguments->all_channels, "every channel of heights, its number before the ending of OUT");
     arguments->file.add_to(*verb);
     on_named(*verb, action, arguments, heights_output_explanation, run);
 }

@@ -59,7 +59,7 @@ MadeRoughness measured(const topography::LineScan& scan) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.output.empty()) throw InvalidArgument("expected -o OUT.nc, OUT.npy or OUT.csv");
+    if (arguments.output.empty()) throw InvalidArgument("expected -o OUT with an ending " + endings_of_heights());
     require_heights_ending(arguments.output);
     const auto plan = arguments.options.plan(arguments.common.workers());
     const auto expected = plan.expected();
@@ -91,7 +91,7 @@ void add_synthesize(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("synthesize", "make a random surface or line with a given power spectrum");
     arguments->options.add_to(*verb);
-    verb->add_option("-o,--output", arguments->output, "OUT.nc, OUT.npy or OUT.csv");
+    verb->add_option("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy or .csv");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pugixml.hpp>
-
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "x3p_document.hpp"
 #include "archive.hpp"
 #include "bytes.hpp"
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "raster.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/digest.hpp"
 #include "setae/topography/line_scans.hpp"
 #include "text.hpp"
+#include "x3p_writer.hpp"
 #include "xml_file.hpp"
 
 // X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points itself, a binary file.
@@ -27,188 +29,180 @@
 namespace setae::io {
 namespace {
 
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Measurement;
+using topography::Profile;
+
+constexpr Index most_layers = 256;
+
 [[noreturn]] void broken(const Source& source, const std::string& what) { throw FormatError(source.name, {}, "X3P: " + what); }
 
-/// Number in an element's text, or the default where the element is missing or empty.
-double number(const pugi::xml_node& node, double fallback, const Source& source) {
-    const auto text = trimmed(node.child_value());
-    if (text.empty()) return fallback;
-    double value = 0.0;
-    if (!parse_cell(text, '.', value) || !std::isfinite(value))
-        broken(source, fmt::format("'{:.40}' in <{}> is no number", text, node.name()));
-    return value;
-}
+/// An archive and the folder its main.xml stands in, where links begin.
+struct Package {
+    const Archive& archive;
+    std::string folder;
 
-struct Axis {
-    bool absolute = false;  ///< its values stand among the points; else value = index
-    char type = 'D';        ///< I int16, L int32, F float32, D float64
-    double increment = 1.0;
-    double offset = 0.0;
-
-    [[nodiscard]] std::size_t bytes() const { return type == 'I' ? 2 : type == 'D' ? 8 : 4; }
+    [[nodiscard]] std::string member(const std::string& link) const { return archive.has(folder + link) ? folder + link : link; }
 };
 
-Axis parse_axis(const pugi::xml_node& node, const char* name, const Source& source) {
-    if (!node) broken(source, fmt::format("no <{}> among the axes", name));
-    Axis axis;
-    const auto kind = trimmed(node.child_value("AxisType")), type = trimmed(node.child_value("DataType"));
-    if (kind != "I" && kind != "A") broken(source, fmt::format("axis type '{:.40}' of {}, expected I or A", kind, name));
-    axis.absolute = kind == "A";
-    if (type.size() != 1 || std::string_view("ILFD").find(type) == std::string_view::npos)
-        broken(source, fmt::format("data type '{:.40}' of {}, expected I, L, F or D", type, name));
-    axis.type = type[0];
-    axis.increment = number(node.child("Increment"), 1.0, source);
-    axis.offset = number(node.child("Offset"), 0.0, source);
-    return axis;
+void require_checksum(const Source& member, const std::string& expected) {
+    if (expected.empty()) return;
+    const auto found = md5(member);
+    if (found != expected) throw FormatError(member.name, {.offset = 0}, fmt::format("X3P: the MD5 checksum is {}, main.xml says {}; it is damaged", found, expected));
 }
 
-/// What main.xml says, checked against the size of what holds the points.
-struct Document {
-    bool profile = false;
-    Axis x, y, z;
-    Index nx = 0, ny = 0;
-    topography::Metadata metadata;
-    std::string point_member, valid_member;
-    std::string point_checksum, valid_checksum;
+/// A member that must hold `count` values of `bytes` each.
+Source required_member(const Package& package, const std::string& link, std::uint64_t count, std::uint64_t bytes, const X3pDocument& document) {
+    const auto member = package.archive.member(package.member(link));
+    const bool fits = count <= std::numeric_limits<std::uint64_t>::max() / bytes && member.size == count * bytes;
+    if (!fits)
+        throw FormatError(member.name, {.offset = member.size},
+                          fmt::format("X3P: {} holds {} bytes, expected {} × {} × {} points of {} bytes", link, member.size, document.nx, document.ny, document.layers, bytes));
+    return member;
+}
 
-    [[nodiscard]] Index points() const { return nx * ny; }
+std::uint64_t count_of(const X3pDocument& document, const Source& source) {
+    const auto layer = static_cast<std::uint64_t>(document.nx) * static_cast<std::uint64_t>(document.ny);  // each at most 2^31
+    if (document.layers > most_layers) broken(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
+    if (layer > (std::uint64_t{1} << 53)) broken(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
+    return layer * static_cast<std::uint64_t>(document.layers);
+}
+
+// ---- which points are valid: one bit a point, least significant first -----------------------------------------------
+
+struct ValidPoints {
+    Source bits;
+    std::string checksum;
 };
 
-Index extent(const pugi::xml_node& node, const Source& source) {
-    const auto text = trimmed(node.child_value());
-    Index value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || value < 1 || value > (Index{1} << 31))
-        broken(source, fmt::format("<{}> is '{:.40}', expected a positive integer", node.name(), text));
-    return value;
+std::optional<ValidPoints> valid_points(const Package& package, const X3pDocument& document, std::uint64_t count) {
+    if (document.valid_member.empty()) return std::nullopt;
+    const auto member = package.archive.member(package.member(document.valid_member));
+    if (member.size < (count + 7) / 8)
+        throw FormatError(member.name, {.offset = member.size}, fmt::format("X3P: the list of valid points has {} bytes for {} points", member.size, count));
+    return ValidPoints{member, document.valid_checksum};
 }
 
-/// A matrix has three extents, a list one; a profile is either, with a single row.
-void parse_shape(const pugi::xml_node& record, Document& document, const Source& source) {
-    if (const auto matrix = record.child("MatrixDimension")) {
-        document.nx = extent(matrix.child("SizeX"), source);
-        document.ny = extent(matrix.child("SizeY"), source);
-        if (extent(matrix.child("SizeZ"), source) != 1) broken(source, "several layers, expected SizeZ 1");
-    } else {
-        document.nx = extent(record.child("ListDimension"), source);
-        document.ny = 1;
-        if (!document.profile) broken(source, "a list of points that form no matrix; surfaces are read as matrices");
+/// Calls undo(k) for every invalid point k = 0 … count − 1 behind `first`.
+template <class Undo>
+void for_each_invalid(const ValidPoints& valid, std::uint64_t first, std::uint64_t count, Undo undo) {
+    require_checksum(valid.bits, valid.checksum);
+    const auto bits = valid.bits.bytes(first / 8, (first + count + 7) / 8 - first / 8);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const auto bit = first % 8 + k;
+        if (((static_cast<unsigned char>(bits[bit / 8]) >> (bit % 8)) & 1u) == 0) undo(static_cast<Index>(k));
     }
-    if (document.profile && document.ny != 1) broken(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
 }
 
-topography::Metadata parse_metadata(const pugi::xml_node& record, const Source& source) {
-    topography::Metadata metadata;
-    metadata.file = source.name;
-    metadata.format = "x3p";
-    metadata.unit = "m";
-    metadata.acquisition_time = trimmed(record.child_value("Date"));
-    const auto instrument = record.child("Instrument");
-    metadata.instrument.name = trimmed(instrument.child_value("Model"));
-    metadata.attributes["manufacturer"] = trimmed(instrument.child_value("Manufacturer"));
-    metadata.attributes["software_version"] = trimmed(instrument.child_value("Version"));
-    metadata.attributes["comment"] = trimmed(record.child_value("Comment"));
-    return metadata;
+// ---- points on a regular grid: rasters, read when asked -------------------------------------------------------------
+
+std::vector<double> regular_size(const X3pDocument& document) {
+    if (!document.x.increment || (!document.profile && !document.y.increment)) return {};
+    std::vector<double> size{std::abs(*document.x.increment) * static_cast<double>(document.nx)};
+    if (!document.profile) size.push_back(std::abs(*document.y.increment) * static_cast<double>(document.ny));
+    return size;
 }
 
-Document parse_document(const pugi::xml_node& root, const Source& source) {
-    Document document;
-    const auto head = root.child("Record1"), data = root.child("Record3");
-    const std::string feature(trimmed(head.child_value("FeatureType")));
-    if (feature != "SUR" && feature != "PRF")
-        broken(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
-    document.profile = feature == "PRF";
-    const auto axes = head.child("Axes");
-    document.x = parse_axis(axes.child("CX"), "CX", source);
-    document.z = parse_axis(axes.child("CZ"), "CZ", source);
-    if (!document.profile) document.y = parse_axis(axes.child("CY"), "CY", source);
-    if (!document.z.absolute) broken(source, "CZ is incremental, expected an absolute axis");
-    parse_shape(data, document, source);
-    document.metadata = parse_metadata(root.child("Record2"), source);
-    const auto link = data.child("DataLink");
-    document.point_member = trimmed(link.child_value("PointDataLink"));
-    document.valid_member = trimmed(link.child_value("ValidPointsLink"));
-    document.point_checksum = lowered(trimmed(link.child_value("MD5ChecksumPointData")));
-    document.valid_checksum = lowered(trimmed(link.child_value("MD5ChecksumValidPoints")));
-    return document;
+ChannelInfo channel_info(const X3pDocument& document, const std::string& name) {
+    ChannelInfo info;
+    info.name = name;
+    info.format = "x3p";
+    info.unit = "m";
+    info.metadata = document.metadata;
+    if (!document.profile) info.orientation = "rows from the top, as stored";
+    return info;
 }
 
-pugi::xml_node find_root(const pugi::xml_document& xml) {
-    for (const auto& node : xml.children())
-        if (std::string_view(node.name()).ends_with("ISO5436_2")) return node;
-    return {};
+Channel layer_channel(const X3pDocument& document, const Package& package, Index layer, const ReadOptions& options, const Source& source) {
+    const auto bytes = bytes_of(document.z.sample), count = count_of(document, source), points = count / static_cast<std::uint64_t>(document.layers);
+    auto member = required_member(package, document.point_member, count, bytes, document);
+    auto info = channel_info(document, document.layers > 1 ? fmt::format("height, layer {}", layer + 1) : "height");
+    info.size = regular_size(document);
+    const Raster raster{.offset = static_cast<std::uint64_t>(layer) * points * bytes, .nx = document.nx, .ny = document.ny, .sample = document.z.sample};
+    Source named = member;
+    named.name = source.name;  // the measurement is the archive's, and what is wrong with the member was said above
+    auto channel = raster_channel(std::move(info), named, raster, {.factor = document.z.step(), .offset = document.z.offset}, options);
+    if (channel.info.size.empty()) return channel;
+    const auto valid = valid_points(package, document, count);
+    channel.read = [read = channel.read, member, valid, checksum = document.point_checksum, first = static_cast<std::uint64_t>(layer) * points, points, named] {
+        require_checksum(member, checksum);
+        auto measurement = read();
+        if (!valid) return measurement;
+        std::visit(
+            [&](auto& m) {
+                const auto nx = m.heights.rows();
+                for_each_invalid(*valid, first, points, [&](Index k) { m.heights(k % nx, k / nx) = undefined; });
+            },
+            measurement);
+        return checked(std::move(measurement), named);
+    };
+    return channel;
 }
+
+// ---- points that tell their own x and y, or are listed in the XML ---------------------------------------------------
 
 /// Coordinates of the points in file order, x fastest; empty for incremental axes.
 struct Points {
     std::vector<double> x, y, z;
 };
 
-std::vector<std::pair<const Axis*, std::vector<double>*>> stored_axes(const Document& document, Points& points) {
-    std::vector<std::pair<const Axis*, std::vector<double>*>> stored;
+std::vector<std::pair<const X3pAxis*, std::vector<double>*>> stored_axes(const X3pDocument& document, Points& points) {
+    std::vector<std::pair<const X3pAxis*, std::vector<double>*>> stored;
     if (document.x.absolute) stored.emplace_back(&document.x, &points.x);
     if (!document.profile && document.y.absolute) stored.emplace_back(&document.y, &points.y);
     stored.emplace_back(&document.z, &points.z);
     return stored;
 }
 
-double load_value(const char* from, char type) {
+double load_value(const char* from, Sample sample) {
     constexpr auto order = std::endian::little;
-    switch (type) {
-        case 'I': return load<std::int16_t>(from, order);
-        case 'L': return load<std::int32_t>(from, order);
-        case 'F': return static_cast<double>(load<float>(from, order));
+    switch (sample) {
+        case Sample::int16: return load<std::int16_t>(from, order);
+        case Sample::int32: return load<std::int32_t>(from, order);
+        case Sample::float32: return static_cast<double>(load<float>(from, order));
         default: return load<double>(from, order);
     }
 }
 
-Points binary_points(const Document& document, const std::string& data, const Source& source) {
+Points binary_points(const X3pDocument& document, const Package& package, const Source& source) {
     Points points;
     const auto stored = stored_axes(document, points);
-    std::size_t stride = 0;
-    for (const auto& [axis, values] : stored) stride += axis->bytes();
-    const auto count = static_cast<std::uint64_t>(document.points());
-    if (count > data.size() / stride || data.size() != count * stride)
-        broken(source, fmt::format("{} holds {} bytes, expected {} × {} points of {} bytes", document.point_member, data.size(), document.nx, document.ny, stride));
+    std::uint64_t stride = 0;
+    for (const auto& [axis, values] : stored) stride += bytes_of(axis->sample);
+    const auto count = count_of(document, source);
+    const auto member = required_member(package, document.point_member, count, stride, document);
+    require_checksum(member, document.point_checksum);
+    const auto data = member.all();
     for (const auto& [axis, values] : stored) values->reserve(count);
     for (const char* at = data.data(); at != data.data() + data.size();)
         for (const auto& [axis, values] : stored) {
-            values->push_back(load_value(at, axis->type) * axis->increment + axis->offset);
-            at += axis->bytes();
+            values->push_back(load_value(at, axis->sample) * axis->step() + axis->offset);
+            at += bytes_of(axis->sample);
         }
+    if (const auto valid = valid_points(package, document, count)) for_each_invalid(*valid, 0, count, [&](Index k) { points.z[static_cast<std::size_t>(k)] = undefined; });
     return points;
 }
 
 /// <Datum>x;y;z</Datum> with the coordinates of absolute axes only; an empty element is an undefined point.
-Points listed_points(const Document& document, const pugi::xml_node& list, const Source& source) {
+Points listed_points(const X3pDocument& document, const Source& source) {
     Points points;
     const auto stored = stored_axes(document, points);
-    Index count = 0;
+    std::uint64_t count = 0;
     std::vector<std::string_view> cells;
-    for (const auto datum : list.children("Datum")) {
+    for (const auto datum : document.list.children("Datum")) {
         split_cells(datum.child_value(), ';', cells);
         const bool empty = trimmed(datum.child_value()).empty();
-        if (!empty && cells.size() != stored.size())
-            broken(source, fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(), stored.size()));
+        if (!empty && cells.size() != stored.size()) broken(source, fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(), stored.size()));
         for (std::size_t k = 0; k < stored.size(); ++k) {
             double value = undefined;
-            if (!empty && !parse_cell(cells[k], '.', value))
-                broken(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
-            stored[k].second->push_back(value * stored[k].first->increment + stored[k].first->offset);
+            if (!empty && !parse_cell(cells[k], '.', value)) broken(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
+            stored[k].second->push_back(value * stored[k].first->step() + stored[k].first->offset);
         }
         ++count;
     }
-    if (count != document.points())
-        broken(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count, document.nx, document.ny));
+    if (count != count_of(document, source)) broken(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count, document.nx, document.ny));
     return points;
-}
-
-/// One bit a point, least significant first; 0 = undefined.
-void apply_valid_points(std::vector<double>& heights, const std::string& bits, const Source& source) {
-    if (bits.size() < (heights.size() + 7) / 8)
-        broken(source, fmt::format("the list of valid points has {} bytes for {} points", bits.size(), heights.size()));
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        if (((static_cast<unsigned char>(bits[i / 8]) >> (i % 8)) & 1u) == 0) heights[i] = undefined;
 }
 
 /// Step of an absolute axis whose values lie on a regular grid within 2 % of a step; index(i) is point i's place on it.
@@ -222,87 +216,145 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     const double step = (last - first) / static_cast<double>(std::max<Index>(n - 1, 1));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double stray = values[i] - first - static_cast<double>(index(static_cast<Index>(i))) * step;
-        if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step)))
-            broken(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
+        if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step))) broken(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
     }
     return step;
 }
 
-topography::Measurement to_map(const Document& document, const Points& points, const Source& source) {
+/// Length of one step along an axis. @throws FormatError where neither increment nor positions tell it.
+template <class GridIndex>
+double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, const char* name, const Source& source, GridIndex index) {
+    if (axis.absolute) return grid_step(values, n, name, source, index);
+    if (!axis.increment) broken(source, fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
+    return std::abs(*axis.increment);
+}
+
+Measurement to_map(const X3pDocument& document, const Points& points, const Source& source) {
     const auto nx = document.nx, ny = document.ny;
-    const double dx = document.x.absolute ? grid_step(points.x, nx, "x", source, [nx](Index i) { return i % nx; }) : document.x.increment;
-    const double dy = document.y.absolute ? grid_step(points.y, ny, "y", source, [nx](Index i) { return i / nx; }) : document.y.increment;
-    topography::HeightMap map{Array2D(nx, ny), {dx * static_cast<double>(nx), dy * static_cast<double>(ny)}, false, document.metadata};
+    const double dx = step_of(document.x, points.x, nx, "x", source, [nx](Index i) { return i % nx; });
+    const double dy = step_of(document.y, points.y, ny, "y", source, [nx](Index i) { return i / nx; });
+    HeightMap map{Array2D(nx, ny), {dx * static_cast<double>(nx), dy * static_cast<double>(ny)}, false, document.metadata};
     for (Index j = 0; j < ny; ++j)
         for (Index i = 0; i < nx; ++i) map.heights(i, j) = points.z[static_cast<std::size_t>(j * nx + i)];
     return checked(std::move(map), source);
 }
 
-topography::Measurement to_line(const Document& document, const Points& points, const Source& source) {
+Measurement to_line(const X3pDocument& document, const Points& points, const Source& source) {
     const Array1D heights = Eigen::Map<const Array1D>(points.z.data(), document.nx);
-    if (!document.x.absolute)
-        return checked(topography::LineScan{heights, document.x.increment * static_cast<double>(document.nx), false, document.metadata}, source);
-    topography::Profile profile{Eigen::Map<const Array1D>(points.x.data(), document.nx), heights, document.metadata};
+    if (!document.x.absolute) {
+        const double step = step_of(document.x, points.x, document.nx, "x", source, [](Index i) { return i; });
+        return checked(LineScan{heights, step * static_cast<double>(document.nx), false, document.metadata}, source);
+    }
+    Profile profile{Eigen::Map<const Array1D>(points.x.data(), document.nx), heights, document.metadata};
     if (auto scan = topography::to_line_scan(profile)) return checked(std::move(*scan), source);
     return checked(std::move(profile), source);
 }
 
-Channel to_channel(const Document& document, const Points& points, std::vector<Alert> alerts, const Source& source) {
-    ChannelInfo info;
-    info.name = "height";
-    info.format = "x3p";
-    info.unit = "m";
-    if (!document.profile) info.orientation = "rows from the top, as stored";
-    info.alerts = std::move(alerts);
-    return loaded_channel(std::move(info), document.profile ? to_line(document, points, source) : to_map(document, points, source));
+Channel points_channel(const X3pDocument& document, const Points& points, const Source& source) {
+    return loaded_channel(channel_info(document, "height"), document.profile ? to_line(document, points, source) : to_map(document, points, source));
 }
 
-void require_checksum(const std::string& content, const std::string& expected, const std::string& member, const Source& source) {
-    if (!expected.empty() && md5(content) != expected)
-        broken(source, fmt::format("{} has the MD5 checksum {}, the file says {}; it is damaged", member, md5(content), expected));
-}
+// ---- documents and archives -----------------------------------------------------------------------------------------
 
 /// The checksum of main.xml guards a text people edit: a difference is worth an alert, no refusal.
-std::vector<Alert> check_document(const Archive& archive, const std::string& xml, const std::string& checksum_member, const Source& source) {
-    if (checksum_member.empty() || !archive.has(checksum_member)) return {};
-    const auto expected = lowered(archive.read(checksum_member).substr(0, 32));
-    if (md5(xml) == expected) return {};
+std::vector<Alert> check_document(const Package& package, const std::string& xml, const X3pDocument& document, const Source& source) {
+    const auto name = package.member(document.checksum_member);
+    if (document.checksum_member.empty() || !package.archive.has(name)) return {};
+    const auto expected = lowered(package.archive.head(name, 32));
+    const bool whole = expected.size() == 32 && expected.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!whole || md5(xml) == expected) return {};
     return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written", "make sure of increments and offsets"}};
 }
 
-std::vector<Channel> open_xml(const std::string& xml, const Archive* archive, const Source& source) {
+std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options, const Source& source) {
     const auto tree = parsed_xml(xml, source, "X3P: main.xml");
-    const auto root = find_root(tree);
-    if (!root) broken(source, "main.xml holds no ISO5436_2 document");
-    const auto document = parse_document(root, source);
-    const auto list = root.child("Record3").child("DataList");
-    if (document.point_member.empty() == list.empty()) broken(source, "expected either a list of points or a link to them");
-    if (!list.empty()) return {to_channel(document, listed_points(document, list, source), {}, source)};
-    if (!archive) broken(source, fmt::format("the points stand in {}; open the archive instead of its main.xml", document.point_member));
-    const auto data = archive->read(document.point_member);
-    require_checksum(data, document.point_checksum, document.point_member, source);
-    auto points = binary_points(document, data, source);
-    if (!document.valid_member.empty()) {
-        const auto valid = archive->read(document.valid_member);
-        require_checksum(valid, document.valid_checksum, document.valid_member, source);
-        apply_valid_points(points.z, valid, source);
+    const auto document = parse_x3p_document(tree, source);
+    std::vector<Channel> channels;
+    if (!document.list.empty()) {
+        channels.push_back(points_channel(document, listed_points(document, source), source));
+    } else if (!package) {
+        broken(source, fmt::format("the points stand in {}; open the archive instead of its main.xml", document.point_member));
+    } else if (!document.regular()) {
+        channels.push_back(points_channel(document, binary_points(document, *package, source), source));
+    } else {
+        (void)count_of(document, source);
+        for (Index layer = 0; layer < document.layers; ++layer) channels.push_back(layer_channel(document, *package, layer, options, source));
     }
-    const auto checksum_member = std::string(trimmed(root.child("Record4").child_value("ChecksumFile")));
-    return {to_channel(document, points, check_document(*archive, xml, checksum_member, source), source)};
+    if (package)
+        for (auto& channel : channels)
+            for (auto& alert : check_document(*package, xml, document, source)) channel.info.alerts.push_back(std::move(alert));
+    return channels;
 }
 
-constexpr const char* document_member = "main.xml";
+constexpr std::string_view document_member = "main.xml", nested_ending = ".x3p";
+
+/// main.xml of an archive: its own, or those in its folders.
+std::vector<std::string> documents(const Archive& archive) {
+    if (archive.has(std::string(document_member))) return {std::string(document_member)};
+    std::vector<std::string> found;
+    for (auto& name : archive.names())
+        if (name.ends_with(fmt::format("/{}", document_member))) found.push_back(std::move(name));
+    return found;
+}
+
+std::vector<std::string> nested_archives(const Archive& archive) {
+    std::vector<std::string> found;
+    for (auto& name : archive.names())
+        if (lowered(name).ends_with(nested_ending)) found.push_back(std::move(name));
+    return found;
+}
+
+std::vector<Channel> open_documents(const Source& source, const Archive& archive, const ReadOptions& options) {
+    std::vector<Channel> channels;
+    for (const auto& name : documents(archive)) {
+        const Package package{archive, name.substr(0, name.size() - document_member.size())};
+        for (auto& channel : open_xml(archive.read(name), &package, options, source)) {
+            if (!package.folder.empty()) channel.info.name = package.folder + channel.info.name;
+            channels.push_back(std::move(channel));
+        }
+    }
+    return channels;
+}
+
+std::vector<Channel> open_nested(const Source& source, const std::string& name, const ReadOptions& options) {
+    const auto member = Archive(source).member(name);
+    const Archive inner(member);
+    auto channels = open_documents(member, inner, options);
+    if (channels.empty()) broken(member, "no main.xml; an X3P file holds one");
+    return channels;
+}
+
+/// Channels of an archive in the archive. Nothing of it stays in memory: reading expands it again.
+std::vector<Channel> nested_channels(const Source& source, const std::string& name, const ReadOptions& options) {
+    try {
+        auto channels = open_nested(source, name, options);
+        for (std::size_t k = 0; k < channels.size(); ++k) {
+            channels[k].info.name = name + ": " + channels[k].info.name;
+            channels[k].read = [source, name, options, k] { return open_nested(source, name, options).at(k).read(); };
+        }
+        return channels;
+    } catch (const Error& error) {
+        return {unreadable_member(source, name, error.what())};
+    }
+}
 
 Match detect_x3p(std::string_view head, const Source& source) {
-    if (is_zip(head)) return Archive(source).has(document_member) ? Match::yes : Match::no;
+    if (is_zip(head)) {
+        const Archive archive(source);
+        if (archive.has(std::string(document_member)) || !nested_archives(archive).empty()) return Match::yes;
+        return documents(archive).empty() ? Match::no : Match::maybe;
+    }
     const bool xml = head.find("<?xml") < 8;
     return xml && head.find("ISO5436_2") != std::string_view::npos ? Match::yes : Match::no;
 }
 
-std::vector<Channel> open_x3p(const Source& source, const ReadOptions&) {
-    if (!is_zip(source.head(4))) return open_xml(source.all(), nullptr, source);
+std::vector<Channel> open_x3p(const Source& source, const ReadOptions& options) {
+    if (!is_zip(source.head(4))) return open_xml(source.all(), nullptr, options, source);
     const Archive archive(source);
-    return open_xml(archive.read(document_member), &archive, source);
+    auto channels = open_documents(source, archive, options);
+    for (const auto& name : nested_archives(archive))
+        for (auto& channel : nested_channels(source, name, options)) channels.push_back(std::move(channel));
+    return channels;
 }
 
 }  // namespace
@@ -310,15 +362,17 @@ std::vector<Channel> open_x3p(const Source& source, const ReadOptions&) {
 Format x3p_format() {
     return {.identifier = "x3p",
             .name = "X3P",
-            .extensions = ".x3p .xml",
-            .description = "ZIP with main.xml and binary or listed points of a surface or profile; checksums are verified",
-            .heights = "value times increment plus offset of the axis, in metres; int16, int32, float32 or float64; points marked invalid or NaN are undefined",
+            .extensions = ".x3p",
+            .description = "ZIP with main.xml and binary or listed points of a surface or profile, main.xml alone, or a ZIP of several such archives; checksums are verified",
+            .heights = "value times increment plus offset of the axis, in metres; signed int16 or int32, float32 or float64; points marked invalid or NaN are undefined",
             .orientation = "first point at the top left, x the fastest index",
+            .not_read = "clouds of points (feature type PCL) and lists that form no matrix are refused",
             .reference = "ISO 25178-72:2017 (formerly ISO 5436-2)",
             .tested_on_real_files = true,
             .carries_scale = true,
             .detect = detect_x3p,
-            .open = open_x3p};
+            .open = open_x3p,
+            .write = write_x3p};
 }
 
 }  // namespace setae::io

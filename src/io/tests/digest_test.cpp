@@ -19,6 +19,7 @@ TEST(Digest, OfASourceIsThatOfItsContent) {
     std::string content(10000019, '\0');
     for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * i % 251);
     EXPECT_EQ(sha256(memory_source("memory", content)), sha256(content));
+    EXPECT_EQ(md5(memory_source("memory", content)), md5(content));
     EXPECT_EQ(sha256(memory_source("memory", "")), sha256(""));
 }
 

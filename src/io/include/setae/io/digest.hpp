@@ -11,6 +11,8 @@ namespace setae::io {
 /// MD5 digest as 32 lower-case hexadecimal digits: the checksum X3P files carry, no protection against intent.
 /// Source: RFC 1321.
 [[nodiscard]] std::string md5(std::string_view bytes);
+/// Of a whole source, read piece by piece. @throws what reading it throws.
+[[nodiscard]] std::string md5(const Source& source);
 
 /// SHA-256 digest as 64 lower-case hexadecimal digits. Source: FIPS 180-4.
 [[nodiscard]] std::string sha256(std::string_view bytes);
