@@ -17,8 +17,6 @@ namespace setae::io {
 
 const std::vector<Format>& formats() {
     static const std::vector<Format> table{
-        // SPDX-License-Identifier: GPL-3.0-or-later
-
         // exchange
         container_format(),
         x3p_format(),

@@ -31,7 +31,7 @@ constexpr std::uint64_t common_header_bytes = 834;
 
 /// Offsets in the header.
 namespace at {
-constexpr std::uint64_t header_format = 4, header_bytes = 6, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68, time = 76, comment = 80, scale_factor = 164,
+constexpr std::uint64_t header_format = 4, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68, time = 76, comment = 80, scale_factor = 164,
                         wavelength = 168, obliquity = 176, lateral_resolution = 184, phase_resolution = 218, sign = 232, system_type = 238, serial = 242, objective = 246,
                         part = 258, full_serial = 798;
 }

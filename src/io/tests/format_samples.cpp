@@ -7,8 +7,6 @@ namespace setae::io::tests {
 
 std::vector<FormatSample> format_samples() {
     const std::vector<std::function<std::vector<FormatSample>()>> makers{
-        // SPDX-License-Identifier: GPL-3.0-or-later
-
         // exchange
         container_samples,
         x3p_samples,

@@ -79,8 +79,8 @@ struct FormatSample {
 [[nodiscard]] std::vector<FormatSample> dektak_csv_samples();
 [[nodiscard]] std::vector<FormatSample> hfm_samples();
 [[nodiscard]] std::vector<FormatSample> dabam_samples();
+[[nodiscard]] std::vector<FormatSample> matrix_text_samples();
 [[nodiscard]] std::vector<FormatSample> xyz_samples();
 [[nodiscard]] std::vector<FormatSample> xy_samples();
-[[nodiscard]] std::vector<FormatSample> matrix_samples();
 
 }  // namespace setae::io::tests

@@ -118,7 +118,7 @@ FormatSample line(const std::string& format, const std::string& name, const std:
 
 }  // namespace
 
-std::vector<FormatSample> matrix_samples() {
+std::vector<FormatSample> matrix_text_samples() {
     const std::string english = "# Channel: Z (Forward)\n# Width: 7 µm\n# Height: 4000 nm\n# Value units: nm\n", german = "# Kanal: Z\n# Breite: 7,0 µm\n# Höhe: 4,0 µm\n# Einheiten: nm\n";
     const std::vector<double> size{7 * units::um, 4 * units::um};
     return {matrix("Gwyddion", english, rows(holed(1.0), "\t"), units::nm, size),
