@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
-
 #include "archive.hpp"
-#include "channel_building.hpp"
 #include "container_index.hpp"
 #include "container_measurement.hpp"
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/netcdf.hpp"
 
 // Containers of contact.engineering: a ZIP with index.json or, in older ones, meta.yml, and one or two members a
 // measurement: the instrument's own file ("original") and a processed copy ("squeezed-netcdf").
@@ -28,21 +24,6 @@ std::vector<Channel> open_container(const Source& source, const ReadOptions&) {
     return channels;
 }
 
-/// One measurement as a container of one surface: its heights, not levelled, stand for what an instrument wrote.
-void write_one(const std::string& path, const topography::Measurement& measurement) {
-    const auto& metadata = topography::metadata(measurement);
-    Container container;
-    auto& surface = container.surfaces.emplace_back(ContainerSurface{.name = std::filesystem::path(path).stem().string(), .category = "exp"});
-    auto& topography = surface.topographies.emplace_back();
-    topography.name = metadata.name.empty() ? "heights" : metadata.name;
-    topography.datafile.original = "0-heights.nc";
-    topography.data_source = 0;
-    topography.size = extent(measurement);
-    topography.unit = "m";
-    topography.detrend_mode = "center";
-    write_container(path, container, {{topography.datafile.original, [&] { return memory_source("0-heights.nc", netcdf_content(measurement)); }}});
-}
-
 }  // namespace
 
 Format container_format() {
@@ -57,8 +38,7 @@ Format container_format() {
             .tested_on_real_files = true,
             .carries_scale = true,
             .detect = detect_container,
-            .open = open_container,
-            .write = write_one};
+            .open = open_container};
 }
 
 }  // namespace setae::io

@@ -145,25 +145,6 @@ TEST(ContainerDraft, TwoContainersMayHoldMembersOfOneName) {
     EXPECT_TRUE((topography::all_heights(channels[3].read()) == topography::all_heights(channels[0].read())).all());
 }
 
-TEST(ContainerFormat, WritesOneMeasurementOfEachKind) {
-    const TemporaryFolder folder;
-    const auto& format = format_to_write("out.zip");
-    Array2D heights = Array2D::Random(5, 4) * 1e-6;
-    heights(1, 2) = undefined;
-    const topography::Measurement measurements[] = {HeightMap{heights, {5e-6, 4e-6}, true, {.name = "map"}}, LineScan{Array1D{{0.0, 1e-9, 3e-9}}, 3e-6, false, {.name = "line"}},
-                                                    topography::Profile{Array1D{{0.0, 1e-6, 4e-6}}, Array1D{{0.0, 1e-9, 3e-9}}, {.name = "curve"}}};
-    for (const auto& measurement : measurements) {
-        format.write(folder.path("out.zip"), measurement);
-        const auto channel = open(folder.path("out.zip")).at(0);
-        const auto back = channel.read();
-        EXPECT_EQ(channel.info.name, topography::metadata(measurement).name);
-        EXPECT_EQ(back.index(), measurement.index());
-        const auto expected = topography::all_heights(measurement), found = topography::all_heights(back);
-        EXPECT_TRUE(((expected == found) || (expected.isNaN() && found.isNaN())).all());
-        EXPECT_TRUE(check_container(file_source(folder.path("out.zip"))).alerts.empty());
-    }
-}
-
 TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
     const TemporaryFolder folder;
     const auto old = folder.write("old.zip", container_file());
