@@ -75,11 +75,9 @@ std::string attribute(const Metadata& metadata, const char* key) {
 
 /// As xsd:dateTime.
 std::string date_of(const Metadata& metadata) {
-    const auto& text = metadata.acquisition_time;
-    const auto time = written_time(text);
+    const auto time = written_time(metadata.acquisition_time);
     if (!time.known()) return fmt::format("{}T00:00:00", x3p_no_date);
-    const bool as_it_is = text.find('T') != std::string::npos && text.find(time.hour + ":" + time.minute + ":" + time.second) != std::string::npos;
-    return as_it_is ? text : fmt::format("{}-{}-{}T{}:{}:{}", time.year, time.month, time.day, time.hour, time.minute, time.second);
+    return fmt::format("{}-{}-{}T{}:{}:{}{}", time.year, time.month, time.day, time.hour, time.minute, time.second, time.zone);
 }
 
 /// Contacting, NonContacting or Software: what the schema allows.
