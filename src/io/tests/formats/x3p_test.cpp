@@ -125,6 +125,12 @@ TEST(X3p, LayersOfAProfileAreLines) {
     EXPECT_EQ(std::get<LineScan>(channels[1].read()).heights[0], 4.0);
 }
 
+TEST(X3p, ListThatFillsTheMemoryIsRefused) {
+    std::string list = "<DataList>";
+    for (int k = 0; k < 1'100'000; ++k) list += "<Datum/>";
+    EXPECT_NE(refusal({{"main.xml", x3p_document("SUR", incremental, doubles, two_by_three, list + "</DataList>")}}).find("main.xml has 11000"), std::string::npos);
+}
+
 TEST(X3p, UnknownEntriesAndTheFirstOfJanuary1970AreNoMetadata) {
     auto xml = replaced(x3p_document("SUR", incremental, doubles, two_by_three, linked), "2020-01-02", "1970-01-01T01:00:00");
     xml = replaced(xml, "<Manufacturer>M", "<Manufacturer>not available");
