@@ -32,38 +32,65 @@ constexpr std::uint64_t head_bytes = 1 << 16;
     throw FormatError(source.name, {.offset = source.size}, fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
 }
 
-zip* opened_file(const Source& source) {
-    int code = 0;
-    auto* archive = zip_open(source.path.c_str(), ZIP_RDONLY, &code);
-    if (archive) return archive;
-    zip_error_t error;
-    zip_error_init_with_code(&error, code);
-    const std::string reason = zip_error_strerror(&error);
-    zip_error_fini(&error);
-    no_archive(source, reason);
+/// What libzip reads an archive through: any source, from where its directory says.
+struct Reading {
+    Source source;
+    std::uint64_t position = 0;
+    zip_error_t error{};
+};
+
+zip_int64_t served(void* state, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+    auto& reading = *static_cast<Reading*>(state);
+    const auto size = reading.source.size;
+    switch (command) {
+        case ZIP_SOURCE_OPEN: reading.position = 0; return 0;
+        case ZIP_SOURCE_READ:
+            try {
+                const auto count = std::min(length, size - reading.position);
+                reading.source.read_into(reading.position, count, static_cast<char*>(data));
+                reading.position += count;
+                return static_cast<zip_int64_t>(count);
+            } catch (const std::exception&) {
+                zip_error_set(&reading.error, ZIP_ER_READ, 0);
+                return -1;
+            }
+        case ZIP_SOURCE_SEEK: {
+            const auto place = zip_source_seek_compute_offset(reading.position, size, data, length, &reading.error);
+            if (place < 0) return -1;
+            reading.position = static_cast<std::uint64_t>(place);
+            return 0;
+        }
+        case ZIP_SOURCE_TELL: return static_cast<zip_int64_t>(reading.position);
+        case ZIP_SOURCE_STAT: {
+            auto* stat = static_cast<zip_stat_t*>(data);
+            zip_stat_init(stat);
+            stat->size = size;
+            stat->valid |= ZIP_STAT_SIZE;
+            return sizeof(zip_stat_t);
+        }
+        case ZIP_SOURCE_CLOSE: return 0;
+        case ZIP_SOURCE_ERROR: return zip_error_to_data(&reading.error, data, length);
+        case ZIP_SOURCE_FREE: zip_error_fini(&reading.error); delete &reading; return 0;
+        case ZIP_SOURCE_SUPPORTS:
+            return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK,
+                                                  ZIP_SOURCE_TELL, ZIP_SOURCE_SUPPORTS, -1);
+        default: zip_error_set(&reading.error, ZIP_ER_OPNOTSUPP, 0); return -1;
+    }
 }
 
-zip* opened_memory(const Source& source, const std::string& content) {
+zip* opened(const Source& source) {
+    auto reading = std::make_unique<Reading>(Reading{source});
+    zip_error_init(&reading->error);
     zip_error_t error;
     zip_error_init(&error);
-    auto* buffer = zip_source_buffer_create(content.data(), content.size(), 0, &error);
-    auto* archive = buffer ? zip_open_from_source(buffer, ZIP_RDONLY, &error) : nullptr;
+    auto* through = zip_source_function_create(served, reading.get(), &error);
+    if (through) reading.release();  // freed with the source
+    auto* archive = through ? zip_open_from_source(through, ZIP_RDONLY, &error) : nullptr;
     const std::string reason = archive ? "" : zip_error_strerror(&error);
     zip_error_fini(&error);
     if (archive) return archive;
-    if (buffer) zip_source_free(buffer);
+    if (through) zip_source_free(through);
     no_archive(source, reason);
-}
-
-/// Whether a member's name stays in the archive's own folder.
-bool stays_inside(std::string_view name) {
-    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
-    while (!name.empty()) {
-        const auto end = std::min(name.find_first_of("/\\"), name.size());
-        if (name.substr(0, end) == "..") return false;
-        name.remove_prefix(std::min(end + 1, name.size()));
-    }
-    return true;
 }
 
 /// What a member announces of itself.
@@ -90,13 +117,22 @@ struct LazyMember {
 
 }  // namespace
 
+bool stays_inside(std::string_view name) {
+    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
+    while (!name.empty()) {
+        const auto end = std::min(name.find_first_of("/\\"), name.size());
+        if (name.substr(0, end) == "..") return false;
+        name.remove_prefix(std::min(end + 1, name.size()));
+    }
+    return true;
+}
+
 bool is_zip(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 
 void Archive::Close::operator()(zip* archive) const { zip_discard(archive); }
 
 Archive::Archive(const Source& source) : source_(source) {
-    if (source.path.empty()) content_ = std::make_shared<const std::string>(source.all());
-    zip_.reset(content_ ? opened_memory(source_, *content_) : opened_file(source_));
+    zip_.reset(opened(source_));
     for (const auto& name : names())
         if (!stays_inside(name)) broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
 }
@@ -141,6 +177,9 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
 }
 
 Source Archive::member(const std::string& name) const {
+    const auto stat = announced(zip_.get(), index_of(name), source_);
+    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size); stat.size > most_expanded(compressed))
+        broken(source_, fmt::format("member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged", name, stat.size, compressed, most_expanded(compressed)));
     auto lazy = std::make_shared<LazyMember>();
     lazy->archive = source_;
     lazy->name = name;

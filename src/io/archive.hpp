@@ -16,7 +16,11 @@ namespace setae::io {
 /// Whether bytes begin as a ZIP archive.
 [[nodiscard]] bool is_zip(std::string_view head);
 
-/// A ZIP archive open for reading, on disk or in memory, from one thread at a time.
+/// Whether a member's name stays in the archive's own folder: no "../x", "/x", "c:x".
+[[nodiscard]] bool stays_inside(std::string_view name);
+
+/// A ZIP archive open for reading, from one thread at a time: a file, a part of one, or bytes in memory. Only its directory and the
+/// members asked for are read.
 class Archive {
 public:
     /// @throws FormatError for bytes that are no whole ZIP archive, or a member whose name leads out of it ("../x", "/x").
@@ -45,7 +49,6 @@ private:
     [[nodiscard]] std::uint64_t index_of(const std::string& name) const;
 
     Source source_;
-    std::shared_ptr<const std::string> content_;  ///< of an archive in memory; libzip reads from it
     std::unique_ptr<zip, Close> zip_;
 };
 

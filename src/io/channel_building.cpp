@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel_building.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -29,15 +30,13 @@ std::vector<double> size_of(const Profile& profile) {
 
 const char* size_example(const ChannelInfo& info) { return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\""; }
 
-/// Infinite heights made undefined in place; whether any is defined.
-bool settle(double* heights, Index count) {
-    bool any = false;
-    for (Index i = 0; i < count; ++i) {
-        const bool defined = std::isfinite(heights[i]);
-        if (!defined) heights[i] = undefined;
-        any = any || defined;
-    }
-    return any;
+void make_infinite_undefined(double* heights, Index count) {
+    for (Index i = 0; i < count; ++i)
+        if (!std::isfinite(heights[i])) heights[i] = undefined;
+}
+
+bool any_defined(const double* heights, Index count) {
+    return std::any_of(heights, heights + count, [](double height) { return height == height; });
 }
 
 }  // namespace
@@ -76,18 +75,22 @@ Channel unreadable_member(const Source& source, const std::string& name, const s
     return {std::move(info), [error = std::current_exception()]() -> Measurement { std::rethrow_exception(error); }};
 }
 
-Measurement checked(Measurement measurement, const Source& source) {
+void require_measurement(const Measurement& measurement, const Source& source) {
     const auto points = topography::shape(measurement);
     const bool is_map = std::holds_alternative<HeightMap>(measurement);
     if (points[0] < 2 || (is_map && points[1] < 2))
         throw FormatError(source.name, {}, fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
-    const bool heights_defined = std::visit([](auto& m) { return settle(m.heights.data(), m.heights.size()); }, measurement);
-    if (!heights_defined)
+    if (!std::visit([](const auto& m) { return any_defined(m.heights.data(), m.heights.size()); }, measurement))
         throw UndefinedDataError(fmt::format("{}: all {} heights are undefined", source.name, points[0] * points[1]));
     const bool is_profile = std::holds_alternative<Profile>(measurement);  // a traced curve may end where it began
     for (const double length : extent(measurement))
         if (!is_profile && (!(length > 0.0) || !std::isfinite(length)))
             throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", length));
+}
+
+Measurement checked(Measurement measurement, const Source& source) {
+    std::visit([](auto& m) { make_infinite_undefined(m.heights.data(), m.heights.size()); }, measurement);
+    require_measurement(measurement, source);
     return measurement;
 }
 
@@ -131,7 +134,7 @@ double complete(ChannelInfo& info, const ReadOptions& options, const Source& sou
     for (const double size : info.size)
         if (!(size > 0.0) || !std::isfinite(size)) throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
     info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
-    info.metadata.file = source.name;
+    if (info.metadata.file.empty()) info.metadata.file = source.name;
     info.metadata.format = info.format;
     info.metadata.unit = info.unit;
     return factor;

@@ -26,9 +26,12 @@ namespace setae::io {
 /// Shape as ChannelInfo::shape has it.
 [[nodiscard]] std::vector<Index> channel_shape(const topography::Measurement& measurement);
 
-/// The measurement with infinite heights made undefined, after checking what every reader owes its caller.
+/// What every reader owes its caller, of heights that are not infinite.
 /// @throws UndefinedDataError where no height is defined; FormatError for fewer than two points or an extent that is no
 /// positive length.
+void require_measurement(const topography::Measurement& measurement, const Source& source);
+
+/// The measurement with infinite heights made undefined. @throws as require_measurement.
 [[nodiscard]] topography::Measurement checked(topography::Measurement measurement, const Source& source);
 
 /// A length unit in setae's spelling (m, cm, mm, µm, nm, Å, pm; others as they are) and its factor to metres.
@@ -43,8 +46,8 @@ struct LengthUnit {
 /// Standard errors [m] of a column. @throws FormatError without a unit of length or for a value that is negative or undefined.
 [[nodiscard]] Array1D standard_errors(const RawTable::RawColumn& column, const Source& source);
 
-/// Fills size and unit that the file leaves open from what the user gave, makes the unit setae's spelling, and copies name, format
-/// and unit to the metadata. `info.shape` tells how many sizes belong to it. Returns metres per unit where the unit is the user's,
+/// Fills size and unit that the file leaves open from what the user gave, makes the unit setae's spelling, and copies name, format,
+/// unit and, where the metadata names no file, the source's name to the metadata. `info.shape` tells how many sizes belong to it. Returns metres per unit where the unit is the user's,
 /// else 1.
 /// @throws InvalidArgument for sizes of another number than dimensions; FormatError for a size that is no positive length or a unit
 /// that is none.

@@ -39,7 +39,7 @@ struct Inflation {
 
 bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
-std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format) {
+std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format, std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
     Inflation inflation(zlib_or_gzip);
     if (!inflation.good) throw InternalError("zlib does not start");
@@ -57,15 +57,25 @@ std::string inflated(std::string_view stream, const Source& source, std::uint64_
         used += input - z.avail_in;
         content.resize(before + piece - z.avail_out);
         require_bounded(content.size(), stream.size(), source, offset, format);
-        if (state == Z_STREAM_END) return content;
+        if (state == Z_STREAM_END || content.size() >= enough) return content;
         if (state != Z_OK && state != Z_BUF_ERROR) broken(source, offset + used, format, "compressed data are damaged");
         if (used == stream.size() && content.size() == before) broken(source, offset + used, format, "compressed data end early; the file is truncated");
     }
 }
 
+namespace {
+
+/// Memory of at most 8 MiB, whatever the stream announces.
+std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> zstd_context() {
+    std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
+    ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, 23);
+    return context;
+}
+
+}  // namespace
+
 std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format) {
-    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
-    ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, 23);  // memory of at most 8 MiB, whatever the stream announces
+    const auto context = zstd_context();
     std::string content;
     ZSTD_inBuffer input{stream.data(), stream.size(), 0};
     for (;;) {
@@ -79,6 +89,26 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
         if (state == 0) return content;
         if (input.pos == input.size && output.pos == 0) broken(source, offset + input.pos, format, "compressed data end early; the file is truncated");
     }
+}
+
+Source unpacked(const Source& source) {
+    if (!is_gzip(source.head(3))) return source;
+    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
+}
+
+std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset, const std::string& format) {
+    const auto context = zstd_context();
+    std::string content(std::min<std::uint64_t>(count, most_expanded(stream.size())), '\0');
+    ZSTD_inBuffer input{stream.data(), stream.size(), 0};
+    ZSTD_outBuffer output{content.data(), content.size(), 0};
+    for (auto state = std::size_t{1}; state != 0 && output.pos < output.size;) {
+        const auto before = input.pos + output.pos;
+        state = ZSTD_decompressStream(context.get(), &output, &input);
+        if (ZSTD_isError(state)) broken(source, offset + input.pos, format, fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
+        if (input.pos + output.pos == before) break;
+    }
+    content.resize(output.pos);
+    return content;
 }
 
 }  // namespace setae::io

@@ -9,6 +9,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "text.hpp"
+#include "tiff_file.hpp"
 
 namespace setae::io {
 
@@ -23,14 +24,55 @@ const std::vector<Format>& formats() {
         // arrays
         netcdf_format(),
         npy_format(),
+        npz_format(),
+        mat_format(),
+        hdf5_format(),
+        datx_format(),
+        jpk_hdf5_format(),
 
         // scanning probes
         nanoscope_format(),
+        ibw_format(),
+        jpk_format(),
+        jpk_qi_format(),
+        park_format(),
+        mi_format(),
+        nanosurf_format(),
+        wsxm_format(),
+        mdt_format(),
+        nmm_format(),
 
         // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
+        qep_format(),
+        plu_format(),
+        plux_format(),
+        al3d_format(),
+        sur_format(),
+        mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
+        lext_format(),
+        oir_format(),
+        poir_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
         matrix_text_format(),
+        xyz_format(),
         xy_format(),
     };
     return table;
@@ -67,16 +109,11 @@ std::string expected_by_name(const std::string& name) {
 
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
+    if (is_tiff(head)) refuse_tiff(source);
     if (looks_like_text(head))
         throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header");
     throw FormatError(source.name, {.offset = 0},
                       fmt::format("begins with '{}', which no format setae reads does{}; `setae formats` lists them", first_bytes(head), expected_by_name(source.name)));
-}
-
-/// What a gzip file holds, under the file's own name.
-Source unpacked(const Source& source) {
-    if (!is_gzip(source.head(3))) return source;
-    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
 }
 
 /// Sizes the user or an index gave against the file's own, which stay.
@@ -94,7 +131,9 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
 
 }  // namespace
 
-const Format& detect_format(const Source& source) {
+namespace {
+
+const Format& detected(const Source& source) {
     const auto head = source.head(detection_bytes);
     const Format* possible = nullptr;
     for (const auto& format : formats()) {
@@ -105,6 +144,10 @@ const Format& detect_format(const Source& source) {
     if (!possible) unknown(source, head);
     return *possible;
 }
+
+}  // namespace
+
+const Format& detect_format(const Source& source) { return detected(unpacked(source)); }
 
 const Format& format_to_write(const std::string& path) {
     std::string endings;
@@ -129,7 +172,7 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 
 std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
     const auto source = unpacked(packed);
-    auto channels = detect_format(source).open(source, options);
+    auto channels = detected(source).open(source, options);
     compare_sizes(channels, options, source);
     return channels;
 }

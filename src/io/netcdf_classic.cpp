@@ -2,57 +2,37 @@
 #include "netcdf_classic.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "bytes.hpp"
+#include "cursor.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io {
 namespace {
 
-constexpr auto order = std::endian::big;
-constexpr std::uint32_t dimension_tag = 0x0a, variable_tag = 0x0b, attribute_tag = 0x0c;
-
-/// Bytes of one value of a type, 0 for a type the format does not know.
-std::size_t type_bytes(std::uint32_t type) {
-    constexpr std::size_t bytes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-    return type < std::size(bytes) ? bytes[type] : 0;
-}
-
+constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
 constexpr std::uint32_t character = 2;
+constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
+constexpr std::size_t most_dimensions = 1024;                  // of a variable, as the library allows
 
-double load_value(const char* from, std::uint32_t type) {
-    switch (type) {
-        case 1: return load<std::int8_t>(from, order);
-        case 3: return load<std::int16_t>(from, order);
-        case 4: return load<std::int32_t>(from, order);
-        case 5: return static_cast<double>(load<float>(from, order));
-        case 6: return load<double>(from, order);
-        case 8: return load<std::uint16_t>(from, order);
-        case 9: return load<std::uint32_t>(from, order);
-        case 10: return static_cast<double>(load<std::int64_t>(from, order));
-        case 11: return static_cast<double>(load<std::uint64_t>(from, order));
-        default: return load<std::uint8_t>(from, order);
-    }
-}
+/// The types in the order of their numbers, characters as bytes.
+constexpr Sample samples[] = {Sample::int8,   Sample::int8,    Sample::uint8, Sample::int16,  Sample::int32, Sample::float32,
+                              Sample::float64, Sample::uint8, Sample::uint16, Sample::uint32, Sample::int64, Sample::uint64};
 
-/// Reads a header from front to back and never past its end.
-class Cursor {
+/// Walks through a header.
+class Header {
 public:
-    Cursor(const std::string& content, const std::string& name) : content_(content), name_(name) {
-        version_ = content.size() > 3 ? content[3] : 0;
-        at_ = 4;
-    }
+    explicit Header(const Source& source) : cursor_(source, "NetCDF", 3, std::endian::big), version_(cursor_.number<std::uint8_t>()) {}
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw FormatError(name_, {.offset = at_}, fmt::format("NetCDF: {}; the file is damaged or truncated", what));
-    }
-
-    std::uint32_t word() { return load<std::uint32_t>(take(4), order); }
-    std::uint64_t wide() { return load<std::uint64_t>(take(8), order); }
-    std::uint64_t offset() { return version_ == 1 ? word() : wide(); }
-    std::uint64_t count() { return version_ == 5 ? wide() : word(); }
+    [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what + "; the file is damaged"); }
+    std::uint32_t word() { return cursor_.number<std::uint32_t>(); }
+    std::uint64_t offset() { return version_ == 1 ? word() : cursor_.number<std::uint64_t>(); }
+    std::uint64_t count() { return version_ == 5 ? cursor_.number<std::uint64_t>() : word(); }
+    [[nodiscard]] bool is_streaming(std::uint64_t records) const { return records == (version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu); }
 
     /// Elements of a list, each of which takes at least 8 bytes.
     std::uint64_t list(std::uint32_t tag) {
@@ -60,130 +40,146 @@ public:
         const auto n = count();
         if (got == 0 && n == 0) return 0;
         if (got != tag) fail(fmt::format("tag {} in the header, expected {}", got, tag));
-        if (n > (content_.size() - at_) / 8) fail(fmt::format("{} entries announced in {} bytes", n, content_.size() - at_));
+        if (n > cursor_.remaining() / 8) cursor_.skip(8 * std::min(n, most_values));
         return n;
     }
 
-    std::string name() {
-        const auto length = count();
-        return padded(length);
-    }
+    std::string name() { return padded(count()); }
 
     /// `length` bytes and what fills them up to a multiple of 4.
     std::string padded(std::uint64_t length) {
-        if (length > content_.size()) fail(fmt::format("{} bytes announced", length));
-        std::string text(take(length), length);
-        take(std::min<std::uint64_t>((4 - length % 4) % 4, content_.size() - at_));
+        auto text = cursor_.bytes(length);
+        cursor_.skip(std::min<std::uint64_t>((4 - length % 4) % 4, cursor_.remaining()));
         return text;
     }
 
-private:
-    const char* take(std::uint64_t bytes) {
-        if (bytes > content_.size() - at_) fail(fmt::format("the header ends {} bytes short", bytes - (content_.size() - at_)));
-        const char* from = content_.data() + at_;
-        at_ += bytes;
-        return from;
+    Sample sample() {
+        type_ = word();
+        if (type_ == 0 || type_ >= std::size(samples)) fail(fmt::format("values of type {}", type_));
+        return samples[type_];
     }
+    [[nodiscard]] bool was_character() const { return type_ == character; }
 
-    const std::string& content_;
-    const std::string& name_;
-    char version_ = 0;
-    std::uint64_t at_ = 0;
+private:
+    Cursor cursor_;
+    std::uint8_t version_;
+    std::uint32_t type_ = 0;
 };
 
-std::vector<ClassicNetcdf::Attribute> parse_attributes(Cursor& cursor) {
-    std::vector<ClassicNetcdf::Attribute> attributes;
-    for (auto left = cursor.list(attribute_tag); left > 0; --left) {
-        ClassicNetcdf::Attribute attribute;
-        attribute.name = cursor.name();
-        const auto type = cursor.word();
-        const auto n = cursor.count();
-        const auto bytes = type_bytes(type);
-        if (bytes == 0 || n > (std::uint64_t{1} << 40)) cursor.fail(fmt::format("attribute '{:.40}' of type {}", attribute.name, type));
-        const auto values = cursor.padded(n * bytes);
-        if (type == character)
+double load_value(const char* from, Sample sample) {
+    constexpr auto order = std::endian::big;
+    switch (sample) {
+        case Sample::int8: return load<std::int8_t>(from, order);
+        case Sample::uint8: return load<std::uint8_t>(from, order);
+        case Sample::int16: return load<std::int16_t>(from, order);
+        case Sample::uint16: return load<std::uint16_t>(from, order);
+        case Sample::int32: return load<std::int32_t>(from, order);
+        case Sample::uint32: return load<std::uint32_t>(from, order);
+        case Sample::int64: return static_cast<double>(load<std::int64_t>(from, order));
+        case Sample::uint64: return static_cast<double>(load<std::uint64_t>(from, order));
+        case Sample::float32: return static_cast<double>(load<float>(from, order));
+        case Sample::float64: return load<double>(from, order);
+    }
+    return 0.0;
+}
+
+Attributes parse_attributes(Header& header) {
+    Attributes attributes;
+    for (auto left = header.list(attribute_tag); left > 0; --left) {
+        Attribute attribute;
+        attribute.name = header.name();
+        const auto sample = header.sample();
+        const bool text = header.was_character();
+        const auto n = header.count();
+        if (n > most_values) header.fail(fmt::format("attribute '{:.40}' of {} values", attribute.name, n));
+        const auto values = header.padded(n * bytes_of(sample));
+        if (text)
             attribute.text = values.substr(0, values.find('\0'));
         else
-            for (std::size_t at = 0; at < values.size(); at += bytes) attribute.numbers.push_back(load_value(values.data() + at, type));
+            for (std::size_t at = 0; at < values.size(); at += bytes_of(sample)) attribute.numbers.push_back(load_value(values.data() + at, sample));
         attributes.push_back(std::move(attribute));
     }
     return attributes;
 }
 
-ClassicNetcdf::Variable parse_variable(Cursor& cursor, const std::vector<std::uint64_t>& dimensions) {
-    ClassicNetcdf::Variable variable;
-    variable.name = cursor.name();
-    const auto n = cursor.count();
-    if (n > dimensions.size()) cursor.fail(fmt::format("variable '{:.40}' has {} dimensions of {}", variable.name, n, dimensions.size()));
+/// A variable as the header has it: along the unlimited dimension its extent is 0.
+struct Variable {
+    StoredArray array;
+    bool is_character = false;
+    bool has_records = false;
+    std::uint64_t record_bytes = 0;  ///< of its part of a record, without padding
+
+    [[nodiscard]] std::uint64_t padded_bytes() const { return (record_bytes + 3) / 4 * 4; }
+};
+
+Variable parse_variable(Header& header, const std::vector<std::uint64_t>& dimensions, const Source& source) {
+    Variable variable;
+    auto& array = variable.array;
+    array.name = header.name();
+    const auto n = header.count();
+    if (n > most_dimensions) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
+    std::uint64_t values = 1;
     for (std::uint64_t i = 0; i < n; ++i) {
-        const auto id = cursor.count();
-        if (id >= dimensions.size() || dimensions[id] == 0 || dimensions[id] > (std::uint64_t{1} << 40))
-            cursor.fail(fmt::format("variable '{:.40}' has an unlimited or unknown dimension", variable.name));
-        variable.shape.push_back(static_cast<Index>(dimensions[id]));
+        const auto id = header.count();
+        if (id >= dimensions.size() || dimensions[id] > most_values) header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
+        const auto extent = dimensions[id];
+        if (extent == 0 && i > 0) header.fail(fmt::format("variable '{:.40}' has the unlimited dimension behind others", array.name));
+        variable.has_records = variable.has_records || extent == 0;
+        if (extent > 0 && values > most_values / extent) header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));
+        values *= extent == 0 ? 1 : extent;
+        array.shape.push_back(static_cast<Index>(extent));
     }
-    variable.attributes = parse_attributes(cursor);
-    variable.type = cursor.word();
-    if (type_bytes(variable.type) == 0) cursor.fail(fmt::format("variable '{:.40}' of type {}", variable.name, variable.type));
-    (void)cursor.count();  // its size in bytes, which follows from shape and type
-    variable.offset = cursor.offset();
+    array.attributes = parse_attributes(header);
+    array.sample = header.sample();
+    array.order = std::endian::big;
+    variable.is_character = header.was_character();
+    variable.record_bytes = values * bytes_of(array.sample);
+    (void)header.count();  // its size in bytes, which follows from shape and type
+    array.offset = header.offset();
+    array.data = source;
     return variable;
 }
 
-const ClassicNetcdf::Attribute* find_attribute(const ClassicNetcdf::Variable& variable, const std::string& name) {
-    for (const auto& attribute : variable.attributes)
-        if (attribute.name == name) return &attribute;
-    return nullptr;
+/// Records one after another: the parts of all variables, each filled up to four bytes unless it is the only one.
+void place_records(std::vector<Variable>& variables, std::uint64_t records, const Header& header) {
+    std::uint64_t together = 0, number = 0, alone = 0;
+    for (const auto& variable : variables) {
+        if (!variable.has_records) continue;
+        ++number;
+        alone = variable.record_bytes;
+        together += variable.padded_bytes();
+        if (together > most_values) header.fail(fmt::format("records of more than {} bytes", most_values));
+    }
+    if (number > 0 && header.is_streaming(records)) header.fail("the number of records was never written: copy the file with nccopy");
+    for (auto& variable : variables) {
+        if (!variable.has_records) continue;
+        variable.array.shape[0] = static_cast<Index>(std::min(records, most_values));
+        variable.array.first_distance = number == 1 ? alone : together;
+    }
 }
 
 }  // namespace
 
-std::string ClassicNetcdf::Variable::text(const std::string& attribute) const {
-    const auto* found = find_attribute(*this, attribute);
-    return found ? found->text : std::string{};
+const StoredArray* ArrayFile::find(const std::string& name) const {
+    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const StoredArray& array) { return array.name == name; });
+    return found == arrays.end() ? nullptr : &*found;
 }
 
-std::optional<double> ClassicNetcdf::Variable::number(const std::string& attribute) const {
-    const auto* found = find_attribute(*this, attribute);
-    return found && found->numbers.size() == 1 ? std::optional(found->numbers.front()) : std::nullopt;
-}
-
-ClassicNetcdf::ClassicNetcdf(const Source& source) : name_(source.name), content_(source.all()) {
-    Cursor cursor(content_, name_);
-    (void)cursor.count();  // records along an unlimited dimension
+ArrayFile classic_netcdf(const Source& source) {
+    Header header(source);
+    const auto records = header.count();
     std::vector<std::uint64_t> dimensions;
-    for (auto left = cursor.list(dimension_tag); left > 0; --left) {
-        (void)cursor.name();
-        dimensions.push_back(cursor.count());
+    for (auto left = header.list(dimension_tag); left > 0; --left) {
+        (void)header.name();
+        dimensions.push_back(header.count());
     }
-    (void)parse_attributes(cursor);
-    for (auto left = cursor.list(variable_tag); left > 0; --left) variables_.push_back(parse_variable(cursor, dimensions));
-}
-
-const ClassicNetcdf::Variable* ClassicNetcdf::find(const std::string& name) const {
-    for (const auto& variable : variables_)
-        if (variable.name == name) return &variable;
-    return nullptr;
-}
-
-std::vector<double> ClassicNetcdf::values(const Variable& variable) const {
-    const auto bytes = type_bytes(variable.type);
-    const auto available = variable.offset < content_.size() ? (content_.size() - variable.offset) / bytes : 0;
-    std::uint64_t count = 1;
-    for (const auto extent : variable.shape) {
-        if (count > available / static_cast<std::uint64_t>(extent))
-            throw FormatError(name_, {.offset = content_.size()},
-                              fmt::format("NetCDF: the file ends here, before the end of '{:.40}'; it is truncated", variable.name));
-        count *= static_cast<std::uint64_t>(extent);
-    }
-    if (count > available)
-        throw FormatError(name_, {.offset = content_.size()}, fmt::format("NetCDF: '{:.40}' lies outside the file", variable.name));
-    std::vector<double> values(count);
-    const char* from = content_.data() + variable.offset;
-    for (auto& value : values) {
-        value = load_value(from, variable.type);
-        from += bytes;
-    }
-    return values;
+    ArrayFile file{parse_attributes(header), {}};
+    std::vector<Variable> variables;
+    for (auto left = header.list(variable_tag); left > 0; --left) variables.push_back(parse_variable(header, dimensions, source));
+    place_records(variables, records, header);
+    for (auto& variable : variables)
+        if (!variable.is_character) file.arrays.push_back(std::move(variable.array));
+    return file;
 }
 
 }  // namespace setae::io

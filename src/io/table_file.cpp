@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,7 @@
 #include "setae/io/spreadsheet.hpp"
 #include "setae/io/whole_file.hpp"
 #include "text.hpp"
+#include "text_numbers.hpp"
 
 namespace setae::io {
 namespace {
@@ -29,18 +31,16 @@ std::size_t after_header_end(const std::vector<std::string_view>& lines, const T
 
 bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
 
-/// Numbers row by row, with what is known of the columns' cells.
+/// Numbers column by column, with what is known of the columns' cells.
 struct Numbers {
-    std::vector<double> values;        ///< row-major
-    std::size_t columns = 0;
-    std::vector<bool> has_text;        ///< per column: any cell that is not empty
-    std::vector<std::string> words;    ///< per column: its first cell and line, where it holds text
+    Array2D values;                  ///< (columns, rows)
+    std::vector<bool> has_text;      ///< per column: any cell that is not empty
+    std::vector<std::string> words;  ///< per column: its first cell and line, where it holds text
 };
 
-Numbers parse_rows(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
-    Numbers numbers{{}, layout.columns, std::vector<bool>(layout.columns, false), std::vector<std::string>(layout.columns)};
-    const auto is_text = [&](std::size_t column) { return !layout.text.empty() && layout.text[column]; };
-    numbers.values.reserve((lines.size() - layout.first_row) * layout.columns);
+/// Calls `take` with line number, from 0, and cells of every row.
+template <class Take>
+void for_each_row(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name, const Take& take) {
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
@@ -51,23 +51,58 @@ Numbers parse_rows(const std::vector<std::string_view>& lines, const Layout& lay
             throw FormatError(name, {.line = i + 1},
                               fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
                                           cells.size(), layout.columns));
-        for (std::size_t k = 0; k < cells.size(); ++k) {
+        take(i, cells);
+    }
+}
+
+/// Rows of numbers among which columns of words stand.
+Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
+    const auto columns = layout.columns;
+    Numbers numbers{{}, std::vector<bool>(columns, false), std::vector<std::string>(columns)};
+    std::vector<double> values;
+    values.reserve((lines.size() - layout.first_row) * columns);
+    for_each_row(lines, layout, name, [&](std::size_t i, const std::vector<std::string_view>& cells) {
+        for (std::size_t k = 0; k < columns; ++k) {
             double value = undefined;
-            if (is_text(k)) {
+            if (layout.text[k]) {
                 if (numbers.words[k].empty() && !cells[k].empty()) numbers.words[k] = fmt::format("'{:.40}' on line {}", cells[k], i + 1);
             } else if (!parse_cell(cells[k], layout.dialect, value))
                 throw FormatError(name, {.line = i + 1},
                                   fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
-            numbers.values.push_back(value);
+            values.push_back(value);
             if (!cells[k].empty()) numbers.has_text[k] = true;
         }
+    });
+    using Rows = Eigen::Map<const Array2D>;
+    numbers.values = Rows(values.data(), static_cast<Index>(values.size() / columns), static_cast<Index>(columns)).transpose();
+    return numbers;
+}
+
+/// Rows of numbers alone, on all cores.
+Numbers parse_rows(const std::string& text, const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
+    const auto columns = layout.columns;
+    TextStart start;
+    start.source = {name, text.size(), {}, [&text](std::uint64_t offset, std::uint64_t count, char* target) { std::memcpy(target, text.data() + offset, count); }};
+    start.layout = layout;
+    start.begin = static_cast<std::uint64_t>(lines[layout.first_row].data() - text.data());
+    start.line = layout.first_row;
+    const auto rows = find_number_lines(start, start.begin, text.size());
+    require_whole_last_line(rows);
+    Numbers numbers{read_numbers(rows), std::vector<bool>(columns, true), std::vector<std::string>(columns)};
+    const auto last = static_cast<Index>(columns - 1);
+    if (numbers.values.row(last).isNaN().all()) {  // words for undefined numbers, or rows that end in separators
+        numbers.has_text.assign(columns, false);
+        for_each_row(lines, layout, name, [&](std::size_t, const std::vector<std::string_view>& cells) {
+            for (std::size_t k = 0; k < columns; ++k)
+                if (!cells[k].empty()) numbers.has_text[k] = true;
+        });
     }
     return numbers;
 }
 
 /// Columns up to the last that holds anything: rows may end in separators.
 std::size_t filled_columns(const Numbers& numbers) {
-    auto filled = numbers.columns;
+    auto filled = numbers.has_text.size();
     while (filled > 1 && !numbers.has_text[filled - 1]) --filled;
     return filled;
 }
@@ -148,7 +183,7 @@ RawTable read_raw_table(const Source& source, const TableOptions& options) {
     if (!layout) throw FormatError(source.name, {.line = begin + 1}, "no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
     require_decided_commas(lines, *layout, options, source.name);
-    const auto numbers = parse_rows(lines, *layout, source.name);
+    const auto numbers = layout->text.empty() ? parse_rows(text, lines, *layout, source.name) : parse_rows_with_words(lines, *layout, source.name);
 
     RawTable table{{}, {}, {}, layout->dialect.separator, layout->dialect.decimal_point};
     for (std::size_t i = 0; i < layout->first_row; ++i) {
@@ -158,14 +193,11 @@ RawTable read_raw_table(const Source& source, const TableOptions& options) {
     require_separating_commas(table, lines, *layout, options, source.name);
     table.metadata = key_values(table.header);
     const auto filled = filled_columns(numbers);
-    const auto names = names_of(table, filled, numbers.columns, source.name);
+    const auto names = names_of(table, filled, layout->columns, source.name);
     const auto columns = names.empty() ? filled : names.size();
-    const auto rows = static_cast<Index>(numbers.values.size() / numbers.columns);
-    using Rows = Eigen::Map<const Array2D>;
-    const Rows values(numbers.values.data(), rows, static_cast<Index>(numbers.columns));
     for (std::size_t k = 0; k < columns; ++k) {
         const auto cell = names.empty() ? HeaderCell{} : names[k];
-        table.columns.push_back({cell.name, cell.unit, values.col(static_cast<Index>(k)), numbers.words[k]});
+        table.columns.push_back({cell.name, cell.unit, numbers.values.row(static_cast<Index>(k)), numbers.words[k]});
     }
     return table;
 }

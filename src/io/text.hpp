@@ -31,7 +31,8 @@ struct Dialect {
 /// Whether a cell is a number with thousands in groups, and nothing but its groups where `whole`: "1,234" for ','.
 [[nodiscard]] bool is_grouped(std::string_view cell, char group_sign, bool whole);
 
-/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-"; false for anything that is no number.
+/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-", "***", "infinite", "1.#QNAN"; false for anything that is no
+/// number.
 [[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
 [[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 

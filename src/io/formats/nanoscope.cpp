@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -10,19 +11,21 @@
 
 #include "channel_building.hpp"
 #include "header.hpp"
+#include "probe_channels.hpp"
 #include "raster.hpp"
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "text.hpp"
+#include "text_head.hpp"
 
 // Nanoscope files from version 4.3: a latin-1 header of sections "\*Name" with lines "\Key: value", then one block of
 // little-endian integers an image. Height = raw · hard value [V] · soft sensitivity [nm/V] / 2^bits; rows from bottom to top.
 namespace setae::io {
 namespace {
 
-constexpr std::string_view first_section = "\\*File list", last_line = "\\*File list end";
-constexpr std::uint64_t longest_header = 1 << 20;
+constexpr std::string_view first_section = "\\*File list", last_line = "\\*File list end", first_section_as_text = "?*File list";
+constexpr std::size_t most_images = 1000;
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
@@ -45,11 +48,7 @@ std::size_t colon_after_key(std::string_view line) {
 }
 
 std::vector<Section> parse_sections(const Source& source) {
-    const auto bytes = source.head(longest_header);
-    const auto end = bytes.find(last_line);
-    if (end == std::string::npos)
-        throw FormatError(source.name, {.offset = bytes.size()}, fmt::format("Nanoscope: header does not end with '{}'; the file is truncated", last_line));
-    const auto text = decoded(bytes.substr(0, end), Encoding::latin1);
+    const auto text = decoded(head_until(source, last_line, "Nanoscope"), Encoding::latin1);
     std::vector<Section> sections;
     for (const auto raw : split_lines(text)) {
         auto line = trimmed(raw);
@@ -109,51 +108,65 @@ std::optional<Value> leading_value(std::string_view text) {
     return value;
 }
 
-/// Length of one unit of raw data [m], and the unit it is written in; nothing for channels that are no heights.
-struct HeightScale {
+/// What one unit of raw data stands for: in SI, and the unit it is written in; the factor of a unit setae does not know is 0.
+struct ValueScale {
     double factor = 0.0;
     std::string unit;
 };
 
-/// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V": the sensitivity's name in [], the hard value after ().
-std::optional<HeightScale> height_scale(const std::string& scale, const std::vector<Section>& sections, std::size_t bytes) {
+/// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V": the sensitivity's name in [], the hard value after (). A sensitivity without a
+/// unit, as that of "359.9945 º", leaves the hard value's.
+ValueScale value_scale(const std::string& scale, const std::vector<Section>& sections, std::size_t bytes) {
     const auto close = scale.rfind(')');
     const auto hard = leading_value(close == std::string::npos ? std::string_view{} : std::string_view(scale).substr(close + 1));
-    if (!hard) return std::nullopt;
-    const auto hard_unit = try_parse_unit(hard->unit);
-    if (!hard_unit) return std::nullopt;
-    double factor = hard->number * hard_unit->factor;
-    auto dimension = hard_unit->dimension;
-    auto unit = hard->unit;
+    if (!hard) return {};
+    auto unit = plain_unit(hard->unit);
+    const auto hard_unit = try_parse_unit(unit);
+    double factor = hard->number * (hard_unit ? hard_unit->factor : 0.0);
     const auto open = scale.find('['), shut = scale.find(']');
     if (open != std::string::npos && shut != std::string::npos && shut > open + 1) {
         const auto* entry = find(sections, lowered(std::string_view(scale).substr(open + 1, shut - open - 1)));
         const auto soft = entry && entry->starts_with("V ") ? leading_value(std::string_view(*entry).substr(2)) : std::nullopt;
-        const auto soft_unit = soft ? try_parse_unit(soft->unit) : std::nullopt;
-        if (!soft_unit) return std::nullopt;
-        factor *= soft->number * soft_unit->factor;
-        dimension = dimension * soft_unit->dimension;
-        unit = soft->unit.substr(0, soft->unit.find('/'));
+        if (!soft) return {0.0, unit};
+        const auto slash = soft->unit.find('/');
+        const auto soft_unit = try_parse_unit(plain_unit(soft->unit.substr(0, slash))), per = slash == std::string::npos ? std::nullopt : try_parse_unit(soft->unit.substr(slash + 1));
+        if (slash != std::string::npos) unit = plain_unit(soft->unit.substr(0, slash));
+        if (slash == std::string::npos)
+            factor *= soft->number;
+        else if (soft_unit && per && hard_unit && per->dimension == hard_unit->dimension)
+            factor *= soft->number * soft_unit->factor / per->factor;
+        else
+            factor = 0.0;
     }
-    if (dimension != dimension::length || !std::isfinite(factor)) return std::nullopt;
-    return HeightScale{std::ldexp(factor, -8 * static_cast<int>(bytes)), unit};
+    return {std::isfinite(factor) ? std::ldexp(factor, -8 * static_cast<int>(bytes)) : 0.0, unit};
 }
 
-/// "500 500 nm" or "500 nm".
-std::array<double, 2> scan_size(const Section& image, const Source& source) {
+/// "4:1": so many times wider than high.
+double aspect_ratio(const Section& image, const std::vector<Section>& sections, const Source& source) {
+    const auto* text = find(image, "aspect ratio");
+    if (!text) text = find(sections, "aspect ratio");
+    if (!text) return 1.0;
+    const auto colon = text->find(':');
+    const double wide = header_number(std::string_view(*text).substr(0, colon), "aspect ratio", source, "Nanoscope"), high = colon == std::string::npos ? 1.0 : header_number(std::string_view(*text).substr(colon + 1), "aspect ratio", source, "Nanoscope");
+    return wide / high;
+}
+
+/// "500 250 nm", or "500 nm" and the aspect ratio.
+std::array<double, 2> scan_size(const Section& image, const std::vector<Section>& sections, const Source& source) {
     const auto& text = required(image, "scan size", source);
     const auto first = leading_value(text);
-    const auto second = first ? leading_value(first->unit) : std::nullopt;
     if (!first) throw FormatError(source.name, {}, fmt::format("Nanoscope: scan size '{:.40}' is no length", text));
-    const auto factor = length_unit(second ? second->unit : first->unit, source).factor;
-    const double y = second ? second->number : first->number;
-    if (!(first->number > 0.0) || !(y > 0.0))
+    const auto second = leading_value(first->unit);
+    const auto factor = length_unit(plain_unit(second ? second->unit : first->unit), source).factor;
+    const double y = second ? second->number : first->number / aspect_ratio(image, sections, source);
+    if (!(first->number > 0.0) || !(y > 0.0) || !std::isfinite(y))
         throw FormatError(source.name, {}, fmt::format("Nanoscope: scan size '{:.40}', expected positive lengths", text));
     return {first->number * factor, y * factor};
 }
 
-/// `S [Height] "Height"`: the name shown, else the internal one.
-std::string image_name(const std::string& data) {
+/// `S [Height] "Height"`: the name shown, else the internal one; with the direction of the scan.
+std::string image_name(const std::string& data, const std::string* direction) {
+    if (direction) return fmt::format("{} ({})", image_name(data, nullptr), lowered(*direction));
     const auto quote = data.find('"'), end = data.rfind('"');
     if (quote != std::string::npos && end > quote + 1) return data.substr(quote + 1, end - quote - 1);
     const auto open = data.find('['), close = data.find(']');
@@ -193,40 +206,58 @@ topography::Metadata file_metadata(const std::vector<Section>& sections, const S
     for (const auto* key : {"microscope", "description"})
         if (const auto* value = find(sections, key); value && metadata.instrument.name.empty()) metadata.instrument.name = *value;
     if (const auto* date = find(sections, "date")) metadata.acquisition_time = *date;
-    if (const auto* version = find(sections, "version")) metadata.attributes["software_version"] = *version;
-    if (const auto* scanner = find(sections, "scanner file")) metadata.attributes["scanner_file"] = *scanner;
+    for (const auto& [key, attribute] : {std::pair{"version", "software_version"}, {"scanner file", "scanner_file"}, {"rotate ang.", "scan_angle"}, {"scan rate", "scan_rate"}, {"operating mode", "mode"}})
+        if (const auto* value = find(sections, key); value && !value->empty()) metadata.attributes[attribute] = *value;
     return metadata;
 }
 
-Channel image_channel(const Section& image, const std::vector<Section>& sections, const topography::Metadata& common, const Source& source) {
-    ChannelInfo info;
-    info.name = image_name(required(image, "image data", source));
-    info.format = "di";
-    info.metadata = common;
-    info.metadata.name = info.name;
-    if (const auto* direction = find(image, "line direction")) info.metadata.attributes["line_direction"] = *direction;
+Channel image_channel(const Section& image, const std::vector<Section>& sections, const ChannelInfo& common, const Source& source) {
+    ChannelInfo info = common;
+    const auto* direction = find(image, "line direction");
+    info.name = info.metadata.name = image_name(required(image, "image data", source), direction);
+    if (direction) info.metadata.attributes["line_direction"] = lowered(*direction);
+    if (const auto* frame = find(image, "frame direction")) info.metadata.attributes["scan_direction"] = lowered(*frame);
     const auto block = find_block(image, info.name, source);
-    const auto size = scan_size(image, source);
+    const auto size = scan_size(image, sections, source);
     info.shape = {block.nx, block.ny};
     info.size = {size[0], size[1]};
-    const auto scale = height_scale(required(image, "z scale", source), sections, block.bytes);
-    if (!scale) return non_height_channel(std::move(info));
-    info.unit = scale->unit;
+    const auto scale = value_scale(required(image, "z scale", source), sections, block.bytes);
+    info.unit = scale.unit;
+    if (!holds_heights(info.name, info.unit) || scale.factor == 0.0) return non_height_channel(std::move(info));
     info.orientation = "rows from the bottom, turned";
     const Raster raster{.offset = block.offset, .nx = block.nx, .ny = block.ny, .sample = block.bytes == 2 ? Sample::int16 : Sample::int32, .bottom_up = true};
-    return raster_channel(std::move(info), source, raster, {.factor = scale->factor});
+    return raster_channel(std::move(info), source, raster, {.factor = scale.factor});
 }
 
-Match detect_nanoscope(std::string_view head, const Source&) { return head.starts_with(first_section) ? Match::yes : Match::no; }
+bool is_image(const Section& section) {
+    return section.name == "ciao image list" || section.name == "afm image list" || section.name == "stm image list" || section.name == "ncafm image list";
+}
+
+bool holds_curves(const std::vector<Section>& sections) {
+    return std::any_of(sections.begin(), sections.end(), [](const Section& section) { return section.name == "ciao force image list"; });
+}
+
+Match detect_nanoscope(std::string_view head, const Source&) { return head.starts_with(first_section) || head.starts_with(first_section_as_text) ? Match::yes : Match::no; }
 
 std::vector<Channel> open_nanoscope(const Source& source, const ReadOptions&) {
+    const auto refuse = [&](const std::string& what) { throw FormatError(source.name, {.offset = 0}, "Nanoscope: " + what); };
+    if (source.head(first_section_as_text.size()) == first_section_as_text) refuse("an image exported as text with its header, whose numbers have no unit; give the instrument's own file");
     const auto sections = parse_sections(source);
-    const auto common = file_metadata(sections, source);
+    ChannelInfo common;
+    common.format = "di";
+    common.metadata = file_metadata(sections, source);
+    if (holds_curves(sections))
+        common.alerts.push_back({"FORCE_CURVES_NOT_READ", source.name, "a force volume: its images are read, its force curves are not", "export the curves as text, which `setae jkr fit` reads"});
     std::vector<Channel> channels;
-    for (const auto& section : sections)
-        if (section.name == "ciao image list" || section.name == "afm image list" || section.name == "stm image list")
-            channels.push_back(image_channel(section, sections, common, source));
-    if (channels.empty()) throw FormatError(source.name, {}, "Nanoscope: no image in the header; force curves and older versions are not read");
+    for (const auto& section : sections) {
+        if (!is_image(section)) continue;
+        // values of older versions do not begin with their kind, "V"
+        const auto* scale = find(section, "z scale");
+        if (!scale || !scale->starts_with("V ") || !find(section, "image data")) refuse("an image without '@2:Z scale' and '@2:Image Data', written by a version before 4.3; save it again with a newer one");
+        if (channels.size() == most_images) refuse(fmt::format("more than {} images; it is damaged", most_images));
+        channels.push_back(image_channel(section, sections, common, source));
+    }
+    if (channels.empty()) refuse(holds_curves(sections) ? "force curves, no image; export them as text, which `setae jkr fit` reads" : "no image in the header that begins here");
     return channels;
 }
 
@@ -239,6 +270,7 @@ Format nanoscope_format() {
             .description = "Digital Instruments, Veeco, Bruker from version 4.3: text header and an integer image a channel",
             .heights = "raw times hard scale times soft sensitivity over 2^16 or 2^32; no point is undefined",
             .orientation = "rows stored from the bottom, turned",
+            .not_read = "channels that are no heights are listed; force curves and force volumes, images of versions before 4.3",
             .reference = "Nanoscope 5 to 9 file headers, as described by Gwyddion's user guide",
             .tested_on_real_files = true,
             .carries_scale = true,

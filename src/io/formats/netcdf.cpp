@@ -1,101 +1,221 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "channel_building.hpp"
-#include "netcdf_classic.hpp"
 #include "format_list.hpp"
+#include "hdf5_file.hpp"
+#include "netcdf_classic.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "writing.hpp"
+#include "stored_array.hpp"
 
 // Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and unit, and
-// perhaps mask; or heights(n) over positions x(n).
+// perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known besides.
 namespace setae::io {
 namespace {
 
-using Variable = ClassicNetcdf::Variable;
+constexpr const char* nc = "nc";
+constexpr std::string_view only_dimension = "This is a netCDF dimension but not a netCDF variable";
 
-/// Extent along a coordinate: the attribute "length". Writers stored it in single precision: the coordinates, in
-/// double precision, then give the same extent with all its digits.
-double axis_length(const ClassicNetcdf& file, const char* axis, Index points, const Source& source) {
-    const auto* variable = file.find(axis);
-    const auto length = variable ? variable->number("length") : std::nullopt;
-    if (!length) throw FormatError(source.name, {}, fmt::format("NetCDF: no coordinate '{}' with an attribute 'length'", axis));
-    const auto positions = file.values(*variable);
-    if (positions.size() < 2 || static_cast<Index>(positions.size()) != points) return *length;
-    const double steps = static_cast<double>(positions.size() - 1);
-    const double from_positions = (positions.back() - positions.front()) * static_cast<double>(positions.size()) / steps;
-    return std::abs(from_positions / *length - 1.0) < 1e-6 ? from_positions : *length;
+/// NetCDF-4: the datasets of an HDF5 file's root; a dimension without values is a dataset that says so.
+ArrayFile netcdf4(const Source& source) {
+    const Hdf5File hdf5(source);
+    ArrayFile file{hdf5.attributes("/"), {}};
+    for (const char* name : {"heights", "mask", "x", "y"}) {
+        auto array = hdf5.array(std::string("/") + name);
+        if (!array || text_of(array->attributes, "NAME").starts_with(only_dimension)) continue;
+        array->name = name;
+        file.arrays.push_back(std::move(*array));
+    }
+    return file;
 }
 
-/// Heights in file order; undefined where a mask is set or the fill value stands.
-std::vector<double> defined_heights(const ClassicNetcdf& file, const Variable& variable, const Source& source) {
-    auto heights = file.values(variable);
+std::string unit_text(const StoredArray& array) {
+    const auto unit = text_of(array.attributes, "unit");
+    return unit.empty() ? text_of(array.attributes, "units") : unit;
+}
+
+/// Metres per unit of an axis: its own unit, or that of the heights; nothing where neither is known.
+std::optional<double> metres(const StoredArray& axis, const std::optional<double>& of_heights, const Source& source) {
+    const auto unit = unit_text(axis);
+    return unit.empty() ? of_heights : length_unit(unit, source).factor;
+}
+
+bool is_line_of(const StoredArray& array, Index points) { return array.shape.size() == 1 && array.shape[0] == points && points > 1 && array.refusal.empty(); }
+
+/// Extent along a coordinate in its unit: the attribute "length", or equal steps. Writers stored the attribute in single precision:
+/// the coordinates, in double precision, then give the same extent with all its digits.
+std::optional<double> axis_length(const StoredArray& axis, Index points) {
+    const auto stated = number_of(axis.attributes, "length");
+    if (!is_line_of(axis, points)) return stated;
+    const auto n = static_cast<double>(points);
+    if (stated) {
+        const auto ends = ends_of(axis, nc);
+        const double from_positions = (ends.last - ends.first) * n / (n - 1.0);
+        return std::abs(from_positions / *stated - 1.0) < 1e-6 ? from_positions : *stated;
+    }
+    const auto positions = values_of(axis, nc);
+    const double step = (positions[points - 1] - positions[0]) / (n - 1.0);
+    for (Index i = 1; i < points; ++i)
+        if (!(std::abs(positions[i] - positions[i - 1] - step) <= 1e-6 * std::abs(step))) return std::nullopt;
+    return step * n;
+}
+
+/// Extents of heights(x[, y]) [m]; empty where one is not known.
+std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heights, const std::optional<double>& unit, const Source& source) {
+    std::vector<double> size;
+    for (std::size_t k = 0; k < heights.shape.size(); ++k) {
+        const auto* axis = file.find(k == 0 ? "x" : "y");
+        const auto length = axis ? axis_length(*axis, heights.shape[k]) : std::nullopt;
+        const auto factor = axis ? metres(*axis, unit, source) : std::nullopt;
+        if (!length || !factor) return {};
+        size.push_back(*length * *factor);
+    }
+    return size;
+}
+
+/// Raw values to heights, as the conventions of NetCDF have it.
+RawScale raw_scale(const StoredArray& heights, double unit) {
+    RawScale scale;
+    scale.factor = unit * number_of(heights.attributes, "scale_factor").value_or(1.0);
+    scale.offset = unit * number_of(heights.attributes, "add_offset").value_or(0.0);
     for (const char* name : {"_FillValue", "missing_value"})
-        if (const auto fill = variable.number(name)) std::replace(heights.begin(), heights.end(), *fill, undefined);
-    if (const auto* mask = file.find("mask")) {
-        const auto masked = file.values(*mask);
-        if (masked.size() != heights.size()) throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");
-        for (std::size_t i = 0; i < heights.size(); ++i)
-            if (masked[i] != 0.0) heights[i] = undefined;
-    }
-    return heights;
+        if (const auto fill = number_of(heights.attributes, name)) scale.undefined.push_back(*fill);
+    return scale;
 }
 
-topography::Measurement to_measurement(const ClassicNetcdf& file, const Variable& variable, double factor, const Source& source,
-                                       topography::Metadata metadata) {
-    const auto& shape = variable.shape;
-    const auto heights = defined_heights(file, variable, source);
-    const auto* x = file.find("x");
-    const bool periodic = x && x->number("periodic").value_or(0.0) != 0.0;
-    if (shape.size() == 2) {
-        const Eigen::Map<const Array2D> map(heights.data(), shape[0], shape[1]);
-        return topography::HeightMap{map * factor,
-                                     {factor * axis_length(file, "x", shape[0], source), factor * axis_length(file, "y", shape[1], source)},
-                                     periodic, std::move(metadata)};
+std::string json_text(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
+/// The attribute json: what the writer knew of the measurement.
+void add_info(topography::Metadata& metadata, const std::string& text, const Source& source) {
+    const auto info = nlohmann::json::parse(text, nullptr, false);
+    if (!info.is_object()) return;
+    for (const auto& [key, value] : info.items()) {
+        if (key == "acquisition_time" && value.is_string())
+            metadata.acquisition_time = value.get<std::string>();
+        else if (key != "instrument" || !value.is_object())
+            metadata.attributes[key] = json_text(value);
     }
-    if (shape.size() != 1) throw FormatError(source.name, {}, fmt::format("NetCDF: heights of {} dimensions, expected 1 or 2", shape.size()));
-    const Eigen::Map<const Array1D> line(heights.data(), shape[0]);
-    if (x && !x->number("length")) {
-        const auto positions = file.values(*x);
-        if (positions.size() != heights.size()) throw FormatError(source.name, {}, "NetCDF: x and heights differ in length");
-        return topography::Profile{Eigen::Map<const Array1D>(positions.data(), shape[0]) * factor, line * factor, std::move(metadata)};
-    }
-    return topography::LineScan{line * factor, factor * axis_length(file, "x", shape[0], source), periodic, std::move(metadata)};
+    if (!info.contains("instrument") || !info["instrument"].is_object()) return;
+    const auto& instrument = info["instrument"];
+    if (instrument.contains("name") && instrument["name"].is_string()) metadata.instrument.name = instrument["name"].get<std::string>();
+    if (instrument.contains("type") && instrument["type"].is_string()) metadata.attributes["instrument_type"] = instrument["type"].get<std::string>();
+    const nlohmann::json::json_pointer value("/parameters/tip_radius/value"), unit("/parameters/tip_radius/unit");
+    if (instrument.contains(value) && instrument.contains(unit) && instrument[value].is_number() && instrument[unit].is_string())
+        metadata.instrument.tip_radius = instrument[value].get<double>() * length_unit(instrument[unit].get<std::string>(), source).factor;
 }
 
-Match detect_netcdf(std::string_view head, const Source&) {
-    const bool classic = head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5);
-    return classic ? Match::yes : Match::no;
+/// Heights made undefined where the variable mask is not 0.
+void apply_mask(topography::Measurement& measurement, const StoredArray& mask) {
+    const auto masked = values_of(mask, nc);
+    std::visit(
+        [&](auto& m) {
+            for (Index i = 0; i < masked.size(); ++i)
+                if (masked[i] != 0.0) m.heights.data()[i] = undefined;
+        },
+        measurement);
+}
+
+struct Positions {
+    StoredArray array;
+    double factor = 1.0;
+};
+
+/// What a channel's heights still become after they are read.
+struct Finish {
+    Source source;
+    std::optional<StoredArray> mask;
+    std::optional<Positions> positions;
+    bool periodic = false;
+
+    topography::Measurement operator()(topography::Measurement measurement) const {
+        if (mask) apply_mask(measurement, *mask);
+        if (auto* map = std::get_if<topography::HeightMap>(&measurement)) map->periodic = periodic;
+        if (auto* scan = std::get_if<topography::LineScan>(&measurement)) {
+            scan->periodic = periodic;
+            if (positions) measurement = topography::Profile{values_of(positions->array, nc) * positions->factor, std::move(scan->heights), std::move(scan->metadata)};
+        }
+        return checked(std::move(measurement), source);
+    }
+};
+
+bool is_classic(std::string_view head) { return head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5); }
+
+/// Whether an HDF5 file has heights with coordinates, or heights and NetCDF's own mark.
+bool is_netcdf4(const Source& source) {
+    try {
+        const Hdf5File file(source);
+        if (!file.array("/heights")) return false;
+        return file.array("/x").has_value() || !text_of(file.attributes("/"), "_NCProperties").empty();
+    } catch (const FormatError&) {
+        return false;
+    }
+}
+
+Match detect_netcdf(std::string_view head, const Source& source) { return is_classic(head) || (find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no; }
+
+/// Lengths are known, in a unit that nobody has told.
+Channel without_unit(ChannelInfo info, const Source& source) {
+    const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
+    return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};
 }
 
 std::vector<Channel> open_netcdf(const Source& source, const ReadOptions& options) {
-    const ClassicNetcdf file(source);
+    const auto file = is_classic(source.head(4)) ? classic_netcdf(source) : netcdf4(source);
     const auto* heights = file.find("heights");
-    if (!heights) throw FormatError(source.name, {}, "NetCDF: no variable 'heights'; tables are not read as topographies");
-    const auto stated = heights->text("unit");
-    const auto unit = length_unit(stated.empty() ? required_unit(options, source) : stated, source);
-    topography::Metadata metadata;
-    metadata.file = source.name;
-    metadata.format = "nc";
-    metadata.unit = unit.name;
-    ChannelInfo info{.name = "heights", .format = "nc", .unit = unit.name, .orientation = heights->shape.size() == 2 ? "first index x, second y downwards, as stored" : ""};
-    return {loaded_channel(std::move(info), checked(to_measurement(file, *heights, unit.factor, source, metadata), source))};
+    if (!heights) throw FormatError(source.name, {}, "NetCDF: no variable 'heights' of numbers; tables are not read as topographies");
+    const bool has_points = std::all_of(heights->shape.begin(), heights->shape.end(), [](Index n) { return n > 1; });
+    if (!is_map_or_line(*heights) || !has_points)
+        throw FormatError(source.name, {}, fmt::format("NetCDF: heights of shape ({}), expected 1 or 2 dimensions with more than one value along each", fmt::join(heights->shape, ", ")));
+    const auto stated = unit_text(*heights);
+    std::optional<double> unit;
+    if (!stated.empty() || options.unit) unit = length_unit(stated.empty() ? *options.unit : stated, source).factor;
+
+    ChannelInfo info{.name = "heights", .format = nc, .unit = stated};
+    if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text, source);
+    const auto *x = file.find("x"), *mask = file.find("mask");
+    Finish finish{source, {}, {}, x && number_of(x->attributes, "periodic").value_or(0.0) != 0.0};
+    if (mask) {
+        if (mask->shape != heights->shape) throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");
+        require_array(*mask, nc);
+        finish.mask = *mask;
+    }
+    const bool has_positions = heights->shape.size() == 1 && x && !number_of(x->attributes, "length");
+    if (has_positions && !is_line_of(*x, heights->shape[0])) throw FormatError(source.name, {}, "NetCDF: x and heights differ in length");
+    const auto axis_unit = has_positions ? metres(*x, unit, source) : unit;
+    if (has_positions && axis_unit) {
+        const auto ends = ends_of(*x, nc);
+        info.size = {std::abs(ends.last - ends.first) * *axis_unit};
+        finish.positions = Positions{*x, *axis_unit};
+    } else if (!has_positions) {
+        info.size = uniform_size(file, *heights, unit, source);
+    }
+    const bool only_unit_missing = !unit && (has_positions || (x && number_of(x->attributes, "length")));
+    auto channel = array_channel(std::move(info), *heights, FirstIndex::x_to_the_right, raw_scale(*heights, stated.empty() ? 1.0 : *unit), options);
+    if (only_unit_missing) return {without_unit(std::move(channel.info), source)};
+    channel.read = [read = std::move(channel.read), finish] { return finish(read()); };
+    return {std::move(channel)};
 }
 
 }  // namespace
 
 Format netcdf_format() {
-    return {.identifier = "nc",
+    return {.identifier = nc,
             .name = "NetCDF topography",
             .extensions = ".nc",
-            .description = "classic NetCDF with variables heights, x, y and perhaps mask, as containers hold them",
+            .description = "NetCDF, classic or version 4, with variables heights, x, y and perhaps mask, as containers hold them; with unequal steps x holds the positions",
             .heights = "in the unit of the attribute; masked points and fill values are undefined",
             .orientation = "first index x, second y downwards",
-            .reference = "NetCDF Users Guide, classic format",
+            .reference = "NetCDF Users Guide, classic format; variables as SurfaceTopography describes them",
             .tested_on_real_files = true,
             .carries_scale = true,
             .detect = detect_netcdf,

@@ -281,7 +281,7 @@ TEST(NetCdf, WritesClassicFilesThatHoldNoTopography) {
 TEST(NetCdf, WrittenHeightsAreReadBack) {
     const TemporaryFolder folder;
     Table table;
-    table.columns = {{"x", "m", Array1D{{0.0, 1.0, 3.0}}}, {"heights", "m", Array1D{{0.5, 0.25, 0.125}}}};
+    table.columns = {{"x", "", Array1D{{0.0, 1.0, 3.0}}}, {"heights", "", Array1D{{0.5, 0.25, 0.125}}}};
     write_netcdf(folder.path("t.nc"), table);
     const auto profile = std::get<Profile>(read(folder.path("t.nc"), 0, {{}, "um"}));
     EXPECT_DOUBLE_EQ(profile.positions[2], 3e-6);

@@ -22,6 +22,7 @@ struct FormatSample {
     std::vector<double> size;  ///< [m], as ChannelInfo
     Array2D heights;           ///< [m], h(x, y), NaN undefined; a line has one column
     double tolerance = 1e-12;  ///< of heights, relative to the largest; of what the file's numbers can hold
+    std::string member_format = {};  ///< of the channel, where it is that of a file inside this one
     bool may_lose_its_end = false;  ///< nothing in the format tells how long a file is: cut, it is a shorter one
 };
 
@@ -32,9 +33,54 @@ struct FormatSample {
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
 // one function a format, in formats/<name>_samples.cpp
+[[nodiscard]] std::vector<FormatSample> container_samples();
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
 [[nodiscard]] std::vector<FormatSample> gwy_samples();
+[[nodiscard]] std::vector<FormatSample> netcdf_samples();
+[[nodiscard]] std::vector<FormatSample> npy_samples();
+[[nodiscard]] std::vector<FormatSample> npz_samples();
+[[nodiscard]] std::vector<FormatSample> mat_samples();
+[[nodiscard]] std::vector<FormatSample> hdf5_samples();
+[[nodiscard]] std::vector<FormatSample> datx_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_hdf5_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
+[[nodiscard]] std::vector<FormatSample> ibw_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_samples();
+[[nodiscard]] std::vector<FormatSample> jpk_qi_samples();
+[[nodiscard]] std::vector<FormatSample> park_samples();
+[[nodiscard]] std::vector<FormatSample> mi_samples();
+[[nodiscard]] std::vector<FormatSample> nanosurf_samples();
+[[nodiscard]] std::vector<FormatSample> wsxm_samples();
+[[nodiscard]] std::vector<FormatSample> mdt_samples();
+[[nodiscard]] std::vector<FormatSample> nmm_samples();
+[[nodiscard]] std::vector<FormatSample> opd_samples();
+[[nodiscard]] std::vector<FormatSample> opdx_samples();
+[[nodiscard]] std::vector<FormatSample> metropro_samples();
+[[nodiscard]] std::vector<FormatSample> bcr_samples();
+[[nodiscard]] std::vector<FormatSample> nms_samples();
+[[nodiscard]] std::vector<FormatSample> frt_samples();
+[[nodiscard]] std::vector<FormatSample> tmd_samples();
+[[nodiscard]] std::vector<FormatSample> zmg_samples();
+[[nodiscard]] std::vector<FormatSample> os3d_samples();
+[[nodiscard]] std::vector<FormatSample> qep_samples();
+[[nodiscard]] std::vector<FormatSample> plu_samples();
+[[nodiscard]] std::vector<FormatSample> plux_samples();
+[[nodiscard]] std::vector<FormatSample> al3d_samples();
+[[nodiscard]] std::vector<FormatSample> sur_samples();
+[[nodiscard]] std::vector<FormatSample> mnt_samples();
+[[nodiscard]] std::vector<FormatSample> vk_samples();
+[[nodiscard]] std::vector<FormatSample> zon_samples();
+[[nodiscard]] std::vector<FormatSample> zag_samples();
+[[nodiscard]] std::vector<FormatSample> lext_samples();
+[[nodiscard]] std::vector<FormatSample> oir_samples();
+[[nodiscard]] std::vector<FormatSample> poir_samples();
+[[nodiscard]] std::vector<FormatSample> mitutoyo_samples();
+[[nodiscard]] std::vector<FormatSample> dektak_csv_samples();
+[[nodiscard]] std::vector<FormatSample> hfm_samples();
+[[nodiscard]] std::vector<FormatSample> dabam_samples();
+[[nodiscard]] std::vector<FormatSample> matrix_text_samples();
+[[nodiscard]] std::vector<FormatSample> xyz_samples();
+[[nodiscard]] std::vector<FormatSample> xy_samples();
 
 }  // namespace setae::io::tests

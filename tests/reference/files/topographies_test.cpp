@@ -153,26 +153,13 @@ std::string in_folder(const char* name) { return std::string("topography/surface
 INSTANTIATE_TEST_SUITE_P(
     Files, ExpectedFile,
     testing::Values(Expectation{in_folder("di-1.di"), 0, units::nm, {}}, Expectation{in_folder("di-1.di"), 1, units::nm, {}},
-                    Expectation{in_folder("x3p-2.x3p"), 0, units::m, {}}, Expectation{in_folder("dektak-1.csv"), 0, units::um, {}},
-                    Expectation{in_folder("hfm-1.hfm"), 0, units::mm, {}}, Expectation{in_folder("csv-1.csv"), 0, units::um, {}},
-                    Expectation{in_folder("csv-2.csv"), 0, units::um, {}}, Expectation{in_folder("csv-3.csv"), 0, units::um, {}},
-                    Expectation{in_folder("nonuniform.asc"), 0, units::nm, "nm"}, Expectation{in_folder("xy-1.txt"), 0, units::nm, "nm"},
-                    Expectation{in_folder("xy-2.txt"), 0, units::um, {}}, Expectation{in_folder("xy-3.txt"), 0, units::nm, "nm"},
-                    Expectation{in_folder("xy-4.txt"), 0, units::um, "um"}, Expectation{in_folder("xy-5.txt"), 0, units::nm, "nm"},
-                    Expectation{in_folder("opdx-3.txt"), 0, units::m, "m"}, Expectation{in_folder("matrix-6.txt"), 0, units::m, {}},
-                    Expectation{in_folder("gwyddion-export-english.txt"), 0, units::m, {}},
-                    Expectation{in_folder("gwyddion-export-german.txt"), 0, units::m, {}}),
+                    Expectation{in_folder("x3p-2.x3p"), 0, units::m, {}}),
     [](const auto& instance) {
         std::string name = std::filesystem::path(instance.param.file).filename().string() + "_" + std::to_string(instance.param.channel);
         for (auto& c : name)
             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
         return name;
     });
-
-TEST(Dektak, GivesItsStylusRadius) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/dektak-1.csv");
-    EXPECT_DOUBLE_EQ(topography::metadata(read(path.string())).instrument.tip_radius.value(), 2.5e-6);
-}
 
 TEST(Nanoscope, TruncatedFileIsRefusedAtOpen) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/di_corrupted.di");
@@ -255,7 +242,8 @@ TEST(X3p, PointCloudsAreRefused) {
 }
 
 TEST(OtherFormats, AreRefusedWithOneLine) {
-    for (const auto* name : {"spot_1-1000nm.ibw", "multiple_data_sets.h5", "nonsense_txt_file.txt", "single_column.txt", "wrongnpyfile.npy"}) {
+    for (const auto* name : {"multiple_data_sets.h5", "wrongnpyfile.npy"}) {
+    for (const auto* name : {"spot_1-1000nm.ibw", "nonsense_txt_file.txt", "single_column.txt", "wrongnpyfile.npy"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, in_folder(name));
         try {
             (void)open(path.string(), {{}, "nm"});

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "archive.hpp"
+#include "setae/io/channel.hpp"
+#include "setae/io/container.hpp"
+
+namespace setae::io {
+
+/// A measurement of a container as a channel, its heights those of the original where that is there, else of the processed copy.
+/// What the index says of size, unit and scale counts only where the file itself says nothing; a measurement that cannot be opened
+/// becomes a channel with the alert UNREADABLE_MEMBER. Only the file's header is read here.
+[[nodiscard]] Channel container_channel(const Source& source, const Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography);
+
+}  // namespace setae::io

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdf5_file.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "expand.hpp"
+#include "hdf5_chunks.hpp"
+#include "hdf5_handle.hpp"
+#include "on_demand.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "text.hpp"
+
+namespace setae::io {
+namespace {
+
+constexpr int deepest_group = 16;
+constexpr std::size_t most_objects = 10'000, most_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
+constexpr std::uint64_t longest_text = 1 << 16, most_record_bytes = 1 << 24;
+constexpr std::uint64_t most_compact_bytes = 1 << 16;
+
+[[noreturn]] void broken(const Source& source, const std::string& what) { throw FormatError(source.name, {}, "HDF5: " + what); }
+
+std::string clean_text(std::string bytes) {
+    bytes.resize(std::min(bytes.find('\0'), bytes.size()));
+    return std::string(trimmed(decoded(std::move(bytes), Encoding::detect)));
+}
+
+std::uint64_t product(const std::vector<hsize_t>& extents, std::uint64_t start = 1) {
+    for (const auto extent : extents) {
+        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent) return std::numeric_limits<std::uint64_t>::max();
+        start *= extent;
+    }
+    return start;
+}
+
+// ---- what a group holds ---------------------------------------------------------------------------------------------
+
+herr_t note_member(hid_t, const char* name, const H5L_info_t* link, void* names) {
+    auto& found = *static_cast<std::vector<std::string>*>(names);
+    if (link->type == H5L_TYPE_HARD && std::strlen(name) < longest_text) found.emplace_back(name);
+    return found.size() < most_objects ? 0 : 1;
+}
+
+std::vector<std::string> members_of(hid_t group) {
+    std::vector<std::string> names;
+    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_member, &names);
+    return names;
+}
+
+void find_datasets(hid_t group, const std::string& path, int depth, std::size_t& visited, std::vector<std::string>& found) {
+    for (const auto& name : members_of(group)) {
+        if (++visited > most_objects) return;
+        const Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
+        if (!member) continue;
+        const auto type = H5Iget_type(member);
+        if (type == H5I_DATASET) found.push_back(path + "/" + name);
+        if (type == H5I_GROUP && depth < deepest_group) find_datasets(member, path + "/" + name, depth + 1, visited, found);
+    }
+}
+
+/// The object at a path all of whose links are hard.
+Hdf5Handle opened_object(hid_t file, const std::string& path) {
+    Hdf5Handle object(H5Oopen(file, "/", H5P_DEFAULT), &H5Oclose);
+    for (std::size_t at = 0; at < path.size();) {
+        const auto end = std::min(path.find('/', at), path.size());
+        const auto name = path.substr(at, end - at);
+        at = end + 1;
+        if (name.empty()) continue;
+        H5L_info_t link;
+        const bool is_hard = object && H5Iget_type(object) == H5I_GROUP && H5Lget_info(object, name.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
+        Hdf5Handle next(is_hard ? H5Oopen(object, name.c_str(), H5P_DEFAULT) : -1, &H5Oclose);
+        std::swap(object.id, next.id);
+    }
+    return object;
+}
+
+// ---- attributes and records -----------------------------------------------------------------------------------------
+
+struct NativeType {
+    Hdf5Handle type;
+    std::uint64_t bytes = 0;
+};
+
+/// A type as it is in memory. Sizes that the file announces are bounded before anything of them is allocated.
+std::optional<NativeType> native(hid_t stored) {
+    if (H5Tget_size(stored) > most_record_bytes) return std::nullopt;
+    NativeType native{{H5Tget_native_type(stored, H5T_DIR_ASCEND), &H5Tclose}, 0};
+    if (!native.type) return std::nullopt;
+    native.bytes = H5Tget_size(native.type);
+    if (native.bytes == 0 || native.bytes > most_record_bytes) return std::nullopt;
+    return native;
+}
+
+std::string text_in(const char* value, hid_t type) {
+    if (H5Tis_variable_str(type) <= 0) return clean_text({value, std::min<std::size_t>(H5Tget_size(type), longest_text)});
+    const char* text = nullptr;
+    std::memcpy(&text, value, sizeof text);
+    return text ? clean_text({text, strnlen(text, longest_text)}) : std::string{};
+}
+
+/// Numbers in memory, converted.
+void append_numbers(const char* values, std::size_t count, hid_t type, std::vector<double>& numbers) {
+    const auto bytes = H5Tget_size(type);
+    if (bytes == 0 || count > most_numbers) return;
+    std::string buffer(std::max(bytes, sizeof(double)) * count, '\0');
+    std::memcpy(buffer.data(), values, bytes * count);
+    if (H5Tconvert(type, H5T_NATIVE_DOUBLE, count, buffer.data(), nullptr, H5P_DEFAULT) < 0) return;
+    const auto before = numbers.size();
+    numbers.resize(before + count);
+    std::memcpy(numbers.data() + before, buffer.data(), count * sizeof(double));
+}
+
+bool is_number(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_ENUM; }
+
+void append_member(const char* value, hid_t type, Hdf5Record& record) {
+    const auto kind = H5Tget_class(type);
+    if (kind == H5T_STRING) {
+        record.texts.push_back(text_in(value, type));
+    } else if (is_number(kind)) {
+        append_numbers(value, 1, type, record.numbers);
+    } else if (kind == H5T_VLEN || kind == H5T_ARRAY) {
+        const Hdf5Handle base(H5Tget_super(type), &H5Tclose);
+        if (!base || !is_number(H5Tget_class(base))) return;
+        if (kind == H5T_ARRAY) return append_numbers(value, H5Tget_size(type) / std::max<std::size_t>(H5Tget_size(base), 1), base, record.numbers);
+        hvl_t list{};
+        std::memcpy(&list, value, sizeof list);
+        if (list.p) append_numbers(static_cast<const char*>(list.p), list.len, base, record.numbers);
+    }
+}
+
+Hdf5Record record_in(const char* value, hid_t type) {
+    Hdf5Record record;
+    for (int k = 0; k < H5Tget_nmembers(type); ++k) {
+        const auto member = static_cast<unsigned>(k);
+        const Hdf5Handle member_type(H5Tget_member_type(type, member), &H5Tclose);
+        if (member_type) append_member(value + H5Tget_member_offset(type, member), member_type, record);
+    }
+    return record;
+}
+
+/// Values that `read` fetches as `type`, each given to `take`; what the library allocated for them is freed.
+void with_values(hid_t space, const NativeType& type, std::uint64_t count, const std::function<herr_t(void*)>& read, const std::function<void(const char*)>& take) {
+    std::string values(count * type.bytes, '\0');
+    if (read(values.data()) < 0) return;
+    for (std::uint64_t i = 0; i < count; ++i) take(values.data() + i * type.bytes);
+    H5Dvlen_reclaim(type.type, space, H5P_DEFAULT, values.data());
+}
+
+/// Calls `take` with the type and each value of an attribute of bounded size.
+void with_attribute(hid_t object, const std::string& name, const std::function<void(const char*, hid_t)>& take) {
+    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), &H5Aclose);
+    if (!attribute) return;
+    const Hdf5Handle stored(H5Aget_type(attribute), &H5Tclose), space(H5Aget_space(attribute), &H5Sclose);
+    const auto type = stored ? native(stored) : std::nullopt;
+    const auto points = space ? H5Sget_simple_extent_npoints(space) : -1;
+    if (!type || points < 1) return;
+    const auto count = static_cast<std::uint64_t>(points);
+    if (count > most_numbers || count * type->bytes > most_record_bytes) return;
+    with_values(
+        space, *type, count, [&](void* values) { return H5Aread(attribute, type->type, values); }, [&](const char* value) { take(value, type->type); });
+}
+
+herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
+    auto& found = *static_cast<std::vector<std::string>*>(names);
+    found.emplace_back(name);
+    return found.size() < most_attributes ? 0 : 1;
+}
+
+Attributes attributes_of(hid_t object) {
+    std::vector<std::string> names;
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_attribute, &names);
+    Attributes attributes;
+    for (const auto& name : names) {
+        Attribute attribute{name, {}, {}};
+        with_attribute(object, name, [&](const char* value, hid_t type) {
+            const auto kind = H5Tget_class(type);
+            if (kind == H5T_STRING && attribute.text.empty()) attribute.text = text_in(value, type);
+            if (is_number(kind)) append_numbers(value, 1, type, attribute.numbers);
+        });
+        attributes.push_back(std::move(attribute));
+    }
+    return attributes;
+}
+
+/// Whether a table's pieces cannot take much memory, whatever they announce: deflate makes at most a thousand bytes of one.
+bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
+    constexpr std::uint64_t most_packed = 1 << 16, most_piece = 1 << 18;
+    if (H5Pget_layout(properties) != H5D_CHUNKED) return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
+    std::vector<hsize_t> chunk(dimensions);
+    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || product(chunk) > most_piece) return false;
+    return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= most_packed;
+}
+
+// ---- datasets -------------------------------------------------------------------------------------------------------
+
+struct PlainType {
+    Sample sample;
+    std::endian order;
+};
+
+/// Integers and floats as processors have them.
+std::optional<PlainType> plain_type(hid_t type) {
+    const struct {
+        hid_t little, big;
+        Sample sample;
+    } known[] = {{H5T_STD_I8LE, H5T_STD_I8BE, Sample::int8},      {H5T_STD_U8LE, H5T_STD_U8BE, Sample::uint8},    {H5T_STD_I16LE, H5T_STD_I16BE, Sample::int16},
+                 {H5T_STD_U16LE, H5T_STD_U16BE, Sample::uint16},  {H5T_STD_I32LE, H5T_STD_I32BE, Sample::int32},  {H5T_STD_U32LE, H5T_STD_U32BE, Sample::uint32},
+                 {H5T_STD_I64LE, H5T_STD_I64BE, Sample::int64},   {H5T_STD_U64LE, H5T_STD_U64BE, Sample::uint64}, {H5T_IEEE_F32LE, H5T_IEEE_F32BE, Sample::float32},
+                 {H5T_IEEE_F64LE, H5T_IEEE_F64BE, Sample::float64}};
+    for (const auto& one : known) {
+        if (H5Tequal(type, one.little) > 0) return PlainType{one.sample, std::endian::little};
+        if (H5Tequal(type, one.big) > 0) return PlainType{one.sample, std::endian::big};
+    }
+    return std::nullopt;
+}
+
+/// What is read of a dataset to find its values.
+struct Dataset {
+    const Source& source;
+    const std::string& path;
+    hid_t data, type, properties;
+    const std::vector<hsize_t>& extents;
+    std::uint64_t bytes;  ///< of all values
+};
+
+void refuse_elsewhere(StoredArray& array, const char* where) { array.refusal = fmt::format("HDF5: the values of {:.200} lie {}; copy them into one file with h5repack", array.name, where); }
+
+/// A few values stand in the dataset's header.
+void place_compact(const Dataset& dataset, StoredArray& array) {
+    if (dataset.bytes > most_compact_bytes) broken(dataset.source, fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged", dataset.path, dataset.bytes));
+    std::string values(dataset.bytes, '\0');
+    if (H5Dread(dataset.data, dataset.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) broken(dataset.source, fmt::format("dataset {:.200} cannot be read; the file is damaged", dataset.path));
+    array.data = memory_source(dataset.source.name, std::move(values));
+}
+
+void place_contiguous(const Dataset& dataset, StoredArray& array) {
+    if (H5Pget_external_count(dataset.properties) > 0) return refuse_elsewhere(array, "in other files");
+    const auto offset = H5Dget_offset(dataset.data);
+    if (offset == HADDR_UNDEF) {
+        array.refusal = fmt::format("HDF5: dataset {:.200} was announced, but its values were never written", dataset.path);
+        return;
+    }
+    array.data = dataset.source;
+    array.offset = offset;
+}
+
+std::string fill_value(const Dataset& dataset, std::size_t bytes) {
+    std::string fill(bytes, '\0');
+    H5D_fill_value_t state = H5D_FILL_VALUE_UNDEFINED;
+    if (H5Pfill_value_defined(dataset.properties, &state) >= 0 && state != H5D_FILL_VALUE_UNDEFINED) H5Pget_fill_value(dataset.properties, dataset.type, fill.data());
+    return fill;
+}
+
+/// Values in pieces: refused where they could not have become so few bytes, else read through ChunkedValues.
+void place_chunked(const Dataset& dataset, StoredArray& array) {
+    Hdf5Chunks chunks{dataset.path, dataset.extents, std::vector<hsize_t>(dataset.extents.size()), static_cast<std::size_t>(bytes_of(array.sample)), {}, {}};
+    if (H5Pget_chunk(dataset.properties, static_cast<int>(chunks.chunk.size()), chunks.chunk.data()) < 0 || product(chunks.chunk) == 0)
+        broken(dataset.source, fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
+    for (int k = 0; k < H5Pget_nfilters(dataset.properties); ++k) {
+        unsigned flags = 0, parameter = 0;
+        std::size_t parameters = 1;
+        const auto id = H5Pget_filter2(dataset.properties, static_cast<unsigned>(k), &flags, &parameters, &parameter, 0, nullptr, nullptr);
+        if (!unpacks(id)) {
+            array.refusal = fmt::format("HDF5: dataset {:.200} is packed with filter {}, which setae does not unpack; repack the file with h5repack -f GZIP=4", dataset.path, static_cast<int>(id));
+            return;
+        }
+        chunks.filters.push_back({id, parameters > 0 ? parameter : 0});
+    }
+    const auto stored = std::min<std::uint64_t>(H5Dget_storage_size(dataset.data), dataset.source.size);
+    const auto most = most_expanded(stored), piece_bytes = product(chunks.chunk, chunks.value_bytes);
+    if (dataset.bytes > most || piece_bytes > most)
+        broken(dataset.source, fmt::format("dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value", dataset.path, dataset.bytes, piece_bytes, stored));
+    std::uint64_t pieces = 1;
+    for (std::size_t k = 0; k < chunks.chunk.size(); ++k) pieces *= (dataset.extents[k] + chunks.chunk[k] - 1) / chunks.chunk[k];
+    if (pieces > dataset.source.size / 8 + 4096) broken(dataset.source, fmt::format("dataset {:.200} is cut into {} pieces, more than the file can hold; it is damaged", dataset.path, pieces));
+    chunks.fill = fill_value(dataset, chunks.value_bytes);
+
+    struct Guarded {
+        std::mutex guard;
+        ChunkedValues values;
+        Guarded(const Source& source, const Hdf5Chunks& chunks) : values(source, chunks) {}
+    };
+    const auto values = std::make_shared<OnDemand<Guarded>>([source = dataset.source, chunks] { return std::make_shared<Guarded>(source, chunks); });
+    array.data = {dataset.source.name, dataset.bytes, {}, [values, name = dataset.source.name, size = dataset.bytes](std::uint64_t offset, std::uint64_t count, char* target) {
+                      if (offset > size || count > size - offset) throw FormatError(name, {}, "HDF5: values beyond the end of their dataset");
+                      const auto kept = values->hold();
+                      const std::lock_guard lock(kept->guard);
+                      kept->values.read(offset, count, target);
+                  }};
+    array.hold = [values] { return values->hold(); };
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const Source& source) : source_(source), file_(std::make_shared<const Hdf5Handle>(opened_hdf5(source))) {}
+
+std::vector<std::string> Hdf5File::datasets() const {
+    const Hdf5Session session;
+    const Hdf5Handle root(H5Oopen(*file_, "/", H5P_DEFAULT), &H5Oclose);
+    if (!root) broken(source_, "no root group; the file is damaged");
+    std::vector<std::string> found;
+    std::size_t visited = 0;
+    find_datasets(root, "", 0, visited, found);
+    return found;
+}
+
+std::vector<std::string> Hdf5File::members(const std::string& group) const {
+    const Hdf5Session session;
+    const auto object = opened_object(*file_, group);
+    return object && H5Iget_type(object) == H5I_GROUP ? members_of(object) : std::vector<std::string>{};
+}
+
+std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
+    const Hdf5Session session;
+    const auto data = opened_object(*file_, path);
+    if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
+    const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose), properties(H5Dget_create_plist(data), &H5Pclose);
+    const auto plain = type ? plain_type(type) : std::nullopt;
+    if (!plain || !space || !properties) return std::nullopt;
+    const auto extents = hdf5_extents(space);
+    StoredArray array;
+    array.name = path;
+    array.sample = plain->sample;
+    array.order = plain->order;
+    array.attributes = attributes_of(data);
+    array.data = source_;
+    for (const auto extent : extents) {
+        if (extent > hsize_t{1} << 40) broken(source_, fmt::format("dataset {:.200} has {} values along a dimension; the file is damaged", path, extent));
+        array.shape.push_back(static_cast<Index>(extent));
+    }
+    if (!is_map_or_line(array)) return array;
+    const auto bytes = product(extents, bytes_of(plain->sample));
+    if (bytes == std::numeric_limits<std::uint64_t>::max()) broken(source_, fmt::format("dataset {:.200} announces too many values; the file is damaged", path));
+    const Dataset dataset{source_, path, data, type, properties, extents, bytes};
+    switch (H5Pget_layout(properties)) {
+        case H5D_COMPACT: place_compact(dataset, array); break;
+        case H5D_CONTIGUOUS: place_contiguous(dataset, array); break;
+        case H5D_CHUNKED: place_chunked(dataset, array); break;
+        default: refuse_elsewhere(array, "in other datasets");
+    }
+    return array;
+}
+
+Attributes Hdf5File::attributes(const std::string& path) const {
+    const Hdf5Session session;
+    const auto object = opened_object(*file_, path);
+    return object ? attributes_of(object) : Attributes{};
+}
+
+std::optional<Hdf5Record> Hdf5File::record_attribute(const std::string& path, const std::string& name) const {
+    const Hdf5Session session;
+    const auto object = opened_object(*file_, path);
+    std::optional<Hdf5Record> record;
+    if (object)
+        with_attribute(object, name, [&](const char* value, hid_t type) {
+            if (!record && H5Tget_class(type) == H5T_COMPOUND) record = record_in(value, type);
+        });
+    return record;
+}
+
+std::vector<Hdf5Record> Hdf5File::records(const std::string& path) const {
+    const Hdf5Session session;
+    const auto data = opened_object(*file_, path);
+    if (!data || H5Iget_type(data) != H5I_DATASET) return {};
+    const Hdf5Handle stored(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose);
+    if (!stored || !space || H5Tget_class(stored) != H5T_COMPOUND) return {};
+    const Hdf5Handle properties(H5Dget_create_plist(data), &H5Pclose);
+    const auto type = native(stored);
+    const auto extents = hdf5_extents(space);
+    const auto count = product(extents);
+    if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records || count * type->bytes > most_record_bytes) return {};
+    std::vector<Hdf5Record> records;
+    with_values(
+        space, *type, count, [&](void* values) { return H5Dread(data, type->type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values); },
+        [&](const char* value) { records.push_back(record_in(value, type->type)); });
+    return records;
+}
+
+}  // namespace setae::io

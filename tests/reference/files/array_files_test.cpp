@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real files of array containers against expected/topography_files.json.
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "reference_data.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/io/channel.hpp"
+#include "setae/io/whole_file.hpp"
+
+namespace setae::io {
+namespace {
+
+using topography::HeightMap;
+
+constexpr const char* folder = "topography/surfacetopography/";
+
+struct ArrayFile {
+    const char* name;
+    std::size_t channel;
+    const char* channel_name;
+    ReadOptions given;  ///< what the file does not say
+    double unit;        ///< of the expected values [m]
+    std::vector<double> size;
+};
+
+void PrintTo(const ArrayFile& file, std::ostream* stream) { *stream << file.name << " channel " << file.channel; }
+
+nlohmann::json expected_entry(const std::string& file, std::size_t channel) {
+    auto text = read_file((tests::reference_data_folder() / "expected" / "topography_files.json").string());
+    for (auto at = text.find(": NaN"); at != std::string::npos; at = text.find(": NaN", at)) text.replace(at, 5, ": null");
+    for (const auto& entry : nlohmann::json::parse(text))
+        if (entry.at("file") == file && entry.at("channel_index") == channel) return entry;
+    return nullptr;
+}
+
+class ArrayFiles : public testing::TestWithParam<ArrayFile> {};
+
+TEST_P(ArrayFiles, HoldTheHeightsAnotherReaderFound) {
+    const auto file = std::string(folder) + GetParam().name;
+    SETAE_REQUIRE_REFERENCE_DATA(path, file);
+    const auto entry = expected_entry(file, GetParam().channel);
+    ASSERT_FALSE(entry.is_null());
+    const auto channel = open(path.string(), GetParam().given).at(GetParam().channel);
+    EXPECT_EQ(channel.info.name, GetParam().channel_name);
+    EXPECT_EQ(channel.info.shape, entry.at("shape").get<std::vector<Index>>());
+    ASSERT_EQ(channel.info.size.size(), GetParam().size.size());
+    for (std::size_t k = 0; k < GetParam().size.size(); ++k) EXPECT_NEAR(channel.info.size[k], GetParam().size[k], 1e-12 * GetParam().size[k]);
+
+    const auto map = std::get<HeightMap>(channel.read());
+    const Array2D heights = map.heights / GetParam().unit;
+    const auto& computed = entry.at("peer_computed");
+    EXPECT_EQ(heights.isNaN().count(), computed.at("n_undefined").get<Index>());
+    const double spread = computed.at("max").get<double>() - computed.at("min").get<double>();
+    EXPECT_NEAR(heights.minCoeff(), computed.at("min").get<double>(), 1e-12 * spread);
+    EXPECT_NEAR(heights.maxCoeff(), computed.at("max").get<double>(), 1e-12 * spread);
+    EXPECT_NEAR(heights.mean(), computed.at("mean_valid").get<double>(), 1e-9 * spread);
+    const double spread_squared = (heights - heights.mean()).square().mean();
+    EXPECT_NEAR(std::sqrt(spread_squared), computed.at("std_valid").get<double>(), 1e-6 * computed.at("std_valid").get<double>());
+    const auto corners = computed.at("corners_00_0m1_m10_m1m1").get<std::array<double, 4>>();
+    const auto nx = heights.rows() - 1, ny = heights.cols() - 1;
+    EXPECT_NEAR(heights(0, 0), corners[0], 1e-12 * spread);
+    EXPECT_NEAR(heights(0, ny), corners[1], 1e-12 * spread);
+    EXPECT_NEAR(heights(nx, 0), corners[2], 1e-12 * spread);
+    EXPECT_NEAR(heights(nx, ny), corners[3], 1e-12 * spread);
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, ArrayFiles,
+                         testing::Values(ArrayFile{"multiple_data_sets.h5", 0, "dataset1", {.size = {{1e-6, 2e-6}}, .unit = "um"}, units::um, {1e-6, 2e-6}},
+                                         ArrayFile{"multiple_data_sets.h5", 1, "dataset2", {.size = {{1e-6, 2e-6}}, .unit = "nm"}, units::nm, {1e-6, 2e-6}},
+                                         ArrayFile{"nc-1.nc", 0, "heights", {}, units::nm, {5e-9, 10e-9}},
+                                         ArrayFile{"example-2d.npy", 0, "heights", {.size = {{1e-6, 2e-6}}, .unit = "m"}, 1.0, {1e-6, 2e-6}}));
+
+TEST(ArrayFilesOfContainers, TellTheInstrumentOfTheirAttributes) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[0].info.metadata.instrument.name, "made");
+    EXPECT_DOUBLE_EQ(channels[0].info.metadata.instrument.tip_radius.value(), 10e-9);
+}
+
+TEST(ArrayFilesWithoutSize, AreListedAndAskedFor) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, std::string(folder) + "multiple_data_sets.h5");
+    const auto channels = open(path.string());
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[1].info.shape, (std::vector<Index>{640, 480}));
+    try {
+        (void)channels[1].read();
+        FAIL() << "read";
+    } catch (const InvalidArgument& error) {
+        EXPECT_NE(std::string(error.what()).find("--size"), std::string::npos) << error.what();
+    }
+}
+
+TEST(WrongNpy, IsRefusedByItsFirstBytes) {
+    SETAE_REQUIRE_REFERENCE_DATA(path, std::string(folder) + "wrongnpyfile.npy");
+    try {
+        (void)open(path.string());
+        FAIL() << "opened";
+    } catch (const FormatError& error) {
+        EXPECT_NE(std::string(error.what()).find("at byte 0: begins with '\\xef\\xbf\\xbdNUMPY"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace setae::io
