@@ -41,7 +41,7 @@ enum Tag : std::uint16_t {
     first_slot = 0x8090
 };
 constexpr std::uint16_t slot_distance = 0x30;
-constexpr std::size_t most_slots = 64;
+constexpr std::size_t most_slots = 64, most_pages = 300;
 
 /// One way to read a channel's integers.
 struct Slot {
@@ -150,7 +150,7 @@ Match detect_jpk_image(std::string_view head, const Source& source, JpkImage kin
 }
 
 std::vector<Channel> open_jpk_image(const Source& source, const std::string& format) {
-    const auto file = open_tiff(source, "JPK");
+    const auto file = open_tiff(source, "JPK", most_pages + 1);
     const auto& first = file.pages.front();
     ChannelInfo common;
     common.format = format;
@@ -162,6 +162,7 @@ std::vector<Channel> open_jpk_image(const Source& source, const std::string& for
     if (!(width > 0.0) || !(height > 0.0) || !std::isfinite(width) || !std::isfinite(height))
         throw FormatError(source.name, {.offset = first.offset}, fmt::format("JPK: a grid of {} × {} m, expected positive lengths", width, height));
     common.size = {width, height};
+    if (file.pages.size() > most_pages) throw FormatError(source.name, {.offset = file.pages.back().offset}, fmt::format("JPK: {} pages, expected at most {}; it is damaged", file.pages.size(), most_pages));
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < file.pages.size(); ++k)
         if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name)) channels.push_back(channel_of(file, file.pages[k], common));

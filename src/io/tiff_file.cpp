@@ -154,9 +154,7 @@ std::vector<std::uint64_t> TiffFile::integers(const TiffPage& page, std::uint16_
 std::string TiffFile::text(const TiffPage& page, std::uint16_t id) const {
     const auto* tag = page.find(id);
     if (!tag) return {};
-    if (tag->bytes() > longest_text)
-        throw FormatError(source.name, {.offset = tag->offset}, fmt::format("{}: tag {} holds a text of {} bytes, expected at most {}", format, id, tag->bytes(), longest_text));
-    auto content = source.bytes(tag->offset, tag->bytes());
+    auto content = source.bytes(tag->offset, std::min(tag->bytes(), longest_text));
     content.resize(std::min(content.find('\0'), content.size()));
     return std::string(trimmed(decoded(std::move(content), Encoding::detect)));
 }

@@ -44,7 +44,7 @@ struct TiffFile {
     [[nodiscard]] std::optional<double> number(const TiffPage& page, std::uint16_t id) const;
     /// All numbers of a tag. @throws FormatError for more than `most`.
     [[nodiscard]] std::vector<std::uint64_t> integers(const TiffPage& page, std::uint16_t id, std::uint64_t most) const;
-    /// A tag's bytes as text, empty where there is none. @throws FormatError for more than 1 MiB.
+    /// A tag's bytes as text, of which the first MiB is read; empty where there is none.
     [[nodiscard]] std::string text(const TiffPage& page, std::uint16_t id) const;
     /// The directory a tag points to, such as Exif's. @throws FormatError where it breaks the format or there is no such tag.
     [[nodiscard]] TiffPage directory_of(const TiffPage& page, std::uint16_t id) const;

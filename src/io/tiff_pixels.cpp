@@ -89,7 +89,9 @@ void require_pieces(const TiffFile& file, const Layout& layout) {
         stored += layout.byte_counts[k];
     }
     stored = std::min(stored, file.source.size);
-    const auto announced = std::max(layout.pixel_bytes(), layout.piece_nx * layout.piece_ny * bytes_of(layout.sample));
+    // pixels become heights of 8 bytes: those of one byte are counted as two
+    const auto width = std::max<std::uint64_t>(bytes_of(layout.sample), 2);
+    const auto announced = width * std::max(static_cast<std::uint64_t>(layout.nx) * static_cast<std::uint64_t>(layout.ny), layout.piece_nx * layout.piece_ny);
     if (announced > most_expanded(stored)) broken(file, layout.page_offset, fmt::format("{} bytes of strips or tiles announce {} × {} pixels; it is damaged", stored, layout.nx, layout.ny));
 }
 
@@ -197,7 +199,8 @@ Source expanded_source(const TiffFile& file, Layout layout) {
         std::optional<std::string> pixels;
     };
     Source source{.name = file.source.name, .size = layout.pixel_bytes(), .path = {}, .read_into = {}};
-    source.read_into = [file, layout = std::move(layout), state = std::make_shared<State>()](std::uint64_t offset, std::uint64_t count, char* target) {
+    // what reads pixels keeps no directories: a file may have many pages
+    source.read_into = [file = TiffFile{.source = file.source, .format = file.format, .order = file.order, .pages = {}}, layout = std::move(layout), state = std::make_shared<State>()](std::uint64_t offset, std::uint64_t count, char* target) {
         const std::lock_guard lock(state->mutex);
         if (!state->pixels) state->pixels = expanded(file, layout);
         std::memcpy(target, state->pixels->data() + offset, count);

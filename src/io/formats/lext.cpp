@@ -18,6 +18,7 @@ namespace {
 
 enum Tag : std::uint16_t { description_tag = 270, maker_tag = 271, model_tag = 272, date_tag = 306, exif_tag = 34665, device_settings_tag = 0xa40b };
 constexpr std::string_view root_name = "TiffTagDescData", exif_root_name = "ExifTagDescData";
+constexpr std::size_t most_pages = 300;  ///< what follows is not looked at
 constexpr double picometre = 1e-12;  ///< lengths of the XML: micrometres in millionths
 
 /// Metres per pixel and per grey value.
@@ -67,7 +68,7 @@ topography::Metadata metadata_of(const TiffFile& file) {
 }
 
 std::vector<Channel> open_lext(const Source& source, const ReadOptions& options) {
-    const auto file = open_tiff(source, "LEXT");
+    const auto file = open_tiff(source, "LEXT", most_pages);
     const auto& first = file.pages.front();
     const auto document = parsed_xml(file.text(first, description_tag), source, "LEXT");
     ChannelInfo common;

@@ -112,6 +112,7 @@ std::optional<Value> leading_value(std::string_view text) {
 struct ValueScale {
     double factor = 0.0;
     std::string unit;
+    std::string missing = {};  ///< name of the sensitivity, where the header lacks it
 };
 
 /// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V": the sensitivity's name in [], the hard value after (). A sensitivity without a
@@ -125,9 +126,10 @@ ValueScale value_scale(const std::string& scale, const std::vector<Section>& sec
     double factor = hard->number * (hard_unit ? hard_unit->factor : 0.0);
     const auto open = scale.find('['), shut = scale.find(']');
     if (open != std::string::npos && shut != std::string::npos && shut > open + 1) {
-        const auto* entry = find(sections, lowered(std::string_view(scale).substr(open + 1, shut - open - 1)));
+        const auto name = scale.substr(open + 1, shut - open - 1);
+        const auto* entry = find(sections, lowered(name));
         const auto soft = entry && entry->starts_with("V ") ? leading_value(std::string_view(*entry).substr(2)) : std::nullopt;
-        if (!soft) return {0.0, unit};
+        if (!soft) return {0.0, unit, name};
         const auto slash = soft->unit.find('/');
         const auto soft_unit = try_parse_unit(plain_unit(soft->unit.substr(0, slash))), per = slash == std::string::npos ? std::nullopt : try_parse_unit(soft->unit.substr(slash + 1));
         if (slash != std::string::npos) unit = plain_unit(soft->unit.substr(0, slash));
@@ -178,20 +180,29 @@ struct Block {
     std::uint64_t offset = 0;
     std::size_t bytes = 2;  ///< of one value
     Index nx = 0, ny = 0;
+    double wider = 1.0, higher = 1.0;  ///< than what the image's own number of points says
 
     [[nodiscard]] std::uint64_t length() const { return bytes * static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny); }
 };
 
 /// From version 9.2 on, data are 4 bytes wide while "Bytes/pixel" may still say 2: the length of the block decides.
-Block find_block(const Section& image, const std::string& name, const Source& source) {
-    const auto nx = integer(image, "samps/line", source), ny = integer(image, "number of lines", source);
+/// Where an image's own number of points does not fill its block and the scan's does, as version 5.30 writes them, the scan's holds.
+Block find_block(const Section& image, const Section* scan, const std::string& name, const Source& source) {
+    const auto own_nx = integer(image, "samps/line", source), own_ny = integer(image, "number of lines", source);
     const auto length = integer(image, "data length", source);
     auto bytes = integer(image, "bytes/pixel", source);
+    auto nx = own_nx, ny = own_ny;
+    const auto fills = [&](std::uint64_t width, std::uint64_t height) { return width < (1u << 24) && height < (1u << 24) && (length == 2 * width * height || length == 4 * width * height); };
+    if (!fills(nx, ny) && scan && find(*scan, "samps/line") && find(*scan, "lines") && fills(integer(*scan, "samps/line", source), integer(*scan, "lines", source))) {
+        nx = integer(*scan, "samps/line", source);
+        ny = integer(*scan, "lines", source);
+    }
     const bool plausible = nx < (1u << 24) && ny < (1u << 24);
     if (plausible && length == 4 * nx * ny) bytes = 4;
     if (!plausible || (bytes != 2 && bytes != 4) || length < bytes * nx * ny)
         throw FormatError(source.name, {}, fmt::format("Nanoscope: image '{}' has {} × {} values of {} bytes in {} bytes", name, nx, ny, bytes, length));
-    const Block block{integer(image, "data offset", source), static_cast<std::size_t>(bytes), static_cast<Index>(nx), static_cast<Index>(ny)};
+    const Block block{integer(image, "data offset", source), static_cast<std::size_t>(bytes), static_cast<Index>(nx), static_cast<Index>(ny),
+                      static_cast<double>(nx) / static_cast<double>(own_nx), static_cast<double>(ny) / static_cast<double>(own_ny)};
     if (block.offset + block.length() > source.size)
         throw FormatError(source.name, {.offset = source.size},
                           fmt::format("Nanoscope: the file ends here, image '{}' should end at byte {}; it is truncated", name, block.offset + block.length()));
@@ -217,12 +228,15 @@ Channel image_channel(const Section& image, const std::vector<Section>& sections
     info.name = info.metadata.name = image_name(required(image, "image data", source), direction);
     if (direction) info.metadata.attributes["line_direction"] = lowered(*direction);
     if (const auto* frame = find(image, "frame direction")) info.metadata.attributes["scan_direction"] = lowered(*frame);
-    const auto block = find_block(image, info.name, source);
+    const auto scan = std::find_if(sections.begin(), sections.end(), [](const Section& section) { return section.name == "ciao scan list" || section.name == "afm list" || section.name == "nc afm list"; });
+    const auto block = find_block(image, scan == sections.end() ? nullptr : &*scan, info.name, source);
     const auto size = scan_size(image, sections, source);
     info.shape = {block.nx, block.ny};
-    info.size = {size[0], size[1]};
+    info.size = {size[0] * block.wider, size[1] * block.higher};
     const auto scale = value_scale(required(image, "z scale", source), sections, block.bytes);
     info.unit = scale.unit;
+    if (!scale.missing.empty())
+        info.alerts.push_back({"SENSITIVITY_MISSING", source.name, fmt::format("the header has no '{}', by which '{}' becomes more than {}", scale.missing, info.name, scale.unit), "save the file again with the instrument's program"});
     if (!holds_heights(info.name, info.unit) || scale.factor == 0.0) return non_height_channel(std::move(info));
     info.orientation = "rows from the bottom, turned";
     const Raster raster{.offset = block.offset, .nx = block.nx, .ny = block.ny, .sample = block.bytes == 2 ? Sample::int16 : Sample::int32, .bottom_up = true};

@@ -147,7 +147,8 @@ std::vector<Channel> open_nanosurf(const Source& source, const ReadOptions& opti
     common.metadata = metadata_of(sections, source);
     std::uint64_t at = head.size() + last_line.size();
     std::vector<Channel> channels;
-    for (const auto& place : places(sections.at("DataSet"), source)) {
+    const auto dataset = sections.find("DataSet");
+    for (const auto& place : dataset == sections.end() ? std::vector<Place>{} : places(dataset->second, source)) {
         const auto found = sections.find(place.section);
         if (found == sections.end()) continue;
         const auto values = values_of(found->second, at, source);

@@ -98,7 +98,7 @@ std::vector<Channel> open_plu(const Source& source, const ReadOptions& options) 
         require_raster(raster, source, "PLu");
         cursor.skip(raster.row_distance() * rows);
         if (head.dx > 0.0 && head.dy > 0.0) info.size = {head.dx * columns * units::um, head.dy * rows * units::um};
-        info.unit = other ? "" : "µm";
+        info.unit = head.kind == Kind::image ? "" : "µm";
         if (other) {
             info.shape = {raster.nx, raster.ny};
             info.metadata.file = source.name;

@@ -22,7 +22,7 @@ namespace setae::io {
 namespace {
 
 constexpr std::string_view first_line = "WSxM file copyright", image_line = "SxM Image file", size_key = "Image header size:", last_line = "[Header end]";
-constexpr std::uint64_t longest_header = 1 << 20;
+constexpr std::uint64_t usual_header = 1 << 16, longest_header = 1 << 20;
 
 struct Header {
     std::map<std::string, std::string> entries;  ///< "section/key" in lower case
@@ -46,8 +46,14 @@ void require_image(const std::vector<std::string_view>& lines, const Source& sou
     broken(source, lines.size() < 2 ? source.size : lines[0].size() + 1, fmt::format("got '{:.40}', expected '{}'; curves, spectra and films are not read", kind, image_line));
 }
 
+/// The first bytes up to the end of the header at least; all that may be one where it has no end.
+std::string header_bytes(const Source& source) {
+    auto bytes = source.head(usual_header);
+    return bytes.find(last_line) == std::string::npos && bytes.size() < source.size ? source.head(longest_header) : bytes;
+}
+
 Header parse_header(const Source& source) {
-    const auto bytes = source.head(longest_header);
+    const auto bytes = header_bytes(source);
     const auto lines = split_lines(bytes);
     const bool whole_lines = lines.size() > 2;
     if (whole_lines) require_image(lines, source);

@@ -23,6 +23,7 @@ struct IgorContent {
     std::uint32_t created = 0;
     std::int16_t type = 2;  ///< of the numbers: 2 float, 4 double …
     std::string numbers = {};
+    std::int32_t numbers_bytes = 0;  ///< announced; 0: those of `numbers`
 };
 
 /// The checksum at `at` made so that all 16-bit numbers of the first `bytes` sum to 0.
@@ -42,7 +43,7 @@ inline void put_checksum(ByteBuilder& file, std::size_t at, std::size_t bytes, s
     for (const auto along : content.points) count *= along > 0 ? along : 1;
     ByteBuilder file(order);
     file.number<std::int16_t>(5).number<std::uint16_t>(0);
-    file.number(static_cast<std::int32_t>(320 + content.numbers.size())).number<std::int32_t>(0).number(static_cast<std::int32_t>(content.note.size()));
+    file.number(content.numbers_bytes > 0 ? 320 + content.numbers_bytes : static_cast<std::int32_t>(320 + content.numbers.size())).number<std::int32_t>(0).number(static_cast<std::int32_t>(content.note.size()));
     file.number(static_cast<std::int32_t>(content.long_data_unit.size()));
     for (int k = 0; k < 4; ++k) file.number<std::int32_t>(0);
     for (std::size_t k = 0; k < 4; ++k) file.number(static_cast<std::int32_t>(k == labelled ? label_bytes : 0));

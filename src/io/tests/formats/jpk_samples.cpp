@@ -38,9 +38,9 @@ void add_slot(TiffPageBuilder& page, int slot, const char* name, const char* uni
     if (unit[0]) page.text(tag(0x12), unit).real(tag(0x14), multiply).real(tag(0x15), add);
 }
 
-TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool reflected, int bits, int compression = 1) {
+TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool reflected, int bits, int compression = 1, int points_x = nx, int points_y = ny) {
     TiffPageBuilder page(order);
-    page.picture(nx, ny, bits, 2, compression).text(0x8050, "measuredHeight").text(0x8052, name).signed_short(0x8051, retrace ? 1 : 0);
+    page.picture(points_x, points_y, bits, 2, compression).text(0x8050, "measuredHeight").text(0x8052, name).signed_short(0x8051, retrace ? 1 : 0);
     page.signed_long(0x8080, 4).text(0x8081, "nominal");
     add_slot(page, 0, "raw", "", 0, 0);
     add_slot(page, 1, "volts", "V", 1e-6, 50);
@@ -56,6 +56,36 @@ std::string rows(const Array2D& raw, std::endian order, bool reflected) {
     ByteBuilder builder(order);
     builder.rows<Integer>(reflected ? raw : Array2D(raw.rowwise().reverse()));
     return builder.content();
+}
+
+/// PackBits of rows that do not repeat: runs of at most 128 bytes as they are, each behind its length less one.
+std::string packed_rows(const std::string& content, std::size_t row) {
+    std::string packed;
+    for (std::size_t at = 0; at < content.size(); at += row) packed += static_cast<char>(row - 1) + content.substr(at, row);
+    return packed;
+}
+
+/// Four tiles that reach over right and upper border, each value stored as its difference to the one left of it.
+FormatSample sample_of_tiles() {
+    constexpr int tile = 16, wide = 20, high = 18;
+    const Array2D raw = lopsided_heights(wide, high, -700.0);
+    std::vector<std::string> tiles;
+    for (int top = 0; top < high; top += tile)
+        for (int left = 0; left < wide; left += tile) {
+            ByteBuilder differences(std::endian::little);
+            for (int j = top; j < top + tile; ++j) {
+                std::int32_t before = 0;
+                for (int i = left; i < left + tile; ++i) {
+                    const auto value = i < wide && j < high ? static_cast<std::int32_t>(raw(i, high - 1 - j)) : 0;
+                    differences.number(value - before);
+                    before = value;
+                }
+            }
+            tiles.push_back(deflated(differences.content()));
+        }
+    auto page = channel(std::endian::little, "Height", false, false, 32, 8, wide, high);
+    page.shorts(317, {2}).tiles(tile, tile, tiles);
+    return {.format = "jpk", .name = "tiles of deflate, predicted", .content = tiff_file(std::endian::little, {thumbnail(std::endian::little, false), page}), .shape = {wide, high}, .size = {width, height}, .heights = factor * raw + offset};
 }
 
 FormatSample sample(const char* format, const char* name, std::string content, const Array2D& raw) {
@@ -74,10 +104,13 @@ std::vector<FormatSample> jpk_samples() {
     auto packed = channel(big, "Height", false, false, 32, 8);
     const auto stored = rows<std::int32_t>(raw, big, false);
     packed.strips(2, {deflated(stored.substr(0, 8 * nx)), deflated(stored.substr(8 * nx, 8 * nx)), deflated(stored.substr(16 * nx))});
+    auto runs = channel(big, "Height", false, false, 32, 32773);
+    runs.strips(3, {packed_rows(stored.substr(0, 12 * nx), 4 * nx), packed_rows(stored.substr(12 * nx), 4 * nx)});
     return {sample("jpk", "int32, big-endian", tiff_file(big, {thumbnail(big, false), plain}), raw),
             sample("jpk", "int16, little-endian, reflected", tiff_file(little, {thumbnail(little, false), reflected}), small),
             sample("jpk", "strips of deflate", tiff_file(big, {thumbnail(big, false), packed}), raw),
-            sample("jpk", "BigTIFF", tiff_file(big, {thumbnail(big, false), plain}, true), raw)};
+            sample("jpk", "BigTIFF", tiff_file(big, {thumbnail(big, false), plain}, true), raw),
+            sample("jpk", "PackBits", tiff_file(big, {thumbnail(big, false), runs}), raw), sample_of_tiles()};
 }
 
 std::vector<FormatSample> jpk_qi_samples() {

@@ -78,6 +78,22 @@ TEST(Nanoscope, SensitivityPerMillivoltIsConverted) {
     EXPECT_NEAR(milli.heights(3, 2), plain.heights(3, 2), 1e-12 * plain.heights(3, 2));
 }
 
+/// Version 5.30 may state another number of points for an image than its block holds; pixels stay square.
+TEST(Nanoscope, PointsOfTheScanHoldWhereThoseOfTheImageDoNotFillItsBlock) {
+    const auto content = replaced(replaced(sample(), "\\Samps/line: 7\r\n\\Number of lines: 4", "\\Samps/line: 14\r\n\\Number of lines: 8"), "\\*Ciao image list", "\\*Ciao scan list\r\n\\Samps/line: 7\r\n\\Lines: 4\r\n\\*Ciao image list");
+    const auto info = opened(content).at(0).info;
+    EXPECT_EQ(info.shape, (std::vector<Index>{7, 4}));
+    EXPECT_DOUBLE_EQ(info.size.at(0), 350 * units::nm);
+    EXPECT_DOUBLE_EQ(info.size.at(1), 200 * units::nm);
+}
+
+TEST(Nanoscope, MissingSensitivityIsTold) {
+    const auto channel = opened(replaced(sample(), "\\@Sens. Zsens: V", "\\@Sens. Other: V")).at(0);
+    EXPECT_FALSE(channel.info.is_height);
+    EXPECT_EQ(channel.info.unit, "V");
+    EXPECT_EQ(channel.info.alerts.at(0).code, "SENSITIVITY_MISSING");
+}
+
 TEST(Nanoscope, ForceCurvesAreRefusedWithWhatReadsThem) {
     const auto error = message(replaced(sample(), "\\*Ciao image list", "\\*Ciao force image list"));
     EXPECT_NE(error.find("force curves"), std::string::npos) << error;

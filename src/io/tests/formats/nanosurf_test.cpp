@@ -47,6 +47,14 @@ TEST(Nanosurf, ChannelsFollowInOrderOfTheirNumbers) {
     EXPECT_EQ(channels[2].info.metadata.attributes.at("line_direction"), "backward");
 }
 
+/// The field's reader had its test of the first line the wrong way round.
+TEST(Nanosurf, OnlyFilesThatBeginWithTheFirstSectionAreTaken) {
+    const auto content = nanosurf_samples().at(2).content;
+    EXPECT_EQ(detect_format(memory_source("a.nid", content)).identifier, "nanosurf");
+    EXPECT_NE(message(replaced(content, "[DataSet]\r\n", "[Dataset]\r\n")), "no error");
+    EXPECT_NE(message("[DataSet-Info]\r\n" + content), "no error");
+}
+
 TEST(Nanosurf, SpectraAreListedAsNoHeights) {
     const auto content = replaced(nanosurf_samples().at(2).content, "Dim0Unit=nm", "Dim0Unit=V");
     EXPECT_FALSE(opened(content).at(2).info.is_height);
@@ -57,6 +65,7 @@ TEST(Nanosurf, WhatCannotBeReadIsNamed) {
     EXPECT_NE(message(replaced(content, "SaveMode=Binary", "SaveMode=ASCII")).find("'ASCII'"), std::string::npos);
     EXPECT_NE(message(replaced(content, "SaveBits=16", "SaveBits=24")).find("'24' bits"), std::string::npos);
     EXPECT_NE(message(replaced(content, "Points=6", "Points=2000000000")).find("2000000000 × 4"), std::string::npos);
+    EXPECT_NE(message(replaced(content, "[DataSet]\r", "[DataSet]\rx")).find("names no channel"), std::string::npos);
     EXPECT_NE(message(replaced(content, "Dim2Range=9.5", "Dim2Range=wide")).find("'Dim2Range' is 'wide'"), std::string::npos);
 }
 

@@ -52,7 +52,11 @@ TEST(Plu, OldVersionsCountNoLayersAndHaveOne) {
 }
 
 TEST(Plu, PicturesAndThicknessesAreListed) {
-    for (const std::uint32_t kind : {0u, 5u}) EXPECT_FALSE(channels_of(plu_file(kind, {lopsided_heights(4, 3, 1.0)})).at(0).info.is_height) << kind;
+    for (const auto& [kind, unit] : {std::pair{0u, ""}, {5u, "µm"}}) {
+        const auto info = channels_of(plu_file(kind, {lopsided_heights(4, 3, 1.0)})).at(0).info;
+        EXPECT_FALSE(info.is_height) << kind;
+        EXPECT_EQ(info.unit, unit);
+    }
 }
 
 TEST(Plu, OtherMeasurementsAreRefusedByName) {

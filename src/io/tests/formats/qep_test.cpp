@@ -66,6 +66,14 @@ TEST(Qep, DamagedProfilesAreRefusedWithTheirPlace) {
     EXPECT_NE(refusal(marwin_profile(standing, heights, "1")).find("x of point 4 is not beyond"), std::string::npos);
 }
 
+TEST(Qep, MemberThatAnnouncesMoreThanItCanBeIsRefusedBeforeItIsTaken) {
+    auto archive = zip_archive({{"Kontur1.prf", marwin_profile(positions, heights, "0.025")}});
+    const auto directory = archive.find("PK\x01\x02");
+    archive.replace(directory + 24, 4, std::string("\x00\x00\x00\x33", 4));  // 855638016 bytes
+    const auto message = message_of([&] { (void)open(memory_source("a.qep", archive), {}); });
+    EXPECT_NE(message.find("member 'Kontur1.prf' announces 855638016 bytes"), std::string::npos) << message;
+}
+
 TEST(Qep, ProfileWithoutValidPointsIsUndefined) {
     Array1D uneven = positions;
     uneven[1] += 0.2;

@@ -91,6 +91,13 @@ TEST(Wsxm, ScaleFactorThatIsNotAppliedIsTold) {
     EXPECT_EQ(alerts[0].code, "SCALE_NOT_APPLIED");
 }
 
+TEST(Wsxm, LongCommentsBelongToTheHeader) {
+    auto header = floats;
+    header.range += "    Comments: " + std::string(200'000, 'x') + "\r\n";
+    const auto raw = lopsided_heights(6, 4, 1.0);
+    EXPECT_DOUBLE_EQ(topography::all_heights(only_channel(wsxm_file<double>(header, raw)).read())[0], raw(0, 0) * units::nm);
+}
+
 TEST(Wsxm, HeaderThatAnnouncesMoreThanItHoldsEndsWhereItSays) {
     const auto raw = lopsided_heights(6, 4, 1.0);
     auto content = wsxm_file<double>(floats, raw);
