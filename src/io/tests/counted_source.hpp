@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "setae/io/source.hpp"
 
 namespace setae::io::tests {
 
-/// A file larger than the memory of a test, zeros but for its beginning and its end, that counts the bytes read of it.
-struct CountedSource {
-    Source source;
-    std::shared_ptr<std::atomic<std::uint64_t>> bytes_read;
-};
+/// A source that counts how many of its bytes are read: bytes in memory, or a file larger than the memory of a test, zeros but for its
+/// beginning and its end.
+class CountedSource {
+public:
+    explicit CountedSource(std::string content) : CountedSource(memory_source("counted", std::move(content))) {}
+    /// `size` bytes that begin with `head`.
+    CountedSource(const std::string& head, std::uint64_t size) : CountedSource(head, size - head.size(), "") {}
+    CountedSource(const std::string& begin, std::uint64_t zeros, const std::string& end) : CountedSource(with_zeros(begin, zeros, end)) {}
 
-[[nodiscard]] inline CountedSource counted_source(const std::string& begin, std::uint64_t zeros, const std::string& end) {
-    CountedSource counted{{"large", begin.size() + zeros + end.size(), {}, {}}, std::make_shared<std::atomic<std::uint64_t>>(0)};
-    counted.source.read_into = [begin, zeros, end, read = counted.bytes_read](std::uint64_t offset, std::uint64_t count, char* target) {
-        *read += count;
-        for (std::uint64_t k = 0; k < count; ++k) {
-            const auto at = offset + k;
-            target[k] = at < begin.size() ? begin[at] : at < begin.size() + zeros ? '\0' : end[at - begin.size() - zeros];
-        }
-    };
-    return counted;
-}
+    [[nodiscard]] const Source& source() const { return source_; }
+    [[nodiscard]] std::uint64_t bytes() const { return *count_; }
+    void reset() { *count_ = 0; }
 
-/// A source that begins with `head`, goes on with zeros up to `size`, and counts the bytes that are asked for.
-    std::shared_ptr<std::atomic<std::uint64_t>> read = std::make_shared<std::atomic<std::uint64_t>>(0);
-
-    CountedSource(const std::string& head, std::uint64_t size) {
-        source = {"large", size, {}, [head, counter = read](std::uint64_t offset, std::uint64_t count, char* target) {
-                      *counter += count;
-                      std::fill_n(target, count, '\0');
-                      if (offset < head.size()) std::copy_n(head.data() + offset, std::min<std::uint64_t>(count, head.size() - offset), target);
-                  }};
+private:
+    explicit CountedSource(Source source) : source_(std::move(source)) {
+        source_.read_into = [read = source_.read_into, count = count_](std::uint64_t offset, std::uint64_t bytes, char* target) {
+            *count += bytes;
+            read(offset, bytes, target);
+        };
     }
+
+    static Source with_zeros(const std::string& begin, std::uint64_t zeros, const std::string& end) {
+        const auto tail = begin.size() + zeros;
+        return {"large", tail + end.size(), {}, [begin, end, tail](std::uint64_t offset, std::uint64_t count, char* target) {
+                    std::memset(target, 0, count);
+                    for (auto at = offset; at < offset + count && at < begin.size(); ++at) target[at - offset] = begin[at];
+                    for (auto at = offset < tail ? tail : offset; at < offset + count; ++at) target[at - offset] = end[at - tail];
+                }};
+    }
+
+    std::shared_ptr<std::atomic<std::uint64_t>> count_ = std::make_shared<std::atomic<std::uint64_t>>(0);
+    Source source_;
+};
 
 }  // namespace setae::io::tests

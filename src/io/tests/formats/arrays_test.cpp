@@ -104,8 +104,8 @@ TEST(NetCdf, OpeningReadsTheHeaderAlone) {
     header.number(std::uint64_t{0}).number(std::uint32_t{11}).number(std::uint32_t{1}).number(std::uint32_t{7}).text("heights", 8);
     header.number(std::uint32_t{2}).number(std::uint32_t{0}).number(std::uint32_t{1}).number(std::uint64_t{0}).number(std::uint32_t{6}).number(std::uint32_t{0}).number(std::uint64_t{256});
     const CountedSource large(header.content(), gigabyte);
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{n, n}));
-    EXPECT_LT(*large.read, megabyte);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{n, n}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 // ---- NPY and NPZ ----------------------------------------------------------------------------------------------------
@@ -138,8 +138,8 @@ TEST(Npy, WithoutSizeAndUnitItIsListed) {
 
 TEST(Npy, OpeningReadsTheHeaderAlone) {
     const CountedSource large(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
-    EXPECT_LT(*large.read, megabyte);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 TEST(Npz, ListsArraysAndPassesOverTheRest) {
@@ -221,8 +221,8 @@ TEST(Mat, OpeningReadsHeadersAlone) {
     header.number(std::uint32_t{14}).number(bytes + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{7}).number(std::uint32_t{0});
     header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(rows).number(columns).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{7}).number(bytes);
     const CountedSource large(header.content(), header.size() + bytes);
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
-    EXPECT_LT(*large.read, megabyte);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 }  // namespace
