@@ -96,6 +96,7 @@ double mean_height(const Array2D& heights) {
 }  // namespace
 
 void write_gwy(const std::string& path, const topography::Measurement& measurement) {
+    refuse_trace(measurement, path);
     const auto& map = required_map(measurement, path, "Gwyddion's format");
     const auto points = static_cast<std::uint64_t>(map.heights.size());
     const bool masked = map.heights.isNaN().any();

@@ -51,6 +51,7 @@ void write_grid(const std::string& path, const Grid& grid, const Array2D& height
 }  // namespace
 
 void write_sdf(const std::string& path, const topography::Measurement& measurement) {
+    refuse_trace(measurement, path);
     const auto [nx, ny] = topography::shape(measurement);
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(fmt::format("{}: SDF holds points at equal steps alone, this is a profile; write it as .x3p, .nc or .csv", path));

@@ -55,11 +55,11 @@ std::string row_bytes(const Array2D& heights, double undefined_as) {
 }
 
 WrittenTime written_time(const std::string& text) {
-    static const std::regex pattern(R"((\d{4})-(\d{2})-(\d{2})(?:[T ](\d{2}):(\d{2})(?::(\d{2}(?:\.\d+)?))?.*)?)");
+    static const std::regex pattern(R"((\d{4})-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])(?:[T ]([01]\d|2[0-3]):([0-5]\d)(?::([0-5]\d(?:\.\d+)?))?\s?(Z|[+-]\d{2}:\d{2})?)?)");
     std::smatch match;
     if (text.size() > 40 || !std::regex_match(text, match, pattern)) return {};
     const auto part = [&](std::size_t index) { return match[index].matched ? match[index].str() : std::string("00"); };
-    return {match[1], match[2], match[3], part(4), part(5), part(6)};
+    return {match[1], match[2], match[3], part(4), part(5), part(6), match[7]};
 }
 
 }  // namespace setae::io

@@ -24,10 +24,10 @@ void write_measurement_as_npy(const std::string& path, const topography::Measure
 /// Heights h(x, y) as little-endian float64, row after row from the top: what most formats hold. Undefined ones become `undefined_as`.
 [[nodiscard]] std::string row_bytes(const Array2D& heights, double undefined_as);
 
-/// The digits of a time written as "2016-01-12T09:57:48" or "2016-01-12 09:57": year, month, day, hour, minute, second; empty where
-/// it is written otherwise, such as by instruments.
+/// The parts of a time written as "2016-01-12T09:57:48+02:00", "2016-01-12 09:57" or "2016-01-12"; empty where it is written otherwise,
+/// as by many instruments.
 struct WrittenTime {
-    std::string year, month, day, hour, minute, second;
+    std::string year, month, day, hour, minute, second, zone;
 
     [[nodiscard]] bool known() const { return !year.empty(); }
 };

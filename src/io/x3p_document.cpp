@@ -126,7 +126,7 @@ X3pDocument parse_x3p_document(const pugi::xml_document& xml, const Source& sour
     document.list = data.child("DataList");
     if (document.point_member.empty() == document.list.empty()) broken(source, "expected either a list of points or a link to them");
     const bool layered = document.layers > 1;
-    if (layered && (!document.regular() || !document.list.empty() || document.profile))
+    if (layered && (!document.regular() || !document.list.empty()))
         broken(source, fmt::format("{} layers of listed points or absolute axes, expected SizeZ 1", document.layers));
     return document;
 }

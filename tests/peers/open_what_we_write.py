@@ -24,10 +24,8 @@ ENDINGS = ("x3p", "sdf", "gwy", "nc", "npy", "csv")
 #: what a package cannot be asked, though setae writes it
 UNREAD = {
     ("SurfaceTopography", "x3p", "line"): "reads surfaces alone",
-    ("SurfaceTopography", "sdf", "line"): "reads maps alone",
     ("SurfaceTopography", "csv", "map"): "reads matrices without commas alone",
     ("surfalize", "x3p", "line"): "reads surfaces alone",
-    ("surfalize", "sdf", "line"): "reads surfaces alone",
 }
 
 
@@ -84,6 +82,8 @@ PEERS = {
 
 
 def compare(heights, size, expected, expected_size):
+    if heights.ndim == 2 and expected.ndim == 1 and heights.shape[1] == 1:  # a line that is a map of one row
+        heights, size = heights[:, 0], size[:1]
     if heights.shape != expected.shape:
         return False, f"shape {heights.shape}"
     if not np.array_equal(np.isnan(heights), np.isnan(expected)):

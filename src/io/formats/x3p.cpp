@@ -266,7 +266,15 @@ std::vector<Alert> check_document(const Package& package, const std::string& xml
     return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written", "make sure of increments and offsets"}};
 }
 
+/// A list of points takes some bytes of its file each; elements that take less are made to fill the memory.
+void require_honest_list(const std::string& xml, const Source& source) {
+    const auto tags = static_cast<std::uint64_t>(std::count(xml.begin(), xml.end(), '<'));
+    constexpr std::uint64_t always = 1'000'000;
+    if (tags > always + source.size) broken(source, fmt::format("main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member", tags, source.size));
+}
+
 std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options, const Source& source) {
+    require_honest_list(xml, source);
     const auto tree = parsed_xml(xml, source, "X3P: main.xml");
     const auto document = parse_x3p_document(tree, source);
     std::vector<Channel> channels;

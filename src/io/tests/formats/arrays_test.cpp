@@ -124,6 +124,9 @@ TEST(NetCdf, OpeningReadsTheHeaderAlone) {
     const auto large = counted_source(header.content(), gigabyte - header.size());
     EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{n, n}));
     EXPECT_LT(*large.bytes_read, megabyte);
+    const CountedSource large(header.content(), gigabyte);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{n, n}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 // ---- NPY and NPZ ----------------------------------------------------------------------------------------------------
@@ -159,6 +162,9 @@ TEST(Npy, OpeningReadsTheHeaderAlone) {
     const auto large = counted_source(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
     EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
     EXPECT_LT(*large.bytes_read, megabyte);
+    const CountedSource large(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 TEST(Npz, ListsArraysAndPassesOverTheRest) {
@@ -245,6 +251,9 @@ TEST(Mat, OpeningReadsHeadersAlone) {
     const auto large = counted_source(header.content(), bytes);
     EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
     EXPECT_LT(*large.bytes_read, megabyte);
+    const CountedSource large(header.content(), header.size() + bytes);
+    EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 }  // namespace

@@ -120,11 +120,11 @@ TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
     put("yres\0i"s, 11264);
     put("data\0D"s, 11264 * 11264);
     const auto heights_end = small.find("data\0D"s) + 10 + 12 * 8;
-    const auto file = counted_source(small.substr(0, heights_end), more, small.substr(heights_end));
-    const auto info = open(file.source, {}).at(0).info;
+    const CountedSource file(small.substr(0, heights_end), more, small.substr(heights_end));
+    const auto info = open(file.source(), {}).at(0).info;
     EXPECT_EQ(info.shape, (std::vector<Index>{11264, 11264}));
     EXPECT_EQ(info.name, "behind the heights");
-    EXPECT_LT(*file.bytes_read, 1u << 20);
+    EXPECT_LT(file.bytes(), 1u << 20);
 }
 
 // ---- written ----------------------------------------------------------------------------------------------------------

@@ -94,9 +94,9 @@ TEST(Sdf, OpeningAGigabyteReadsItsHeaderAlone) {
     auto header = sample_named("type 7").substr(0, 81);
     header[42] = header[44] = '\0';
     header[43] = header[45] = '\x2c';  // 11264 × 11264
-    const auto file = counted_source(header, std::uint64_t{8} * 11264 * 11264, "");
-    EXPECT_EQ(open(file.source, {}).at(0).info.shape, (std::vector<Index>{11264, 11264}));
-    EXPECT_LT(*file.bytes_read, 1u << 18);
+    const CountedSource file(header, header.size() + std::uint64_t{8} * 11264 * 11264);
+    EXPECT_EQ(open(file.source(), {}).at(0).info.shape, (std::vector<Index>{11264, 11264}));
+    EXPECT_LT(file.bytes(), 1u << 18);
 }
 
 TEST(SdfWriter, WritesTheBytesOfTheStandard) {

@@ -117,6 +117,20 @@ TEST(X3p, LayersOfListedPointsAreRefused) {
     EXPECT_NE(refusal({{"main.xml", many}, {"d.bin", data}}).find("100000 layers, expected at most 256"), std::string::npos);
 }
 
+TEST(X3p, LayersOfAProfileAreLines) {
+    const auto xml = x3p_document("PRF", incremental, doubles, "<MatrixDimension><SizeX>3</SizeX><SizeY>1</SizeY><SizeZ>2</SizeZ></MatrixDimension>", linked);
+    const auto channels = opened({{"main.xml", xml}, {"d.bin", data}});
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[1].info.name, "height, layer 2");
+    EXPECT_EQ(std::get<LineScan>(channels[1].read()).heights[0], 4.0);
+}
+
+TEST(X3p, ListThatFillsTheMemoryIsRefused) {
+    std::string list = "<DataList>";
+    for (int k = 0; k < 1'100'000; ++k) list += "<Datum/>";
+    EXPECT_NE(refusal({{"main.xml", x3p_document("SUR", incremental, doubles, two_by_three, list + "</DataList>")}}).find("main.xml has 11000"), std::string::npos);
+}
+
 TEST(X3p, UnknownEntriesAndTheFirstOfJanuary1970AreNoMetadata) {
     auto xml = replaced(x3p_document("SUR", incremental, doubles, two_by_three, linked), "2020-01-02", "1970-01-01T01:00:00");
     xml = replaced(xml, "<Manufacturer>M", "<Manufacturer>not available");
@@ -178,6 +192,15 @@ TEST(X3pWriter, TimeThatIsNoneOfXmlStandsInTheComment) {
     const auto xml = written_document(map);
     EXPECT_NE(xml.find("<Date>1970-01-01T00:00:00</Date>"), std::string::npos);
     EXPECT_NE(xml.find("<Comment>measured 09:57:48 AM Tue Jan 12 2016</Comment>"), std::string::npos);
+}
+
+TEST(X3pWriter, DatesAreThoseOfXml) {
+    auto map = small_map();
+    for (const auto& [time, date] : {std::pair{"2016-01-12 09:57", "2016-01-12T09:57:00"}, {"2016-01-12", "2016-01-12T00:00:00"}, {"2016-01-12T09:57:48.25+02:00", "2016-01-12T09:57:48.25+02:00"},
+                                     {"2016-01-12 09:57:48 Z", "2016-01-12T09:57:48Z"}, {"2016-13-12", "1970-01-01T00:00:00"}, {"", "1970-01-01T00:00:00"}}) {
+        map.metadata.acquisition_time = time;
+        EXPECT_NE(written_document(map).find(fmt::format("<Date>{}</Date>", date)), std::string::npos) << time;
+    }
 }
 
 TEST(X3pWriter, ProfilesKeepTheirPositions) {
