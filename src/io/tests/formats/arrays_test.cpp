@@ -121,9 +121,6 @@ TEST(NetCdf, OpeningReadsTheHeaderAlone) {
     for (const char* name : {"x", "y"}) header.number(std::uint32_t{1}).text(name, 4).number(static_cast<std::uint32_t>(n));
     header.number(std::uint64_t{0}).number(std::uint32_t{11}).number(std::uint32_t{1}).number(std::uint32_t{7}).text("heights", 8);
     header.number(std::uint32_t{2}).number(std::uint32_t{0}).number(std::uint32_t{1}).number(std::uint64_t{0}).number(std::uint32_t{6}).number(std::uint32_t{0}).number(std::uint64_t{256});
-    const auto large = counted_source(header.content(), gigabyte - header.size());
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{n, n}));
-    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(header.content(), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{n, n}));
     EXPECT_LT(large.bytes(), megabyte);
@@ -159,9 +156,6 @@ TEST(Npy, WithoutSizeAndUnitItIsListed) {
 }
 
 TEST(Npy, OpeningReadsTheHeaderAlone) {
-    const auto large = counted_source(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
-    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
     EXPECT_LT(large.bytes(), megabyte);
@@ -248,9 +242,6 @@ TEST(Mat, OpeningReadsHeadersAlone) {
     constexpr std::uint32_t rows = 16000, columns = 16384, bytes = 4 * rows * columns;
     header.number(std::uint32_t{14}).number(bytes + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{7}).number(std::uint32_t{0});
     header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(rows).number(columns).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{7}).number(bytes);
-    const auto large = counted_source(header.content(), bytes);
-    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
-    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(header.content(), header.size() + bytes);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
     EXPECT_LT(large.bytes(), megabyte);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <atomic>
-#include <cstring>
-#include <memory>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "counted_source.hpp"
 #include "format_samples.hpp"
 #include "igor_builder.hpp"
 #include "setae/io/format.hpp"
@@ -12,21 +11,6 @@
 
 namespace setae::io::tests {
 namespace {
-
-/// A source whose bytes behind `head` are zeros, and a count of those read.
-struct Counted {
-    std::shared_ptr<std::atomic<std::uint64_t>> bytes = std::make_shared<std::atomic<std::uint64_t>>(0);
-    Source source;
-
-    Counted(std::string head, std::uint64_t size) {
-        source = {.name = "large", .size = size, .path = {}, .read_into = {}};
-        source.read_into = [content = std::move(head), count = bytes](std::uint64_t offset, std::uint64_t length, char* target) {
-            *count += length;
-            std::memset(target, 0, length);
-            if (offset < content.size()) std::memcpy(target, content.data() + offset, std::min<std::uint64_t>(length, content.size() - offset));
-        };
-    }
-};
 
 constexpr std::uint64_t gigabyte = 1'000'000'000, megabyte = 1'000'000;
 
@@ -48,11 +32,11 @@ std::string large_nanoscope_header() {
 }
 
 void expect_lazy(const std::string& head, Index nx, Index ny) {
-    const Counted large(head, gigabyte);
-    const auto channels = io::open(large.source, {});
+    const CountedSource large(head, gigabyte);
+    const auto channels = io::open(large.source(), {});
     EXPECT_EQ(channels.back().info.shape, (std::vector<Index>{nx, ny}));
     EXPECT_TRUE(channels.back().info.is_height);
-    EXPECT_LT(*large.bytes, megabyte);
+    EXPECT_LT(large.bytes(), megabyte);
 }
 
 TEST(ProbeFormats, OpenAGigabyteWithLessThanAMegabyte) {
