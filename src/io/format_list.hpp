@@ -61,7 +61,6 @@ namespace setae::io {
 [[nodiscard]] Format mitutoyo_format();
 [[nodiscard]] Format dektak_csv_format();
 [[nodiscard]] Format hfm_format();
-[[nodiscard]] Format kla_text_format();
 [[nodiscard]] Format dabam_format();
 [[nodiscard]] Format matrix_text_format();
 [[nodiscard]] Format xyz_format();

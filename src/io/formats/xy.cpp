@@ -18,9 +18,11 @@ Format xy_format() {
             .name = "two-column text",
             .extensions = ".csv .txt .asc .dat",
             .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, others a profile as traced; also behind an index, "
-                           "before a third column 'valid' or 'standard_error', and setae's own profiles with the response of their trace",
+                           "before a third column 'valid' or 'standard_error', setae's own profiles with the response of their trace, and exports of profilers without header, such as KLA-Tencor's "
+                           "Alpha-Step and Apex",
             .heights = "values in the unit stated or given; empty cells and nan are undefined",
             .orientation = "",
+            .not_read = "a unit that is given counts for x and heights: exports with x in mm and heights in um need their units in a header line, 'x [mm]<tab>h [um]'",
             .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
             .tested_on_real_files = true,
             .carries_scale = false,
