@@ -60,15 +60,22 @@ std::string as_line(const Quantity& q) {
     return line + "\n";
 }
 
+void add_layout_option(CLI::App& verb, std::string& as) {
+    verb.add_option("--as", as, "how text of three columns is read: matrix, a narrow map, or columns, points x y z; default: from the numbers")
+        ->check(CLI::IsMember({"matrix", "columns"}).description(""));
+}
+
 void FileOptions::add_to(CLI::App& verb) {
     verb.add_option("--size", size, "extent where the file leaves it open: \"1 mm x 1 mm\" or \"2 mm\"");
     verb.add_option("--unit", unit, "unit of lengths where the file leaves it open, such as um");
+    add_layout_option(verb, as);
     verb.add_option("--channel", channel, "channel, counted from 0 as `setae info` lists them");
 }
 
 io::ReadOptions FileOptions::read_options() const {
     io::ReadOptions options;
     if (!unit.empty()) options.unit = unit;
+    if (!as.empty()) options.layout = as == "matrix" ? io::TextLayout::matrix : io::TextLayout::columns;
     if (size.empty()) return options;
     std::vector<double> lengths;
     std::string rest = size;

@@ -67,10 +67,14 @@ void show(const std::vector<Alert>& alerts);
 /// A quantity on one line for a reader: name, value with its unit and error, band.
 [[nodiscard]] std::string as_line(const Quantity& quantity);
 
-/// Options for files that leave size or unit open: --size "1 mm x 1 mm", --unit um, --channel K.
+/// Registers --as matrix|columns: how text is to be read whose columns have two meanings.
+void add_layout_option(CLI::App& verb, std::string& as);
+
+/// Options for files that leave something open: --size "1 mm x 1 mm", --unit um, --as columns, --channel K.
 struct FileOptions {
     std::string size;
     std::string unit;
+    std::string as;
     std::optional<std::size_t> channel;
 
     void add_to(CLI::App& verb);

@@ -22,6 +22,7 @@ struct CloseMember {
 };
 
 constexpr std::uint64_t head_bytes = 1 << 16;
+constexpr std::uint64_t largest_head = 1 << 20;  ///< of a member that is expanded in part
 
 [[noreturn]] void broken(const Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "ZIP: " + what);
@@ -101,17 +102,20 @@ zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     return stat;
 }
 
-/// A member expanded when it is asked for, once, whichever thread asks first.
+/// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once, whichever thread asks.
 struct LazyMember {
     Source archive;
-    std::string name, head;
+    std::string name;
     std::mutex guard;
-    std::shared_ptr<const std::string> content;
+    std::shared_ptr<const std::string> head, content;
 
-    std::shared_ptr<const std::string> expanded() {
+    /// What holds the bytes up to `end`; less where the member ends before.
+    std::shared_ptr<const std::string> holding(std::uint64_t end) {
         const std::lock_guard lock(guard);
-        if (!content) content = std::make_shared<const std::string>(Archive(archive).read(name));
-        return content;
+        if (content) return content;
+        if (end > head->size() && end <= largest_head) head = std::make_shared<const std::string>(Archive(archive).head(name, std::max(2 * end, 4 * head_bytes)));
+        if (end > largest_head) content = std::make_shared<const std::string>(Archive(archive).read(name));
+        return content ? content : head;
     }
 };
 
@@ -183,15 +187,13 @@ Source Archive::member(const std::string& name) const {
     auto lazy = std::make_shared<LazyMember>();
     lazy->archive = source_;
     lazy->name = name;
-    lazy->head = head(name, head_bytes);
+    lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
     Source source{fmt::format("{}: {}", source_.name, name), size(name), {}, {}};
     source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
         if (offset > size || count > size - offset) throw FormatError(label, {.offset = size}, fmt::format("the member ends here, expected {} bytes from byte {}; it is truncated", count, offset));
-        const bool in_head = offset + count <= lazy->head.size();
-        const auto content = in_head ? nullptr : lazy->expanded();
-        const std::string& from = in_head ? lazy->head : *content;
-        if (offset + count > from.size()) throw FormatError(label, {.offset = from.size()}, "ZIP: the member is shorter than the archive's directory says");
-        std::copy_n(from.data() + offset, count, target);
+        const auto held = lazy->holding(offset + count);
+        if (offset + count > held->size()) throw FormatError(label, {.offset = held->size()}, "ZIP: the member is shorter than the archive's directory says");
+        std::copy_n(held->data() + offset, count, target);
     };
     return source;
 }

@@ -37,8 +37,8 @@ public:
     /// The first `count` bytes of a member, or all where there are fewer.
     [[nodiscard]] std::string head(const std::string& name, std::uint64_t count) const;
 
-    /// The member as a source named "archive: member". It is expanded at the first read beyond its first 64 KiB and then kept;
-    /// a member that does not hold what the directory announces is refused at that read. It outlives the archive.
+    /// The member as a source named "archive: member". It is expanded at the first read beyond its first MiB and then kept, and its
+    /// beginning, as far as it is read, before; a member that does not hold what the directory announces is refused at that read. It outlives the archive.
     [[nodiscard]] Source member(const std::string& name) const;
 
 private:

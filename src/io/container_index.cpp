@@ -67,10 +67,17 @@ void fields_of(ContainerTopography::Datafile& datafile, Fields& fields) {
 }
 
 template <class Fields>
+void fields_of(ContainerTopography::Channel& channel, Fields& fields) {
+    fields("name", channel.name);
+    fields("occurrence", channel.occurrence);
+}
+
+template <class Fields>
 void fields_of(ContainerTopography& topography, Fields& fields) {
     fields("name", topography.name);
     fields("datafile", topography.datafile);
     fields("data_source", topography.data_source);
+    fields("channel", topography.channel);
     fields("size", topography.size);
     fields("unit", topography.unit);
     fields("height_scale", topography.height_scale);
@@ -278,14 +285,35 @@ void rename(json& object, const char* from, const char* to) {
     object.erase(from);
 }
 
-/// Keys of older generations made those of generation C.
+/// What newer indices say in a document "metadata" said where generation C says it.
+void flatten_metadata(json& topography) {
+    if (!topography.is_object() || !topography.contains("metadata") || !topography["metadata"].is_object()) return;
+    auto& metadata = topography["metadata"];
+    if (!topography.contains("size") && metadata.contains("size_x")) {
+        topography["size"] = json::array({metadata["size_x"]});
+        if (metadata.contains("size_y")) topography["size"].push_back(metadata["size_y"]);
+        metadata.erase("size_x");
+        metadata.erase("size_y");
+    }
+    for (const char* key : {"unit", "height_scale", "detrend_mode", "fill_undefined_data_mode", "is_periodic", "has_undefined_data", "instrument"}) {
+        if (topography.contains(key) || !metadata.contains(key)) continue;
+        topography[key] = std::move(metadata[key]);
+        metadata.erase(key);
+    }
+    if (metadata.empty()) topography.erase("metadata");
+}
+
+/// Keys of other generations made those of generation C.
 void modernise(json& index) {
     rename(index, "creation_time", "created_at");
     for (auto& surface : index["surfaces"]) {
         rename(surface, "creator", "created_by");
         rename(surface, "measurements", "topographies");
         if (!surface.is_object() || !surface.contains("topographies") || !surface["topographies"].is_array()) continue;
-        for (auto& topography : surface["topographies"]) rename(topography, "creator", "created_by");
+        for (auto& topography : surface["topographies"]) {
+            rename(topography, "creator", "created_by");
+            flatten_metadata(topography);
+        }
     }
 }
 

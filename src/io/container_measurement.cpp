@@ -21,6 +21,7 @@ struct Entry {
     std::string name, member;
     bool squeezed = false;  ///< processed: scaled, filled and detrended already
     std::size_t channel = 0;
+    std::optional<ContainerTopography::Channel> named;  ///< instead of the number
     double height_scale = 1.0;
     ReadOptions options;
     bool periodic = false;
@@ -30,18 +31,11 @@ struct Entry {
     std::vector<Alert> alerts;
 };
 
-std::optional<topography::Trend> parse_trend(const std::string& mode) {
-    if (mode == "height") return topography::Trend::tilt;
-    if (mode == "curvature") return topography::Trend::parabola;
-    if (mode == "center") return topography::Trend::mean;
-    return std::nullopt;
-}
-
 /// A field that was kept because it is not what it should be decides how a file is read: it is not passed over.
 void require_understood(const ContainerTopography& topography) {
     if (topography.extra.empty()) return;
     const auto kept = nlohmann::json::parse(topography.extra);
-    for (const char* key : {"datafile", "data_source", "size", "unit", "height_scale", "is_periodic"})
+    for (const char* key : {"datafile", "data_source", "channel", "size", "unit", "height_scale", "is_periodic"})
         if (kept.contains(key)) throw InvalidArgument(fmt::format("the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
 }
 
@@ -62,6 +56,7 @@ Entry entry_of(const ContainerTopography& topography, const std::string& surface
     entry.name = topography.name;
     choose_member(topography, archive, entry);
     entry.channel = entry.squeezed ? 0 : topography.data_source.value_or(0);
+    if (!entry.squeezed && !topography.data_source) entry.named = topography.channel;
     entry.height_scale = topography.height_scale.value_or(1.0);
     if (!topography.unit.empty()) {
         entry.options.unit = topography.unit;
@@ -70,7 +65,7 @@ Entry entry_of(const ContainerTopography& topography, const std::string& surface
         for (const double size : topography.size) entry.options.size->push_back(size * factor);
     }
     entry.periodic = topography.is_periodic.value_or(false);
-    entry.trend = parse_trend(topography.detrend_mode);
+    entry.trend = trend_of(topography.detrend_mode);
     if (const auto& instrument = topography.instrument) {
         const auto parameters = instrument->parameters.value_or(ContainerInstrument::Parameters{});
         entry.instrument.name = instrument->name;
@@ -106,16 +101,30 @@ struct ScaledChannel {
     double factor = 1.0;
 };
 
+/// The channel of a name, or the only one of heights where programs name channels otherwise than setae.
+std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels, const Source& member) {
+    if (!entry.named) {
+        if (entry.channel < channels.size()) return entry.channel;
+        throw FormatError(member.name, {}, fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
+    }
+    std::vector<std::size_t> of_heights;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (channels[i].info.is_height) of_heights.push_back(i);
+        if (channels[i].info.name == entry.named->name && before++ == entry.named->occurrence.value_or(0)) return i;
+    }
+    if (of_heights.size() == 1) return of_heights.front();
+    throw FormatError(member.name, {}, fmt::format("no channel '{}' among its {}", entry.named->name, channels.size()));
+}
+
 ScaledChannel open_member(const Archive& archive, const Entry& entry) {
     const auto member = unpacked(archive.member(entry.member));
     const auto& format = detect_format(member);
     if (format.identifier == container_format().identifier)
         throw FormatError(member.name, {.offset = 0}, "a container within a container; take it out and open it by itself");
     auto channels = open(member, entry.options);
-    if (entry.channel >= channels.size())
-        throw FormatError(member.name, {}, fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
     const bool scaled_already = format.carries_scale || entry.squeezed;
-    return {std::move(channels[entry.channel]), scaled_already ? 1.0 : entry.height_scale};
+    return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
 }
 
 topography::Measurement read_member(const Source& source, const Entry& entry) {
@@ -166,6 +175,23 @@ Channel unreadable_channel(const Source& source, const std::string& name, const 
 }
 
 }  // namespace
+
+std::optional<topography::Trend> trend_of(const std::string& detrend_mode) {
+    if (detrend_mode == "height") return topography::Trend::tilt;
+    if (detrend_mode == "curvature") return topography::Trend::parabola;
+    if (detrend_mode == "center") return topography::Trend::mean;
+    return std::nullopt;
+}
+
+bool repeats_scale(const Archive& archive, const ContainerTopography& topography) {
+    const auto& original = topography.datafile.original;
+    if (topography.height_scale.value_or(1.0) == 1.0 || original.empty() || !archive.has(original)) return false;
+    try {
+        return detect_format(unpacked(archive.member(original))).carries_scale;
+    } catch (const FormatError&) {
+        return false;
+    }
+}
 
 Channel container_channel(const Source& source, const Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography) {
     try {

@@ -12,4 +12,11 @@ namespace setae::io {
 /// becomes a channel with the alert UNREADABLE_MEMBER. Only the file's header is read here.
 [[nodiscard]] Channel container_channel(const Source& source, const Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography);
 
+/// Whether the index repeats a scale that the original carries itself, so that programs that apply both scale its heights twice.
+/// False for an original that is missing or of unknown format.
+[[nodiscard]] bool repeats_scale(const Archive& archive, const ContainerTopography& topography);
+
+/// The trend that a container's detrend_mode means; nothing for others.
+[[nodiscard]] std::optional<topography::Trend> trend_of(const std::string& detrend_mode);
+
 }  // namespace setae::io

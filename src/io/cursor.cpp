@@ -28,8 +28,10 @@ void Cursor::require(std::uint64_t count) const {
 const char* Cursor::take(std::uint64_t count) {
     require(count);
     if (position_ < window_at_ || position_ + count > window_at_ + window_.size()) {
-        window_ = source_.bytes(position_, std::min(std::max(window_bytes, count), remaining()));
-        window_at_ = position_;
+        // windows begin at multiples of their size: the first holds what a lazy member of an archive has without being expanded
+        const auto begin = position_ - position_ % window_bytes;
+        window_ = source_.bytes(begin, std::min(std::max(window_bytes, position_ + count - begin), source_.size - begin));
+        window_at_ = begin;
     }
     last_ = position_;
     position_ += count;

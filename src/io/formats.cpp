@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "archive.hpp"
 #include "expand.hpp"
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
@@ -107,13 +109,32 @@ std::string expected_by_name(const std::string& name) {
     return names.empty() ? "" : fmt::format("; its name is that of {}, whose files begin otherwise: it may be damaged or of another version", names);
 }
 
+/// What kind of file the first bytes are of, where other programs' files are of it too.
+std::string kind_of(std::string_view head, const Source& source) {
+    using namespace std::string_view_literals;
+    if (is_zip(head)) {
+        auto names = Archive(source).names();
+        if (names.size() > 5) names.resize(5);
+        return fmt::format("a ZIP archive with {}", fmt::join(names, ", "));
+    }
+    static constexpr std::pair<std::string_view, const char*> kinds[] = {
+        {"\x89HDF\r\n"sv, "an HDF5 file"},  {"II*\0"sv, "a TIFF picture"},      {"MM\0*"sv, "a TIFF picture"},        {"\xd0\xcf\x11\xe0"sv, "an OLE compound file"},
+        {"\x89PNG"sv, "a PNG picture"},      {"\xff\xd8\xff"sv, "a JPEG picture"}, {"BM"sv, "a bitmap picture"},      {"%PDF"sv, "a PDF document"},
+        {"\x28\xb5\x2f\xfd"sv, "a Zstandard stream"}, {"7z\xbc\xaf"sv, "a 7z archive"}, {"Rar!"sv, "a RAR archive"}, {"\x7f" "ELF"sv, "a program"}};
+    for (const auto& [signature, kind] : kinds)
+        if (head.starts_with(signature)) return kind;
+    return {};
+}
+
 [[noreturn]] void unknown(const Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (is_tiff(head)) refuse_tiff(source);
     if (looks_like_text(head))
-        throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header");
+        throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header" + expected_by_name(source.name));
+    const auto kind = kind_of(head, source);
     throw FormatError(source.name, {.offset = 0},
-                      fmt::format("begins with '{}', which no format setae reads does{}; `setae formats` lists them", first_bytes(head), expected_by_name(source.name)));
+                      fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them", first_bytes(head), kind.empty() ? "" : ", as " + kind,
+                                  expected_by_name(source.name)));
 }
 
 /// Sizes the user or an index gave against the file's own, which stay.

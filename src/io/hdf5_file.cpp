@@ -10,10 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "expand.hpp"
-#include "hdf5_chunks.hpp"
 #include "hdf5_handle.hpp"
-#include "on_demand.hpp"
+#include "hdf5_layout.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "text.hpp"
@@ -24,21 +22,12 @@ namespace {
 constexpr int deepest_group = 16;
 constexpr std::size_t most_objects = 10'000, most_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
 constexpr std::uint64_t longest_text = 1 << 16, most_record_bytes = 1 << 24;
-constexpr std::uint64_t most_compact_bytes = 1 << 16;
 
 [[noreturn]] void broken(const Source& source, const std::string& what) { throw FormatError(source.name, {}, "HDF5: " + what); }
 
 std::string clean_text(std::string bytes) {
     bytes.resize(std::min(bytes.find('\0'), bytes.size()));
     return std::string(trimmed(decoded(std::move(bytes), Encoding::detect)));
-}
-
-std::uint64_t product(const std::vector<hsize_t>& extents, std::uint64_t start = 1) {
-    for (const auto extent : extents) {
-        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent) return std::numeric_limits<std::uint64_t>::max();
-        start *= extent;
-    }
-    return start;
 }
 
 // ---- what a group holds ---------------------------------------------------------------------------------------------
@@ -59,8 +48,7 @@ void find_datasets(hid_t group, const std::string& path, int depth, std::size_t&
     for (const auto& name : members_of(group)) {
         if (++visited > most_objects) return;
         const Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
-        if (!member) continue;
-        const auto type = H5Iget_type(member);
+        const auto type = member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
         if (type == H5I_DATASET) found.push_back(path + "/" + name);
         if (type == H5I_GROUP && depth < deepest_group) find_datasets(member, path + "/" + name, depth + 1, visited, found);
     }
@@ -80,6 +68,14 @@ Hdf5Handle opened_object(hid_t file, const std::string& path) {
         std::swap(object.id, next.id);
     }
     return object;
+}
+
+/// Whether a group of the file has a hard link of that path, to whatever it leads.
+bool is_in(hid_t file, const std::string& path) {
+    const auto slash = path.rfind('/');
+    const auto group = opened_object(file, path.substr(0, slash));
+    H5L_info_t link;
+    return group && H5Iget_type(group) == H5I_GROUP && H5Lget_info(group, path.substr(slash + 1).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
 }
 
 // ---- attributes and records -----------------------------------------------------------------------------------------
@@ -195,107 +191,8 @@ bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
     constexpr std::uint64_t most_packed = 1 << 16, most_piece = 1 << 18;
     if (H5Pget_layout(properties) != H5D_CHUNKED) return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
     std::vector<hsize_t> chunk(dimensions);
-    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || product(chunk) > most_piece) return false;
+    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || hdf5_product(chunk) > most_piece) return false;
     return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= most_packed;
-}
-
-// ---- datasets -------------------------------------------------------------------------------------------------------
-
-struct PlainType {
-    Sample sample;
-    std::endian order;
-};
-
-/// Integers and floats as processors have them.
-std::optional<PlainType> plain_type(hid_t type) {
-    const struct {
-        hid_t little, big;
-        Sample sample;
-    } known[] = {{H5T_STD_I8LE, H5T_STD_I8BE, Sample::int8},      {H5T_STD_U8LE, H5T_STD_U8BE, Sample::uint8},    {H5T_STD_I16LE, H5T_STD_I16BE, Sample::int16},
-                 {H5T_STD_U16LE, H5T_STD_U16BE, Sample::uint16},  {H5T_STD_I32LE, H5T_STD_I32BE, Sample::int32},  {H5T_STD_U32LE, H5T_STD_U32BE, Sample::uint32},
-                 {H5T_STD_I64LE, H5T_STD_I64BE, Sample::int64},   {H5T_STD_U64LE, H5T_STD_U64BE, Sample::uint64}, {H5T_IEEE_F32LE, H5T_IEEE_F32BE, Sample::float32},
-                 {H5T_IEEE_F64LE, H5T_IEEE_F64BE, Sample::float64}};
-    for (const auto& one : known) {
-        if (H5Tequal(type, one.little) > 0) return PlainType{one.sample, std::endian::little};
-        if (H5Tequal(type, one.big) > 0) return PlainType{one.sample, std::endian::big};
-    }
-    return std::nullopt;
-}
-
-/// What is read of a dataset to find its values.
-struct Dataset {
-    const Source& source;
-    const std::string& path;
-    hid_t data, type, properties;
-    const std::vector<hsize_t>& extents;
-    std::uint64_t bytes;  ///< of all values
-};
-
-void refuse_elsewhere(StoredArray& array, const char* where) { array.refusal = fmt::format("HDF5: the values of {:.200} lie {}; copy them into one file with h5repack", array.name, where); }
-
-/// A few values stand in the dataset's header.
-void place_compact(const Dataset& dataset, StoredArray& array) {
-    if (dataset.bytes > most_compact_bytes) broken(dataset.source, fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged", dataset.path, dataset.bytes));
-    std::string values(dataset.bytes, '\0');
-    if (H5Dread(dataset.data, dataset.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) broken(dataset.source, fmt::format("dataset {:.200} cannot be read; the file is damaged", dataset.path));
-    array.data = memory_source(dataset.source.name, std::move(values));
-}
-
-void place_contiguous(const Dataset& dataset, StoredArray& array) {
-    if (H5Pget_external_count(dataset.properties) > 0) return refuse_elsewhere(array, "in other files");
-    const auto offset = H5Dget_offset(dataset.data);
-    if (offset == HADDR_UNDEF) {
-        array.refusal = fmt::format("HDF5: dataset {:.200} was announced, but its values were never written", dataset.path);
-        return;
-    }
-    array.data = dataset.source;
-    array.offset = offset;
-}
-
-std::string fill_value(const Dataset& dataset, std::size_t bytes) {
-    std::string fill(bytes, '\0');
-    H5D_fill_value_t state = H5D_FILL_VALUE_UNDEFINED;
-    if (H5Pfill_value_defined(dataset.properties, &state) >= 0 && state != H5D_FILL_VALUE_UNDEFINED) H5Pget_fill_value(dataset.properties, dataset.type, fill.data());
-    return fill;
-}
-
-/// Values in pieces: refused where they could not have become so few bytes, else read through ChunkedValues.
-void place_chunked(const Dataset& dataset, StoredArray& array) {
-    Hdf5Chunks chunks{dataset.path, dataset.extents, std::vector<hsize_t>(dataset.extents.size()), static_cast<std::size_t>(bytes_of(array.sample)), {}, {}};
-    if (H5Pget_chunk(dataset.properties, static_cast<int>(chunks.chunk.size()), chunks.chunk.data()) < 0 || product(chunks.chunk) == 0)
-        broken(dataset.source, fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
-    for (int k = 0; k < H5Pget_nfilters(dataset.properties); ++k) {
-        unsigned flags = 0, parameter = 0;
-        std::size_t parameters = 1;
-        const auto id = H5Pget_filter2(dataset.properties, static_cast<unsigned>(k), &flags, &parameters, &parameter, 0, nullptr, nullptr);
-        if (!unpacks(id)) {
-            array.refusal = fmt::format("HDF5: dataset {:.200} is packed with filter {}, which setae does not unpack; repack the file with h5repack -f GZIP=4", dataset.path, static_cast<int>(id));
-            return;
-        }
-        chunks.filters.push_back({id, parameters > 0 ? parameter : 0});
-    }
-    const auto stored = std::min<std::uint64_t>(H5Dget_storage_size(dataset.data), dataset.source.size);
-    const auto most = most_expanded(stored), piece_bytes = product(chunks.chunk, chunks.value_bytes);
-    if (dataset.bytes > most || piece_bytes > most)
-        broken(dataset.source, fmt::format("dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value", dataset.path, dataset.bytes, piece_bytes, stored));
-    std::uint64_t pieces = 1;
-    for (std::size_t k = 0; k < chunks.chunk.size(); ++k) pieces *= (dataset.extents[k] + chunks.chunk[k] - 1) / chunks.chunk[k];
-    if (pieces > dataset.source.size / 8 + 4096) broken(dataset.source, fmt::format("dataset {:.200} is cut into {} pieces, more than the file can hold; it is damaged", dataset.path, pieces));
-    chunks.fill = fill_value(dataset, chunks.value_bytes);
-
-    struct Guarded {
-        std::mutex guard;
-        ChunkedValues values;
-        Guarded(const Source& source, const Hdf5Chunks& chunks) : values(source, chunks) {}
-    };
-    const auto values = std::make_shared<OnDemand<Guarded>>([source = dataset.source, chunks] { return std::make_shared<Guarded>(source, chunks); });
-    array.data = {dataset.source.name, dataset.bytes, {}, [values, name = dataset.source.name, size = dataset.bytes](std::uint64_t offset, std::uint64_t count, char* target) {
-                      if (offset > size || count > size - offset) throw FormatError(name, {}, "HDF5: values beyond the end of their dataset");
-                      const auto kept = values->hold();
-                      const std::lock_guard lock(kept->guard);
-                      kept->values.read(offset, count, target);
-                  }};
-    array.hold = [values] { return values->hold(); };
 }
 
 }  // namespace
@@ -321,9 +218,17 @@ std::vector<std::string> Hdf5File::members(const std::string& group) const {
 std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
     const Hdf5Session session;
     const auto data = opened_object(*file_, path);
+    if (!data && is_in(*file_, path)) {
+        unsigned major = 0, minor = 0, release = 0;
+        H5get_libversion(&major, &minor, &release);
+        StoredArray closed{.name = path, .data = source_};
+        closed.refusal = fmt::format("HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}, whose h5repack --high=2 makes it older", path, major, minor,
+                                     release);
+        return closed;
+    }
     if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
     const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose), properties(H5Dget_create_plist(data), &H5Pclose);
-    const auto plain = type ? plain_type(type) : std::nullopt;
+    const auto plain = type ? hdf5_number(type) : std::nullopt;
     if (!plain || !space || !properties) return std::nullopt;
     const auto extents = hdf5_extents(space);
     StoredArray array;
@@ -337,15 +242,7 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
         array.shape.push_back(static_cast<Index>(extent));
     }
     if (!is_map_or_line(array)) return array;
-    const auto bytes = product(extents, bytes_of(plain->sample));
-    if (bytes == std::numeric_limits<std::uint64_t>::max()) broken(source_, fmt::format("dataset {:.200} announces too many values; the file is damaged", path));
-    const Dataset dataset{source_, path, data, type, properties, extents, bytes};
-    switch (H5Pget_layout(properties)) {
-        case H5D_COMPACT: place_compact(dataset, array); break;
-        case H5D_CONTIGUOUS: place_contiguous(dataset, array); break;
-        case H5D_CHUNKED: place_chunked(dataset, array); break;
-        default: refuse_elsewhere(array, "in other datasets");
-    }
+    place_values({source_, path, data, type, properties, extents}, array);
     return array;
 }
 
@@ -375,7 +272,7 @@ std::vector<Hdf5Record> Hdf5File::records(const std::string& path) const {
     const Hdf5Handle properties(H5Dget_create_plist(data), &H5Pclose);
     const auto type = native(stored);
     const auto extents = hdf5_extents(space);
-    const auto count = product(extents);
+    const auto count = hdf5_product(extents);
     if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records || count * type->bytes > most_record_bytes) return {};
     std::vector<Hdf5Record> records;
     with_values(

@@ -37,7 +37,8 @@ public:
     [[nodiscard]] std::vector<std::string> datasets() const;
     /// Names of what a group holds, sorted; nothing where there is no such group.
     [[nodiscard]] std::vector<std::string> members(const std::string& group) const;
-    /// A dataset of integers or floats; nothing where there is none of that path, or its values are no plain numbers.
+    /// A dataset of integers or floats; nothing where there is none of that path, or its values are no plain numbers. What the library
+    /// cannot open has a refusal and no shape.
     /// @throws FormatError for one that announces more than its file can hold.
     [[nodiscard]] std::optional<StoredArray> array(const std::string& path) const;
     /// Texts and numbers that an object, "/" for the file, has as attributes; of several texts the first.

@@ -2,11 +2,13 @@
 #include "hdf5_handle.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "cursor.hpp"
 #include "hdf5_file.hpp"
+#include "hdf5_heaps.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io {
@@ -73,6 +75,7 @@ Hdf5Handle opened_hdf5(const Source& source) {
     const auto start = find_hdf5(source.head(1 << 16));
     if (!start) throw FormatError(source.name, {.offset = std::min<std::uint64_t>(source.size, 512)}, "HDF5: no signature; the file is damaged or truncated");
     require_whole(source, *start);
+    require_sound_heaps(source);
     const Hdf5Session session;
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
     if (source.path.empty()) {
@@ -83,6 +86,14 @@ Hdf5Handle opened_hdf5(const Source& source) {
     Hdf5Handle file(H5Fopen(source.path.empty() ? source.name.c_str() : source.path.c_str(), H5F_ACC_RDONLY, access), &H5Fclose);
     if (!file) throw FormatError(source.name, {.offset = *start}, "HDF5: the library cannot open it; it is damaged, or another program is writing it");
     return file;
+}
+
+std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start) {
+    for (const auto extent : extents) {
+        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent) return std::numeric_limits<std::uint64_t>::max();
+        start *= extent;
+    }
+    return start;
 }
 
 std::vector<hsize_t> hdf5_extents(hid_t space) {

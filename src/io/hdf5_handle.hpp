@@ -3,7 +3,7 @@
 
 #include <hdf5.h>
 
-#include <memory>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -42,6 +42,9 @@ struct Hdf5Handle {
 
 /// @throws FormatError for bytes that are no HDF5, are truncated, or that the library refuses.
 [[nodiscard]] Hdf5Handle opened_hdf5(const Source& source);
+
+/// Number of values of extents, times `start`; the largest number there is where it would be more.
+[[nodiscard]] std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start = 1);
 
 /// Extents of a dataset or attribute's dataspace; of a single value none.
 [[nodiscard]] std::vector<hsize_t> hdf5_extents(hid_t space);

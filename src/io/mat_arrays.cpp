@@ -42,7 +42,8 @@ std::optional<Sample> sample_of(std::uint32_t element) {
 }
 
 bool is_name(std::string_view name) {
-    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && std::all_of(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; });
+    const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && std::all_of(name.begin(), name.end(), is_part);
 }
 
 /// The number of values of a shape; nothing where it is absurd.
@@ -118,7 +119,8 @@ std::optional<MatVariable> matrix(Cursor& cursor, std::endian order) {
 void place_compressed(MatVariable& variable, const Source& source, std::uint64_t offset, std::uint64_t packed, std::uint64_t expanded) {
     const auto content = std::make_shared<OnDemand<const std::string>>([source, offset, packed, expanded] {
         auto bytes = inflated(source.bytes(offset, packed), source, offset, mat);
-        if (bytes.size() < expanded) throw FormatError(source.name, {.offset = offset + packed}, fmt::format("MAT: {} bytes expand to {}, expected {}; the file is damaged", packed, bytes.size(), expanded));
+        if (bytes.size() < expanded)
+            throw FormatError(source.name, {.offset = offset + packed}, fmt::format("MAT: {} bytes expand to {}, expected {}; the file is damaged", packed, bytes.size(), expanded));
         return std::make_shared<const std::string>(std::move(bytes));
     });
     variable.array.data = {source.name, expanded, {}, [content, name = source.name, expanded](std::uint64_t from, std::uint64_t count, char* target) {
@@ -136,7 +138,8 @@ std::optional<MatVariable> compressed_matrix(const Source& source, std::uint64_t
     if (head.size() < tag_bytes) throw FormatError(source.name, {.offset = offset}, fmt::format("MAT: a compressed element of {} bytes; the file is damaged", head.size()));
     const std::uint64_t expanded = tag_bytes + load<std::uint32_t>(head.data() + 4, order);
     if (expanded > most_expanded(packed))
-        throw FormatError(source.name, {.offset = offset}, fmt::format("MAT: {} compressed bytes are to become {}, more than {}; if the file is honest, save it uncompressed (-v6)", packed, expanded, most_expanded(packed)));
+        throw FormatError(source.name, {.offset = offset},
+                          fmt::format("MAT: {} compressed bytes are to become {}, more than {}; if the file is honest, save it uncompressed (-v6)", packed, expanded, most_expanded(packed)));
     const auto seen = memory_source(source.name, head);
     Cursor cursor(seen, "MAT: compressed element", 0, order);
     auto variable = matrix(cursor, order);
@@ -167,8 +170,10 @@ std::optional<Level4> level4_header(std::string_view head, std::endian order) {
     const auto number = [&](std::size_t k) { return load<std::uint32_t>(head.data() + 4 * k, order); };
     const auto type = number(0);
     const auto machine = type / 1000, precision = type / 10 % 10, kind = type % 10;
-    const bool fits = machine == (order == std::endian::little ? 0u : 1u) && type / 100 % 10 == 0 && precision < std::size(precisions) && kind < 3 && number(3) < 2 && number(4) > 1 && number(4) <= 64;
-    Level4 header{order, precisions[fits ? precision : 0], kind, load<std::int32_t>(head.data() + 4, order), load<std::int32_t>(head.data() + 8, order), number(3) == 1, number(4)};
+    const bool known_type = machine == (order == std::endian::little ? 0u : 1u) && type / 100 % 10 == 0 && precision < std::size(precisions) && kind < 3;
+    const bool fits = known_type && number(3) < 2 && number(4) > 1 && number(4) <= 64;
+    const auto rows = load<std::int32_t>(head.data() + 4, order), columns = load<std::int32_t>(head.data() + 8, order);
+    const Level4 header{order, precisions[fits ? precision : 0], kind, rows, columns, number(3) == 1, number(4)};
     if (!fits || header.rows < 0 || header.columns < 0 || header.values() > most_values) return std::nullopt;
     return header;
 }
@@ -232,7 +237,10 @@ std::vector<MatVariable> mat4_variables(const Source& source) {
         if (!header) cursor.fail("no header of a matrix; the file is damaged");
         const auto name = level4_name(cursor.bytes(header->name_bytes));
         if (!name) cursor.fail("a name that MATLAB does not allow; the file is damaged");
-        MatVariable variable{{.name = *name, .shape = {header->rows, header->columns}, .attributes = {}, .data = source, .offset = cursor.position(), .sample = header->sample, .order = header->order, .first_fast = true}, header->complex};
+        MatVariable variable{{.name = *name, .shape = {header->rows, header->columns}, .data = source, .offset = cursor.position()}, header->complex};
+        variable.array.sample = header->sample;
+        variable.array.order = header->order;
+        variable.array.first_fast = true;
         cursor.skip(header->values() * bytes_of(header->sample) * (header->complex ? 2 : 1));
         if (header->is_numeric()) variables.push_back(std::move(variable));
     }

@@ -76,7 +76,8 @@ void require_values(const StoredArray& array, const Source& source) {
     for (const auto extent : array.shape) {
         const auto n = static_cast<std::uint64_t>(extent);
         if (n != 0 && count > source.size / n)
-            broken(source, source.size, fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated", fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
+            broken(source, source.size,
+                   fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated", fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
         count *= n;
     }
     if (array.offset + count > source.size)

@@ -18,7 +18,7 @@ const Attribute* find(const Attributes& attributes, const std::string& name) {
 }
 
 /// An array that is one value wide is a line.
-bool is_line(const StoredArray& array) { return array.shape.size() == 1 || array.shape[0] == 1 || array.shape[1] == 1; }
+bool is_line(const StoredArray& array) { return array.shape.size() < 2 || array.shape[0] == 1 || array.shape[1] == 1; }
 
 Raster raster_of(const StoredArray& array, FirstIndex first) {
     Raster raster{.offset = array.offset, .nx = array.shape[0], .ny = 1, .sample = array.sample, .order = array.order};
@@ -38,6 +38,12 @@ Raster raster_of(const StoredArray& array, FirstIndex first) {
 
 void require_readable(const StoredArray& array) {
     if (!array.refusal.empty()) throw FormatError(array.data.name, {}, array.refusal);
+}
+
+Channel refused_channel(ChannelInfo info, const StoredArray& array) {
+    info.metadata.file = array.data.name;
+    info.alerts.push_back({"UNREADABLE_ARRAY", info.name, array.refusal, "repack the file, as in h5repack -f GZIP=4"});
+    return {std::move(info), [name = array.data.name, refusal = array.refusal]() -> topography::Measurement { throw FormatError(name, {}, refusal); }};
 }
 
 }  // namespace
@@ -71,6 +77,7 @@ std::string orientation_of(const StoredArray& array, FirstIndex first) {
 }
 
 Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex first, const RawScale& scale, const ReadOptions& options) {
+    if (array.shape.empty()) return refused_channel(std::move(info), array);
     if (info.orientation.empty()) info.orientation = orientation_of(array, first);
     return array_channel(std::move(info), array, raster_of(array, first), scale, options);
 }
@@ -78,11 +85,7 @@ Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex fir
 Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& raster, const RawScale& scale, const ReadOptions& options) {
     if (!array.refusal.empty()) {
         info.shape = raster.ny == 1 ? std::vector<Index>{raster.nx} : std::vector<Index>{raster.nx, raster.ny};
-        info.alerts.push_back({"UNREADABLE_ARRAY", info.name, array.refusal, "repack the file, as in h5repack -f GZIP=4"});
-        return {std::move(info), [array]() -> topography::Measurement {
-                    require_readable(array);
-                    throw InternalError("an array without refusal was refused");
-                }};
+        return refused_channel(std::move(info), array);
     }
     auto channel = raster_channel(std::move(info), array.data, raster, scale, options);
     if (array.hold)

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "commas.hpp"
 #include "header.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -115,36 +116,11 @@ std::string joined(const std::vector<std::string>& lines) {
 
 /// Refuses commas that may begin decimals or group thousands: "1,234" with no cell that decides.
 void require_decided_commas(const std::vector<std::string_view>& lines, const Layout& layout, const TableOptions& options, const std::string& name) {
-    if (options.decimal_point || layout.dialect.decimal_point != ',' || layout.dialect.separator == ';') return;
-    std::vector<std::string_view> cells;
-    std::size_t doubtful_line = 0;
-    std::string doubtful;
-    for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
-        if (is_comment(trimmed(lines[i]))) continue;
-        split_cells(lines[i], layout.dialect.separator, cells);
-        for (const auto cell : cells) {
-            if (cell.find(',') == std::string_view::npos) continue;
-            if (!is_grouped(cell, ',', true)) return;
-            if (doubtful.empty()) doubtful = cell, doubtful_line = i + 1;
-        }
-    }
-    if (!doubtful.empty())
-        throw FormatError(name, {.line = doubtful_line},
-                          fmt::format("'{0:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
-                                      "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping", doubtful));
-}
-
-/// Refuses integers at commas, twice as many as names: commas that separate and begin decimals.
-void require_separating_commas(const RawTable& table, const std::vector<std::string_view>& lines, const Layout& layout, const TableOptions& options,
-                               const std::string& name) {
-    if (options.separator || options.decimal_point || layout.dialect.separator != ',' || table.header.empty()) return;
-    std::vector<std::string_view> cells;
-    split_cells(table.header.back(), ',', cells);
-    if (cells.size() < 2 || 2 * cells.size() != layout.columns) return;
-    if (lines[layout.first_row].find('.') != std::string_view::npos) return;
-    throw FormatError(name, {.line = layout.first_row + 1},
-                      fmt::format("{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
-                                  "export with semicolons or tabs, or with decimal points", layout.columns, cells.size()));
+    if (options.decimal_point) return;
+    if (const auto doubtful = undecided_commas(lines, layout))
+        throw FormatError(name, {.line = doubtful->line},
+                          fmt::format("'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
+                                      "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping", doubtful->cell));
 }
 
 /// "# key: value" lines.
@@ -190,7 +166,7 @@ RawTable read_raw_table(const Source& source, const TableOptions& options) {
         if (options.header_end && i + 1 == begin) continue;
         if (const auto line = trimmed(lines[i]); !line.empty()) table.header.emplace_back(line);
     }
-    require_separating_commas(table, lines, *layout, options, source.name);
+    if (!options.separator && !options.decimal_point) require_separating_commas(table.header, lines[layout->first_row], layout->first_row + 1, *layout, source.name);
     table.metadata = key_values(table.header);
     const auto filled = filled_columns(numbers);
     const auto names = names_of(table, filled, layout->columns, source.name);

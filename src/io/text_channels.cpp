@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_channels.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
+#include "commas.hpp"
 #include "curve_channel.hpp"
 #include "matrix_channels.hpp"
 #include "point_grid.hpp"
@@ -159,12 +161,28 @@ bool is_table(const TextStart& start) {
     return true;
 }
 
+/// Refuses maps whose commas may begin decimals or group thousands, or do two things at once. Gwyddion and its like group none.
+void require_clear_commas(const TextStart& start, const MatrixHeader& header) {
+    if (header.is_map || start.layout.dialect.decimal_point == '.') {
+        const auto row = start.source.bytes(start.begin, std::min<std::uint64_t>(start.source.size - start.begin, 4096));
+        require_separating_commas(start.header, std::string_view(row).substr(0, row.find('\n')), start.line + 1, start.layout, start.source.name);
+        return;
+    }
+    for (const auto part : {std::uint64_t{detection_bytes}, start.source.size}) {
+        const auto text = decoded(start.source.bytes(start.begin, std::min(part, start.source.size - start.begin)), Encoding::detect);
+        const auto doubtful = undecided_commas(split_lines(text), start.layout);
+        if (!doubtful) return;
+        if (part >= start.source.size - start.begin)
+            throw FormatError(start.source.name, {.line = start.line + doubtful->line},
+                              fmt::format("'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; export with decimal points", doubtful->cell));
+    }
+}
+
 /// The numbers of the first bytes; nothing where they make no table.
 std::optional<RawTable> head_table(std::string_view head, const Source& source) {
-    auto text = decoded(std::string(head), Encoding::detect);
-    if (head.size() < source.size) text.resize(text.rfind('\n') + 1);
+    const bool whole = head.size() >= source.size;
     try {
-        return read_raw_table(memory_source("head", std::move(text)));
+        return read_raw_table(memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
     } catch (const FormatError&) {
         return std::nullopt;
     }
@@ -198,9 +216,10 @@ std::vector<Channel> open_text(const Source& source, const ReadOptions& options)
     const auto header = parse_matrix_header(start->header, source);
     const auto columns = start->layout.columns;
     const bool as_matrix = options.layout == TextLayout::matrix, as_columns = options.layout == TextLayout::columns;
-    if (as_matrix || (header.is_map && !as_columns) || columns == 1) return matrix_channels(*start, header, options, {});
-    if (columns > 3 && !as_columns) {
-        if (!is_table(*start) || options.size) return matrix_channels(*start, header, options, {});
+    const bool unnamed_map = columns > 3 && !as_columns && (!is_table(*start) || options.size);
+    if (as_matrix || (header.is_map && !as_columns) || columns == 1 || unnamed_map) {
+        require_clear_commas(*start, header);
+        return matrix_channels(*start, header, options, {});
     }
     const auto table = read_raw_table(source);
     if (table.columns.size() < 2 || table.columns.size() > 3) no_surface(table, source, {});

@@ -227,14 +227,14 @@ std::optional<TextStart> find_start(const Source& source) {
     }
     for (;;) {
         const bool whole = head.size() == start.source.size;
-        const auto text = decoded(head, Encoding::detect);
+        const auto last_break = head.rfind('\n');
+        auto text = decoded(whole || last_break == std::string::npos ? head : head.substr(0, last_break), Encoding::detect);
         auto lines = split_lines(text);
-        if (!whole && lines.size() > 1) lines.pop_back();
         keep_first_part(lines);
         auto layout = find_layout(lines, {});
         if (!layout && !whole) {  // a first row longer than what was read: its dialect shows in what there is of it
-            const auto cut = std::string_view(text).substr(0, text.find_last_of(" \t;,"));
-            lines = split_lines(cut);
+            text = decoded(head.substr(0, head.find_last_of(" \t;,")), Encoding::detect);
+            lines = split_lines(text);
             layout = find_layout(lines, {});
         }
         if (!layout && !whole && head.size() < (std::size_t{1} << 20)) {
@@ -304,6 +304,10 @@ void require_whole_last_line(const NumberLines& lines) {
 Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {
     const Index last = places.count < 0 ? lines.rows : places.first + places.count;
     const Index rows = last - places.first;
+    std::uint64_t characters = 1;  // a cell has one at least, with what ends it: room for more is never made
+    for (const auto& block : lines.blocks) characters += block.size;
+    if (static_cast<std::uint64_t>(lines.rows) > characters / static_cast<std::uint64_t>(std::max<Index>(lines.columns, 1)))
+        throw FormatError(lines.source.name, {.line = lines.lines}, fmt::format("{} lines are too short for {} columns in each; some have fewer", lines.rows, lines.columns));
     Array2D target(places.lines_are_columns ? rows : lines.columns, places.lines_are_columns ? lines.columns : rows);
     parallel::for_each_index(lines.blocks.size(), {}, [&](std::size_t i) {
         const auto& block = lines.blocks[i];

@@ -7,6 +7,7 @@
 
 #include "../../src/imaging/tests/micrograph_samples.hpp"
 #include "../../src/imaging/tests/recordings.hpp"
+#include "../../src/io/hdf5_file.hpp"
 #include "format_samples.hpp"
 
 namespace {
@@ -40,6 +41,18 @@ std::vector<Sample> descriptions() {
             {"emd Velox", told({1, 1, 2, rows, columns, 2, 129}, "m\nm\n{\"BinaryResult\": {\"PixelSize\": {\"width\": \"1e-10\", \"height\": \"1e-10\"}, \"PixelUnitX\": \"m\", \"PixelUnitY\": \"m\"}}")}};
 }
 
+/// Descriptions of HDF5 files of each format, as fuzz_hdf5.cpp understands them: format, structures, type, sides, packing, attributes.
+std::vector<Sample> hdf5_descriptions() {
+    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) { return std::string(numbers.begin(), numbers.end()) + text; };
+    return {{"hdf5 map", told({0, 0, 9, 2, 6, 4, 0, 0, 0, 0}, "nm\n")},
+            {"hdf5 packed", told({0, 1, 2, 2, 6, 4, 14, 3, 0, 0}, "um\n")},
+            {"hdf5 line", told({0, 2, 8, 1, 9, 0, 0, 7, 3, 1, 2, 3}, "")},
+            {"hdf5 nc", told({1, 25, 9, 2, 6, 4, 14, 2, 2, 9, 3, 2, 17, 3, 0, 0}, "nm\n")},
+            {"hdf5 datx", told({2, 0, 9, 2, 6, 4, 0, 0}, "a\n") + told({23, 1, 5, 10, 5, 0, 1, 11, 5, 0, 1, 8, 0}, "Fringes\n")},
+            {"hdf5 jpk", told({3, 0, 4, 2, 15, 2, 0, 0, 12, 1, 5, 19, 8}, "height\n")},
+            {"hdf5 mat", told({4, 0, 9, 2, 6, 4, 14, 2, 17, 0}, "double\n")}};
+}
+
 void write(const std::filesystem::path& folder, std::string name, const std::string& content) {
     std::filesystem::create_directories(folder);
     for (auto& c : name)
@@ -58,10 +71,12 @@ int main(int argc, char** argv) {
     std::erase_if(samples, [](const Sample& sample) { return target_of(sample.first) == "emd"; });
     for (const auto& description : descriptions()) samples.push_back(description);
     for (const auto& large : micrographs_of(30000)) samples.emplace_back(large.first + " large", large.second);
+    for (const auto& description : hdf5_descriptions()) samples.push_back(description);
     for (const auto& film : films()) samples.push_back(film);
     const std::filesystem::path corpus = argv[1];
     for (const auto& [name, content] : samples) write(corpus / target_of(name), name, content);
     for (const auto& sample : setae::io::tests::format_samples()) {
+        if (setae::io::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }

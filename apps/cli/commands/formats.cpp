@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
+
+#include "format_pages.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/io/force_curve.hpp"
 #include "setae/io/format.hpp"
+#include "setae/io/whole_file.hpp"
 #include "setae/workflow/tidy_table.hpp"
 #include "verbs.hpp"
 
@@ -29,27 +34,56 @@ workflow::TidyTable as_table(const std::string& title, const Formats& formats) {
     return table;
 }
 
-ExitCode run(const Common& common) {
-    if (common.explain) {
-        for (const auto& f : io::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-        for (const auto& f : io::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-        for (const auto& f : imaging::micrograph_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-        return ExitCode::done;
-    }
-    if (common.json) {
-        workflow::Json list = workflow::Json::array();
-        for (const auto& f : io::formats())
-            list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
-                            {"reference", f.reference}, {"writes", f.writes()}, {"tested_on_real_files", f.tested_on_real_files}});
-        print_json({{"formats", list}, {"force_curves", as_json(io::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
-        return ExitCode::done;
-    }
-    workflow::TidyTable table{"", {"format", "name", "extensions", "writes", "real files", "description"}, {}};
+struct Arguments {
+    Common common;
+    std::string documentation;
+};
+
+void explain() {
+    for (const auto& f : io::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : io::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : imaging::micrograph_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+}
+
+workflow::Json topographies_json() {
+    auto list = workflow::Json::array();
     for (const auto& f : io::formats())
-        table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.writes()), yes(f.tested_on_real_files), f.description});
+        list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description}, {"heights", f.heights},
+                        {"orientation", f.orientation}, {"not_read", f.not_read}, {"reference", f.reference}, {"reads", true}, {"writes", f.writes()},
+                        {"tested_on_real_files", f.tested_on_real_files}});
+    return list;
+}
+
+/// Formats of topographies; those that no file of an instrument was read of stand out.
+workflow::TidyTable topographies_table() {
+    workflow::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+    for (const auto& f : io::formats())
+        table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()), f.tested_on_real_files ? "yes" : "NO", f.description});
+    return table;
+}
+
+ExitCode write_pages(const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    const auto pages = format_pages();
+    for (const auto& [name, text] : pages) io::write_whole_file((std::filesystem::path(folder) / name).string(), text);
+    print(fmt::format("{}: {} pages\n", folder, pages.size()));
+    return ExitCode::done;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) return write_pages(arguments.documentation);
+    if (arguments.common.explain) {
+        explain();
+        return ExitCode::done;
+    }
+    if (arguments.common.json) {
+        print_json({{"formats", topographies_json()}, {"force_curves", as_json(io::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
+        return ExitCode::done;
+    }
     const auto curves = as_table("force curves, for setae jkr", io::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
-    print(workflow::as_text(table) + "\n" + workflow::as_text(curves) + "\n" + workflow::as_text(micrographs) +
+    print(workflow::as_text(topographies_table()) + "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
+          workflow::as_text(curves) + "\n" + workflow::as_text(micrographs) +
           "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
     return ExitCode::done;
 }
@@ -57,10 +91,11 @@ ExitCode run(const Common& common) {
 }  // namespace
 
 void add_formats(CLI::App& program, Action& action) {
-    auto common = std::make_shared<Common>();
+    auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("formats", "file formats setae reads and writes");
-    add_common(*verb, *common);
-    verb->callback([&action, common] { action = [common] { return run(*common); }; });
+    add_common(*verb, arguments->common);
+    verb->add_option("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
+    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 
 }  // namespace setae::cli

@@ -3,10 +3,11 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "channel_lines.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/io/source.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -15,101 +16,145 @@ namespace {
 constexpr const char* explanation =
     "heights in metres, scaled once and not levelled; NaN undefined; h(x, y) with the first index x, y downwards as in the file's picture\n"
     "mean, rms   over defined heights; rms = sqrt(<(h - <h>)^2>)\n"
-    "size        number of points times pixel size; of a traced profile x_last - x_first\n";
+    "size        number of points times pixel size; of a traced profile x_last - x_first\n"
+    "undefined   share of points without height\n"
+    "MISSING     what the file does not say: size and unit, without which heights cannot be read, instrument and date\n"
+    "heights     are read of files up to 64 MB; of larger ones with --heights, with --no-heights of none: only headers are read then\n";
+
+/// Larger files are not read without being asked to.
+constexpr std::uint64_t largest_read = 64'000'000;
 
 struct Arguments {
     Common common;
     FileOptions file;
     std::vector<std::string> files;
+    bool heights = false, no_heights = false;
 };
 
 /// What the heights of a channel say, or why they could not be read.
 struct HeightSummary {
-    Index undefined_count = 0;
+    bool read = false;
+    Index undefined_count = 0, points = 0;
     double mean = undefined, standard_deviation = undefined, least = undefined, greatest = undefined;
     std::string error;
+
+    [[nodiscard]] double undefined_share() const { return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined; }
 };
+
+bool is_missing(const io::ChannelInfo& info, const std::string& what) {
+    for (const auto& name : io::missing(info))
+        if (name == what) return true;
+    return false;
+}
+
+bool can_be_read(const io::ChannelInfo& info) { return info.is_height && !is_missing(info, "size") && !is_missing(info, "unit"); }
+
+/// A member of a container that cannot be opened is a channel of no format; an alert says why.
+bool is_bad_member(const io::ChannelInfo& info) { return info.format.empty(); }
 
 HeightSummary summarise(const io::Channel& channel) {
     HeightSummary summary;
-    if (!channel.info.is_height) return summary;
     try {
         const auto heights = topography::all_heights(channel.read());
         const auto defined = heights == heights;
         const auto count = static_cast<double>(defined.count());
         const double offset = summary.mean = defined.select(heights, 0.0).sum() / count;
+        summary.points = heights.size();
         summary.undefined_count = heights.size() - defined.count();
         summary.standard_deviation = std::sqrt(defined.select((heights - offset).square(), 0.0).sum() / count);
         summary.least = defined.select(heights, INFINITY).minCoeff();
         summary.greatest = defined.select(heights, -INFINITY).maxCoeff();
+        summary.read = true;
     } catch (const Error& error) {
         summary.error = error.what();
     }
     return summary;
 }
 
+workflow::Json optional_number(const std::optional<double>& value) { return value ? workflow::Json(*value) : workflow::Json(nullptr); }
+
 workflow::Json channel_json(const std::string& file, std::size_t index, const io::ChannelInfo& info, const HeightSummary& heights) {
     using workflow::number;
     workflow::Json json{{"file", file}, {"channel", index}, {"format", info.format}, {"name", info.name}, {"shape", info.shape}, {"size", info.size},
-                        {"unit", info.unit}, {"is_height", info.is_height}, {"undefined_count", heights.undefined_count}, {"mean", number(heights.mean)},
+                        {"unit", info.unit}, {"orientation", info.orientation}, {"is_height", info.is_height}, {"heights_read", heights.read},
+                        {"undefined_count", heights.read ? workflow::Json(heights.undefined_count) : workflow::Json(nullptr)},
+                        {"undefined_share", number(heights.undefined_share())}, {"mean", number(heights.mean)},
                         {"standard_deviation", number(heights.standard_deviation)}, {"minimum", number(heights.least)}, {"maximum", number(heights.greatest)}};
     const auto& instrument = info.metadata.instrument;
-    json["instrument"] = {{"name", instrument.name}, {"type", instrument.type},
-                          {"tip_radius", instrument.tip_radius ? workflow::Json(*instrument.tip_radius) : workflow::Json(nullptr)},
-                          {"resolution", instrument.resolution ? workflow::Json(*instrument.resolution) : workflow::Json(nullptr)}};
+    json["instrument"] = {{"name", instrument.name}, {"type", instrument.type}, {"tip_radius", optional_number(instrument.tip_radius)},
+                          {"resolution", optional_number(instrument.resolution)}};
     json["acquisition_time"] = info.metadata.acquisition_time;
     json["recommended_trend"] = info.recommended_trend ? workflow::Json(topography::name(*info.recommended_trend)) : workflow::Json(nullptr);
-    json["missing"] = workflow::Json::array();
-    if (info.unit.empty()) json["missing"].push_back("unit");
-    if (info.size.empty()) json["missing"].push_back("size");
+    json["missing"] = io::missing(info);
     if (!heights.error.empty()) json["error"] = heights.error;
     json["alerts"] = workflow::to_json(info.alerts);
     return json;
 }
 
-std::string channel_line(const std::string& file, std::size_t index, const io::ChannelInfo& info, const HeightSummary& heights) {
-    std::vector<std::string> sizes;
-    for (const double size : info.size) sizes.push_back(format_value(size, "m"));
-    std::string line = fmt::format("{} [{}] {}: {}, {} points, {}", file, index, info.format, info.name.empty() ? "(no name)" : info.name,
-                                   fmt::join(info.shape, " × "), sizes.empty() ? "size missing" : fmt::format("{}", fmt::join(sizes, " × ")));
-    if (!info.is_height) return line + ", no heights\n";
-    if (!heights.error.empty()) return line + ", unreadable: " + heights.error + "\n";
-    line += fmt::format(", heights {} … {}, rms {}, unit in file {}", format_value(heights.least, "m"), format_value(heights.greatest, "m"),
-                        format_value(heights.standard_deviation, "m", 5), info.unit.empty() ? "missing" : info.unit);
-    if (heights.undefined_count > 0) line += fmt::format(", {} undefined", heights.undefined_count);
-    if (!info.metadata.instrument.name.empty()) line += ", " + info.metadata.instrument.name;
-    if (!info.metadata.acquisition_time.empty()) line += ", " + info.metadata.acquisition_time;
-    return line + "\n";
+std::string bytes_for_readers(std::uint64_t bytes) {
+    const auto value = static_cast<double>(bytes);
+    return bytes >= 1'000'000'000 ? fmt::format("{:.1f} GB", 1e-9 * value) : fmt::format("{:.0f} MB", 1e-6 * value);
 }
+
+std::string heights_words(const io::ChannelInfo& info, const HeightSummary& heights, std::uint64_t bytes) {
+    if (is_bad_member(info)) return {};
+    if (!heights.error.empty()) return ", unreadable: " + heights.error;
+    if (!info.is_height) return ", no heights";
+    if (heights.read)
+        return fmt::format(", heights {} … {}, rms {}{}", format_value(heights.least, "m"), format_value(heights.greatest, "m"), format_value(heights.standard_deviation, "m", 5),
+                           heights.undefined_count > 0 ? fmt::format(", {} undefined", percent(heights.undefined_share())) : "");
+    if (!can_be_read(info)) return {};
+    return bytes > largest_read ? fmt::format(", heights not read: {}, --heights reads them", bytes_for_readers(bytes)) : ", heights not read";
+}
+
+class Lister {
+public:
+    explicit Lister(const Arguments& arguments) : arguments_(arguments) {}
+
+    void add(const std::string& file) {
+        const auto bytes = io::file_source(file).size;
+        const auto found = io::open(file, arguments_.file.read_options());
+        const bool wanted = !arguments_.no_heights && (arguments_.heights || bytes <= largest_read);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (arguments_.file.channel && *arguments_.file.channel != i) continue;
+            const auto& info = found[i].info;
+            const auto heights = wanted && can_be_read(info) ? summarise(found[i]) : HeightSummary{};
+            unreadable_ = unreadable_ || is_bad_member(info) || !heights.error.empty();
+            if (arguments_.common.json) {
+                channels_.push_back(channel_json(file, i, info, heights));
+                continue;
+            }
+            print(fmt::format("{} [{}] {}{}{}\n", file, i, channel_line(info), heights_words(info, heights, bytes), channel_remarks(info)));
+            show(info.alerts);
+        }
+    }
+
+    [[nodiscard]] const workflow::Json& channels() const { return channels_; }
+    [[nodiscard]] bool any_unreadable() const { return unreadable_; }
+
+private:
+    const Arguments& arguments_;
+    workflow::Json channels_ = workflow::Json::array();
+    bool unreadable_ = false;
+};
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one");
-    workflow::Json channels = workflow::Json::array();
-    bool unreadable_member = false;
-    const auto code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto found = io::open(file, arguments.file.read_options());
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            if (arguments.file.channel && *arguments.file.channel != i) continue;
-            const auto heights = summarise(found[i]);
-            unreadable_member = unreadable_member || !heights.error.empty();
-            if (arguments.common.json) {
-                channels.push_back(channel_json(file, i, found[i].info, heights));
-            } else {
-                print(channel_line(file, i, found[i].info, heights));
-                show(found[i].info.alerts);
-            }
-        }
-    });
-    if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"channels", channels}});
-    return code == ExitCode::done && unreadable_member ? ExitCode::some_failed : code;
+    if (arguments.heights && arguments.no_heights) throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
+    Lister lister(arguments);
+    const auto code = for_each_item(arguments.files, [&](const std::string& file) { lister.add(file); });
+    if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"channels", lister.channels()}});
+    return code == ExitCode::done && lister.any_unreadable() ? ExitCode::some_failed : code;
 }
 
 }  // namespace
 
 void add_info(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("info", "what files hold: format, channels, shape, size, unit, heights");
+    auto* verb = program.add_subcommand("info", "what files hold: format, channels, shape, size, unit, heights, and what they leave open");
     verb->add_option("files", arguments->files, "files or containers");
+    verb->add_flag("--heights", arguments->heights, "read heights of files above 64 MB too");
+    verb->add_flag("--no-heights", arguments->no_heights, "read headers alone");
     arguments->file.add_to(*verb);
     on_named(*verb, action, arguments, explanation, run);
 }

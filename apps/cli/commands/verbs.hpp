@@ -8,6 +8,7 @@ namespace setae::cli {
 /// Each adds its verb to the program and sets `action` when the verb was named.
 void add_info(CLI::App& program, Action& action);
 void add_formats(CLI::App& program, Action& action);
+void add_container(CLI::App& program, Action& action);
 void add_convert(CLI::App& program, Action& action);
 void add_contour(CLI::App& program, Action& action);
 void add_psd(CLI::App& program, Action& action);

@@ -30,7 +30,7 @@ Format container_format() {
     return {.identifier = "ce-container",
             .name = "contact.engineering container",
             .extensions = ".zip",
-            .description = "ZIP with index.json or meta.yml and one measurement or more, of every generation; the original file is preferred to its processed copy; `setae container write` makes such files",
+            .description = "ZIP with index.json or meta.yml and one measurement or more, of every generation; the original file is preferred to its processed copy; `setae container write` makes them of any number of files",
             .heights = "as the original file says; the index's scale is applied only where that file carries none",
             .orientation = "as the original file says",
             .not_read = "publications, properties and other fields of the index do not change heights; `setae container check` lists them",

@@ -52,6 +52,9 @@ std::string text_of(const json& description, const std::string& key) {
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+/// Whether a text is such a description itself.
+bool describes(std::string_view head) { return head.find("\"FILE_FORMAT\"") != std::string_view::npos && head.find("\"X1_FACTOR\"") != std::string_view::npos; }
+
 enum class Quantity { heights, slopes, unknown };
 
 /// From a name such as "Measured heigth (nm)" or "slope error (urad)".
@@ -170,6 +173,8 @@ Channel slopes_channel(ChannelInfo info, const Ordinate& ordinate, Index points)
 }
 
 std::vector<Channel> open_dabam(const Source& source, const ReadOptions& options) {
+    if (describes(source.head(detection_bytes)))
+        throw FormatError(source.name, {.line = 1}, "dabam: this is the JSON that describes a profile; open the numbers beside it, of the same name with the ending .dat");
     const auto start = find_start(source);
     if (!start || start->layout.columns < 2) throw FormatError(source.name, {.line = 1}, "dabam: no rows of positions and heights or slopes");
     const auto description = description_of(source);
@@ -211,7 +216,7 @@ std::vector<Channel> open_dabam(const Source& source, const ReadOptions& options
 
 Match detect_dabam(std::string_view head, const Source& source) {
     if (!looks_like_text(head)) return Match::no;
-    if (description_of(source)) return Match::yes;
+    if (describes(head) || description_of(source)) return Match::yes;
     const auto start = find_start(source);
     return start && names_mirror(header_names(*start)) ? Match::maybe : Match::no;
 }

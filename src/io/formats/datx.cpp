@@ -24,7 +24,8 @@ constexpr double huge = 1e30;  // what marks missing data is far above any heigh
 
 /// What the table says of an object; empty where it says nothing.
 std::string related(const std::vector<Hdf5Record>& triples, const std::string& object, const std::string& relation) {
-    const auto found = std::find_if(triples.begin(), triples.end(), [&](const Hdf5Record& triple) { return triple.texts.size() == 3 && triple.texts[0] == object && triple.texts[1] == relation; });
+    const auto tells = [&](const Hdf5Record& triple) { return triple.texts.size() == 3 && triple.texts[0] == object && triple.texts[1] == relation; };
+    const auto found = std::find_if(triples.begin(), triples.end(), tells);
     return found == triples.end() ? std::string{} : found->texts[2];
 }
 
@@ -43,7 +44,9 @@ std::vector<std::string> data_paths(const Hdf5File& file) {
 /// A unit in Zygo's words, "NanoMeters".
 std::string plain_unit(const std::string& unit) {
     const auto name = lowered(unit);
-    for (const auto& [spelled, plain] : {std::pair{"nanometers", "nm"}, {"micrometers", "um"}, {"microns", "um"}, {"millimeters", "mm"}, {"centimeters", "cm"}, {"meters", "m"}, {"angstroms", "angstrom"}, {"picometers", "pm"}})
+    constexpr std::pair<const char*, const char*> units[] = {{"nanometers", "nm"},  {"micrometers", "um"}, {"microns", "um"},         {"millimeters", "mm"},
+                                                             {"centimeters", "cm"}, {"meters", "m"},       {"angstroms", "angstrom"}, {"picometers", "pm"}};
+    for (const auto& [spelled, plain] : units)
         if (name == spelled) return plain;
     return unit;
 }
@@ -65,7 +68,8 @@ std::optional<HeightScale> height_scale(const Attributes& attributes, const std:
     if (lowered(unit) == "fringes") {
         const auto wavelength = number_of(attributes, "Wavelength");
         if (!wavelength) return std::nullopt;
-        return HeightScale{*wavelength * number_of(attributes, "Interferometric Scale Factor").value_or(0.5) * number_of(attributes, "Obliquity Factor").value_or(1.0), "m"};
+        const double factor = number_of(attributes, "Interferometric Scale Factor").value_or(0.5), obliquity = number_of(attributes, "Obliquity Factor").value_or(1.0);
+        return HeightScale{*wavelength * factor * obliquity, "m"};
     }
     const auto known = try_parse_unit(plain_unit(unit));
     if (!known || known->dimension != dimension::length) return std::nullopt;
@@ -117,7 +121,8 @@ Channel channel_of(const Hdf5File& file, const StoredArray& array, const Source&
     if (lowered(unit) == "fringes") info.metadata.attributes["stored_unit"] = unit;
     const auto converter = file.record_attribute(array.name, "Z Converter");
     if (converter && converter->texts.size() > 1 && converter->texts[0] == "HeightCat" && lowered(converter->texts[1]) != lowered(unit))
-        info.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("heights are in {} by the attribute Unit, in {} by the Z Converter; the first was used", unit, converter->texts[1]), "compare the heights with what Mx shows"});
+        info.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("heights are in {} by the attribute Unit, in {} by the Z Converter; the first was used", unit, converter->texts[1]),
+                               "compare the heights with what Mx shows"});
     return array_channel(std::move(info), array, FirstIndex::y_downwards, raw_scale(array.attributes, scale ? scale->factor : 1.0), options);
 }
 

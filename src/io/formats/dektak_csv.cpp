@@ -12,6 +12,8 @@
 namespace setae::io {
 namespace {
 
+constexpr std::string_view stylus = "Stylus,Radius:";
+
 Match detect_dektak(std::string_view head, const Source&) {
     if (!head.starts_with("Scan Parameters")) return Match::no;
     return head.find("\nScan Data") != std::string_view::npos || head.size() == detection_bytes ? Match::yes : Match::maybe;
@@ -33,7 +35,7 @@ topography::Metadata metadata_of(const std::vector<std::string>& header, const S
         const auto comma = line.find(',');
         if (comma == std::string_view::npos || line.starts_with("Function,")) continue;
         const auto value = value_of(line, comma, among_results);
-        if (line.starts_with("Stylus,Radius:")) metadata.instrument.tip_radius = try_length(std::string_view(value).substr(7));
+        if (line.starts_with(stylus)) metadata.instrument.tip_radius = try_length(line.substr(stylus.size()));
         if (!value.empty()) metadata.attributes.insert_or_assign(std::string(trimmed(line.substr(0, comma))), value);
     }
     metadata.instrument.type = "stylus";

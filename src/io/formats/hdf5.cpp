@@ -28,8 +28,7 @@ void keep_attributes(const Attributes& attributes, topography::Metadata& metadat
     }
 }
 
-/// Extents [m] from the distance of neighbours [µm] along each index; empty where it is not stated. A trailing index may be left out
-/// of the dataset, never of the attribute.
+/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it is not stated.
 std::vector<double> size_of(const StoredArray& array) {
     const auto found = std::find_if(array.attributes.begin(), array.attributes.end(), [](const Attribute& attribute) { return attribute.name == element_size; });
     const auto dimensions = array.shape.size();
@@ -65,7 +64,7 @@ std::vector<Channel> open_hdf5(const Source& source, const ReadOptions& options)
     std::vector<Channel> channels;
     for (const auto& path : file.datasets()) {
         const auto array = file.array(path);
-        if (array && is_map_or_line(*array)) channels.push_back(channel_of(*array, source, options));
+        if (array && (is_map_or_line(*array) || !array->refusal.empty())) channels.push_back(channel_of(*array, source, options));
     }
     if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "HDF5: no dataset of numbers with one or two dimensions and more than one value");
     return channels;
@@ -80,7 +79,8 @@ Format hdf5_format() {
             .description = "every dataset of integers or floats with one or two dimensions, in groups too, is a channel; size and unit must be given where no attribute states them",
             .heights = "values in the unit of the attribute unit or units, or in the unit given; NaN and infinities are undefined",
             .orientation = "first index x, second y downwards; not stated in the file, taken as SurfaceTopography does",
-            .not_read = "values of other types, of more dimensions, behind links that are not hard, in other files, or packed otherwise than with deflate",
+            .not_read = "values of other types, of more dimensions, behind links that are not hard, in other files, or packed otherwise than with deflate; what is promised of damaged "
+                        "files ends at the library, which is not made for them: open only HDF5 files that you trust",
             .reference = "HDF5 File Format Specification 3.0; element_size_um as ImageJ's HDF5 plugin writes it",
             .tested_on_real_files = true,
             .carries_scale = false,

@@ -34,7 +34,8 @@ std::optional<Index> count_of(const Attributes& attributes, const char* name) {
 
 Grid grid_of(const Attributes& measurement, Index pixels, const Source& source, const std::string& path) {
     const auto nx = count_of(measurement, "position-pattern.grid.ilength");
-    if (!nx || pixels % *nx != 0) throw FormatError(source.name, {}, fmt::format("JPK HDF5: {:.200} has {} pixels a frame, which are no lines of {}; the file is damaged", path, pixels, nx.value_or(0)));
+    if (!nx || pixels % *nx != 0)
+        throw FormatError(source.name, {}, fmt::format("JPK HDF5: {:.200} has {} pixels a frame, which are no lines of {}; the file is damaged", path, pixels, nx.value_or(0)));
     Grid grid{*nx, pixels / *nx, {}};
     const auto ny = count_of(measurement, "position-pattern.grid.jlength");
     if (ny && *ny != grid.ny) throw FormatError(source.name, {}, fmt::format("JPK HDF5: {:.200} has {} lines, expected {}; the file is damaged", path, grid.ny, *ny));
@@ -48,7 +49,8 @@ bool is_true(const Attributes& attributes, const char* name) { return lowered(te
 bool is_height(const std::string& name) { return lowered(name).find("height") != std::string::npos; }
 
 /// All frames of a dataset, each a channel.
-void add_frames(const StoredArray& array, const Attributes& channel, const Attributes& measurement, const Source& source, const ReadOptions& options, std::vector<Channel>& channels) {
+void add_frames(const StoredArray& array, const Attributes& channel, const Attributes& measurement, const Source& source, const ReadOptions& options,
+                std::vector<Channel>& channels) {
     const auto name = text_of(channel, "channel.name");
     const Index frames = array.shape.size() == 2 ? array.shape[1] : 1;
     const auto grid = grid_of(measurement, array.shape[0], source, array.name);
@@ -56,9 +58,11 @@ void add_frames(const StoredArray& array, const Attributes& channel, const Attri
     const auto unit = try_parse_unit(stated);
     const bool height = stated.empty() ? is_height(name) : unit && unit->dimension == dimension::length;
     const double factor = stated.empty() || !unit ? 1.0 : unit->factor;
-    const RawScale scale{.factor = factor * number_of(channel, "net-encoder.scaling.multiplier").value_or(1.0), .offset = factor * number_of(channel, "net-encoder.scaling.offset").value_or(0.0)};
+    const RawScale scale{.factor = factor * number_of(channel, "net-encoder.scaling.multiplier").value_or(1.0),
+                         .offset = factor * number_of(channel, "net-encoder.scaling.offset").value_or(0.0)};
+    const std::string direction = is_true(channel, "retrace") ? "retrace" : "trace";
     for (Index frame = 0; frame < frames; ++frame) {
-        ChannelInfo info{.name = fmt::format("{} ({}){}", name, is_true(channel, "retrace") ? "retrace" : "trace", frames > 1 ? fmt::format(", frame {}", frame) : ""), .format = jpk_hdf5};
+        ChannelInfo info{.name = fmt::format("{} ({}){}", name, direction, frames > 1 ? fmt::format(", frame {}", frame) : ""), .format = jpk_hdf5};
         info.size = grid.size;
         info.unit = stated.empty() && height ? "m" : stated;
         info.orientation = "rows from the bottom, turned";
@@ -70,10 +74,18 @@ void add_frames(const StoredArray& array, const Attributes& channel, const Attri
             channels.push_back(non_height_channel(std::move(info)));
             continue;
         }
-        if (stated.empty()) info.alerts.push_back({"UNIT_ASSUMED", info.name, "the file states no unit of heights; metres were assumed, as JPK's programs write them", "compare the range of heights with what JPK's software shows"});
+        if (stated.empty())
+            info.alerts.push_back({"UNIT_ASSUMED", info.name, "the file states no unit of heights; metres were assumed, as JPK's programs write them",
+                                   "compare the range of heights with what JPK's software shows"});
         const auto value_bytes = bytes_of(array.sample), step = value_bytes * static_cast<std::uint64_t>(frames);
-        const Raster raster{.offset = array.offset + value_bytes * static_cast<std::uint64_t>(frame), .nx = grid.nx, .ny = grid.ny, .sample = array.sample, .order = array.order, .bottom_up = true,
-                            .line_distance = step * static_cast<std::uint64_t>(grid.nx), .step = step};
+        const Raster raster{.offset = array.offset + value_bytes * static_cast<std::uint64_t>(frame),
+                            .nx = grid.nx,
+                            .ny = grid.ny,
+                            .sample = array.sample,
+                            .order = array.order,
+                            .bottom_up = true,
+                            .line_distance = step * static_cast<std::uint64_t>(grid.nx),
+                            .step = step};
         channels.push_back(array_channel(std::move(info), array, raster, scale, options));
     }
 }

@@ -56,7 +56,7 @@ std::vector<Channel> open_mat(const Source& source, const ReadOptions& options) 
     const auto variables = hdf5 ? mat73_variables(source) : is_mat5(head) ? mat5_variables(source) : mat4_variables(source);
     std::vector<Channel> channels;
     for (const auto& variable : variables)
-        if (is_map_or_line(variable.array)) channels.push_back(channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards, source, options));
+        if (is_map_or_line(variable.array) || !variable.array.refusal.empty()) channels.push_back(channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards, source, options));
     if (channels.empty())
         throw FormatError(source.name, {.offset = 0}, "MAT: no matrix of numbers with more than one value; what stands in structs, cells and objects is not read: save the matrix itself");
     return channels;

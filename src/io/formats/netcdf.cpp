@@ -12,6 +12,7 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "hdf5_file.hpp"
+#include "header.hpp"
 #include "netcdf_classic.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -83,20 +84,37 @@ std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heigh
     return size;
 }
 
+/// What the library writes where a program wrote nothing, unless the variable names a value of its own; of bytes none.
+std::optional<double> default_fill(Sample sample) {
+    switch (sample) {
+        case Sample::int16: return -32767.0;
+        case Sample::uint16: return 65535.0;
+        case Sample::int32: return -2147483647.0;
+        case Sample::uint32: return 4294967295.0;
+        case Sample::int64: return -9223372036854775806.0;
+        case Sample::uint64: return 18446744073709551614.0;
+        case Sample::float32:
+        case Sample::float64: return 9.9692099683868690e+36;
+        default: return std::nullopt;
+    }
+}
+
 /// Raw values to heights, as the conventions of NetCDF have it.
 RawScale raw_scale(const StoredArray& heights, double unit) {
     RawScale scale;
+    const auto fill = default_fill(heights.sample);
+    if (fill && !number_of(heights.attributes, "_FillValue")) scale.undefined.push_back(*fill);
     scale.factor = unit * number_of(heights.attributes, "scale_factor").value_or(1.0);
     scale.offset = unit * number_of(heights.attributes, "add_offset").value_or(0.0);
     for (const char* name : {"_FillValue", "missing_value"})
-        if (const auto fill = number_of(heights.attributes, name)) scale.undefined.push_back(*fill);
+        if (const auto missing_value = number_of(heights.attributes, name)) scale.undefined.push_back(*missing_value);
     return scale;
 }
 
 std::string json_text(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 /// The attribute json: what the writer knew of the measurement.
-void add_info(topography::Metadata& metadata, const std::string& text, const Source& source) {
+void add_info(topography::Metadata& metadata, const std::string& text) {
     const auto info = nlohmann::json::parse(text, nullptr, false);
     if (!info.is_object()) return;
     for (const auto& [key, value] : info.items()) {
@@ -110,8 +128,9 @@ void add_info(topography::Metadata& metadata, const std::string& text, const Sou
     if (instrument.contains("name") && instrument["name"].is_string()) metadata.instrument.name = instrument["name"].get<std::string>();
     if (instrument.contains("type") && instrument["type"].is_string()) metadata.attributes["instrument_type"] = instrument["type"].get<std::string>();
     const nlohmann::json::json_pointer value("/parameters/tip_radius/value"), unit("/parameters/tip_radius/unit");
-    if (instrument.contains(value) && instrument.contains(unit) && instrument[value].is_number() && instrument[unit].is_string())
-        metadata.instrument.tip_radius = instrument[value].get<double>() * length_unit(instrument[unit].get<std::string>(), source).factor;
+    if (!instrument.contains(value) || !instrument.contains(unit) || !instrument[value].is_number() || !instrument[unit].is_string()) return;
+    const auto length = try_parse_unit(instrument[unit].get<std::string>());
+    if (length && length->dimension == dimension::length) metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
 }
 
 /// Heights made undefined where the variable mask is not 0.
@@ -176,13 +195,14 @@ std::vector<Channel> open_netcdf(const Source& source, const ReadOptions& option
     const bool has_points = std::all_of(heights->shape.begin(), heights->shape.end(), [](Index n) { return n > 1; });
     if (!is_map_or_line(*heights) || !has_points)
         throw FormatError(source.name, {}, fmt::format("NetCDF: heights of shape ({}), expected 1 or 2 dimensions with more than one value along each", fmt::join(heights->shape, ", ")));
-    const auto stated = unit_text(*heights);
+    const auto *x = file.find("x"), *mask = file.find("mask");
+    const auto own_unit = unit_text(*heights);
+    const auto stated = own_unit.empty() && x ? unit_text(*x) : own_unit;  // of unequal steps only the positions have one
     std::optional<double> unit;
     if (!stated.empty() || options.unit) unit = length_unit(stated.empty() ? *options.unit : stated, source).factor;
 
     ChannelInfo info{.name = "heights", .format = nc, .unit = stated};
-    if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text, source);
-    const auto *x = file.find("x"), *mask = file.find("mask");
+    if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text);
     Finish finish{source, {}, {}, x && number_of(x->attributes, "periodic").value_or(0.0) != 0.0};
     if (mask) {
         if (mask->shape != heights->shape) throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");

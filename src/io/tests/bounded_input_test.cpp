@@ -34,7 +34,7 @@ TEST(ZipArchive, RefusesABomb) {
     const Archive archive(memory_source("bomb.zip", zip_archive({{"zeros", std::string(20'000'000, '\0')}, {"small", "12"}})));
     EXPECT_NE(message_of([&] { (void)archive.read("zeros"); }).find("member 'zeros' expands"), std::string::npos);
     EXPECT_EQ(archive.read("small"), "12");
-    EXPECT_NE(message_of([&] { (void)archive.member("zeros").all(); }).find("expands"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)archive.member("zeros").all(); }).find("announces 20000000 bytes"), std::string::npos);
 }
 
 TEST(ZipArchive, MemberIsASourceThatOutlivesIt) {

@@ -48,12 +48,12 @@ TEST(Al3d, ZeroAsMarkerIsOnlyZero) {
 }
 
 TEST(Al3d, ReadsTheImageOnceAndNotMore) {
-    CountedSource counted(al3d_file(lopsided_heights(301, 201, 1e-6), {}));
-    const auto channels = open(counted.source(), {});
-    EXPECT_LT(counted.bytes(), 3u << 16);  // to detect and to walk the tags
-    counted.reset();
+    const auto counted = counted_source(al3d_file(lopsided_heights(301, 201, 1e-6), {}));
+    const auto channels = open(counted.source, {});
+    EXPECT_LT(*counted.bytes_read, 3u << 16);  // to detect and to walk the tags
+    *counted.bytes_read = 0;
     (void)channels.at(0).read();
-    EXPECT_LE(counted.bytes(), 302u * 201u * 4u);
+    EXPECT_LE(*counted.bytes_read, 302u * 201u * 4u);
 }
 
 TEST(Al3d, KeepsItsCommentAndApplication) {

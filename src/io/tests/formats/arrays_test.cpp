@@ -65,11 +65,29 @@ TEST(NetCdf, Version4IsReadToo) {  // SurfaceTopography reads the classic format
 
 TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
     Hdf5Builder file;
-    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).attribute("/heights", "unit", std::string("nm")).attribute("/", "_NCProperties", std::string("version=2"));
+    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).attribute("/heights", "unit", std::string("nm"));
+    file.attribute("/", "_NCProperties", std::string("version=2"));
     file.dataset("/x", H5T_IEEE_F32BE, {3}, {}).attribute("/x", "NAME", std::string("This is a netCDF dimension but not a netCDF variable.         3"));
     const auto channel = open(memory_source("sample", file.bytes()), {.size = {{6e-6}}, .unit = {}}).at(0);
     EXPECT_EQ(channel.info.format, "nc");
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channel.read()).size, 6e-6);
+}
+
+TEST(NetCdf, WhatTheLibraryFillsInIsUndefined) {
+    Hdf5Builder file;
+    file.dataset("/heights", H5T_IEEE_F64LE, {2, 2}, {1.0, 2.0, 9.9692099683868690e+36, 4.0}).attribute("/heights", "unit", std::string("nm"));
+    file.attribute("/", "_NCProperties", std::string("version=2"));
+    const auto map = std::get<HeightMap>(open(memory_source("sample", file.bytes()), {.size = {{1e-6, 1e-6}}, .unit = {}}).at(0).read());
+    EXPECT_TRUE(std::isnan(map.heights(1, 0)));
+    EXPECT_EQ(map.heights.isNaN().count(), 1);
+}
+
+TEST(NetCdf, HeightsWithoutUnitHaveThatOfTheirPositions) {  // as SurfaceTopography writes unequal steps
+    Hdf5Builder file;
+    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).dataset("/x", H5T_IEEE_F64LE, {3}, {0.0, 1.0, 3.0}).attribute("/x", "unit", std::string("um"));
+    const auto profile = std::get<Profile>(open(memory_source("sample", file.bytes()), {}).at(0).read());
+    EXPECT_DOUBLE_EQ(profile.heights[2], 4e-6);
+    EXPECT_DOUBLE_EQ(profile.positions[2], 3e-6);
 }
 
 TEST(NetCdf, StatedUnitsWinOverGivenOnes) {
@@ -103,6 +121,9 @@ TEST(NetCdf, OpeningReadsTheHeaderAlone) {
     for (const char* name : {"x", "y"}) header.number(std::uint32_t{1}).text(name, 4).number(static_cast<std::uint32_t>(n));
     header.number(std::uint64_t{0}).number(std::uint32_t{11}).number(std::uint32_t{1}).number(std::uint32_t{7}).text("heights", 8);
     header.number(std::uint32_t{2}).number(std::uint32_t{0}).number(std::uint32_t{1}).number(std::uint64_t{0}).number(std::uint32_t{6}).number(std::uint32_t{0}).number(std::uint64_t{256});
+    const auto large = counted_source(header.content(), gigabyte - header.size());
+    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{n, n}));
+    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(header.content(), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{n, n}));
     EXPECT_LT(large.bytes(), megabyte);
@@ -120,7 +141,8 @@ std::string npy_of(const std::string& type, const std::string& shape, const std:
 TEST(Npy, RecordsAndForeignNumbersAreRefused) {
     const auto message = [](const std::string& content) { return message_of([&] { (void)open(memory_source("a.npy", content), {}); }); };
     EXPECT_NE(message(npy_of("[('x', '<f8')]", "(2,)", std::string(16, '\0'))).find("records"), std::string::npos);
-    for (const char* type : {"'<f2'", "'<c16'", "'|O'", "'<U3'", "'|b1'", "'<f16'"}) EXPECT_NE(message(npy_of(type, "(2, 2)", std::string(64, '\0'))).find("expected floats"), std::string::npos) << type;
+    for (const char* type : {"'<f2'", "'<c16'", "'|O'", "'<U3'", "'|b1'", "'<f16'"}) 
+        EXPECT_NE(message(npy_of(type, "(2, 2)", std::string(64, '\0'))).find("expected floats"), std::string::npos) << type;
     EXPECT_NE(message(npy_of("'<f8'", "(2, 2, 2)", std::string(64, '\0'))).find("3 dimensions"), std::string::npos);
     EXPECT_NE(message(npy_of("'<f8'", "()", std::string(8, '\0'))).find("0 dimensions"), std::string::npos);
 }
@@ -137,6 +159,9 @@ TEST(Npy, WithoutSizeAndUnitItIsListed) {
 }
 
 TEST(Npy, OpeningReadsTheHeaderAlone) {
+    const auto large = counted_source(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
+    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
+    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
     EXPECT_LT(large.bytes(), megabyte);
@@ -209,8 +234,11 @@ TEST(Mat, CompressedMatrixThatPromisesTooMuchIsRefused) {
     ByteBuilder file;
     // stored, not deflated: a matrix of 4 GB announced in 24 bytes
     ByteBuilder packed;
-    packed.number(std::uint8_t{0x78}).number(std::uint8_t{0x01}).number(std::uint8_t{1}).number(std::uint16_t{16}).number(std::uint16_t{0xffef}).number(std::uint32_t{14}).number(std::uint32_t{0xfffffff0}).number(std::uint64_t{0}).number(std::uint32_t{0});
-    file.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM").number(std::uint32_t{15}).number(static_cast<std::uint32_t>(packed.size())).text(packed.content());
+    packed.number(std::uint8_t{0x78}).number(std::uint8_t{0x01}).number(std::uint8_t{1}).number(std::uint16_t{16}).number(std::uint16_t{0xffef});
+    packed.number(std::uint32_t{14}).number(std::uint32_t{0xfffffff0}).number(std::uint64_t{0}).number(std::uint32_t{0});
+    file.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM");
+    file.number(std::uint32_t{15});
+    file.number(static_cast<std::uint32_t>(packed.size())).text(packed.content());
     EXPECT_NE(message_of([&] { (void)open(memory_source("a.mat", file.content()), {}); }).find("are to become"), std::string::npos);
 }
 
@@ -220,6 +248,9 @@ TEST(Mat, OpeningReadsHeadersAlone) {
     constexpr std::uint32_t rows = 16000, columns = 16384, bytes = 4 * rows * columns;
     header.number(std::uint32_t{14}).number(bytes + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{7}).number(std::uint32_t{0});
     header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(rows).number(columns).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{7}).number(bytes);
+    const auto large = counted_source(header.content(), bytes);
+    EXPECT_EQ(open(large.source, {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
+    EXPECT_LT(*large.bytes_read, megabyte);
     const CountedSource large(header.content(), header.size() + bytes);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
     EXPECT_LT(large.bytes(), megabyte);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../text_numbers.hpp"
 #include "sample_files.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -143,6 +144,38 @@ TEST(Dektak, EveryColumnOfHeightsIsAChannel) {
     EXPECT_EQ(channels[1].info.name, "Levelled");
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channels[1].read()).heights[2], 7e-9);
     EXPECT_DOUBLE_EQ(channels[1].info.metadata.instrument.tip_radius.value(), 12.5e-6);
+}
+
+TEST(Dektak, DamagedStylusIsNone) {
+    const auto channel = open(memory_source("d.csv", "Scan Parameters\nAnalytical Results\nStylus,Radius: 2.5 um,x\n\nScan Data\nLateral um,Raw nm\n0,1\n1,2\n2,3\n"), {}).at(0);
+    EXPECT_FALSE(channel.info.metadata.instrument.tip_radius.has_value());
+}
+
+TEST(Dabam, DescriptionIsRefusedWithTheFileToOpen) {
+    try {
+        (void)open(memory_source("m.txt", R"({"FILE_FORMAT": 1, "FILE_HEADER_LINES": 0, "X1_FACTOR": 0.001})"), {});
+        FAIL() << "opened";
+    } catch (const FormatError& error) {
+        EXPECT_NE(std::string(error.what()).find(".dat"), std::string::npos);
+    }
+}
+
+TEST(Commas, ThatMayGroupThousandsAreRefusedInMapsToo) {
+    const auto* text = "1,234 5,678 9,012 3,456\n1,235 5,679 9,013 3,457\n";
+    EXPECT_NE(refusal(text).find("ambiguous"), std::string::npos);
+    EXPECT_EQ(channel_of(std::string(text) + "1,5 2,5 3,5 4,5\n", {{{4e-6, 3e-6}}, "um"}).info.shape, (std::vector<Index>{4, 3})) << "another number decides";
+    EXPECT_NE(refusal("x,h\n0,5,1,5\n1,5,2,5\n").find("begin decimals"), std::string::npos);
+}
+
+TEST(TextNumbers, MoreThanATextCanHoldAreRefusedBeforeRoomIsMade) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) text += "1\n";
+    TextStart start;
+    start.source = memory_source("short.txt", text);
+    start.layout.columns = std::size_t{1} << 40;
+    const auto lines = find_number_lines(start, 0, text.size());
+    EXPECT_EQ(lines.rows, 1000);
+    EXPECT_THROW((void)read_numbers(lines), FormatError);
 }
 
 TEST(Dabam, DescriptionBesideTheFileGivesUnitsAndColumns) {

@@ -90,8 +90,18 @@ TEST(ContainerIndex, FieldsOfTheWrongKindAreKeptAndNotUsed) {
 }
 
 TEST(ContainerIndex, MeasurementsOfTheNewestTopoBankAreFound) {
-    const auto file = read_container(container({{"index.json", R"({"surfaces": [{"name": "s", "measurements": [{"name": "l"}]}]})"}}));
-    EXPECT_EQ(file.container.surfaces.at(0).topographies.at(0).name, "l");
+    const auto source = container({{"index.json", R"({"surfaces": [{"name": "s", "measurements": [{"name": "l", "kind": "height", "datafile": {"original": "line.txt"},
+"channel": {"name": "Default"}, "metadata": {"kind": "height", "size_x": 4.0, "unit": "um", "height_scale": 2.0, "detrend_mode": "height",
+"instrument": {"name": "P"}}}, {"name": "i", "datafile": {"original": "i.spm"}, "channel": {"name": "Height", "occurrence": 0}}]}]})"},
+                                   {"line.txt", line_text}, {"i.spm", nanoscope_file(4, 3, 2)}});
+    const auto topography = read_container(source).container.surfaces.at(0).topographies.at(0);
+    EXPECT_EQ(topography.size, std::vector<double>{4.0});
+    EXPECT_EQ(topography.extra, R"({"kind":"height","metadata":{"kind":"height"}})");
+    const auto channels = open(source, {});
+    EXPECT_EQ(channels.at(0).info.recommended_trend, topography::Trend::tilt);
+    EXPECT_EQ(channels[0].info.metadata.instrument.name, "P");
+    EXPECT_DOUBLE_EQ(std::get<LineScan>(channels[0].read()).heights[3], 10e-6) << "the only channel of heights, scaled";
+    EXPECT_EQ(channels.at(1).info.shape, (std::vector<Index>{4, 3}));
 }
 
 TEST(ContainerIndex, YamlObjectsAreInert) {

@@ -40,8 +40,10 @@ FormatSample datx_sample(const std::string& name, const std::string& unit, doubl
     file.attribute(surface, "Unit", unit).attribute(surface, "No Data", std::vector<double>{no_data});
     file.converter(surface, "X Converter", {"LateralCat", "Pixels", {0.0, 0.2e-6, 0.0}}).converter(surface, "Y Converter", {"LateralCat", "Pixels", {0.0, 0.3e-6, 0.0}});
     file.converter(surface, "Z Converter", {"HeightCat", unit, {0.0, 1.0}});
-    file.attribute(surface, "Wavelength", std::vector<double>{632.8e-9}).attribute(surface, "Interferometric Scale Factor", std::vector<double>{0.5}).attribute(surface, "Obliquity Factor", std::vector<double>{1.25});
-    file.group("/Attributes/{A}").attribute("/Attributes/{A}", "Data Context.Data Attributes.System Type", std::string("NewView 9000")).attribute("/Attributes/{A}", "Data Context.Data Attributes.System Serial Number", std::string("4711"));
+    file.attribute(surface, "Wavelength", std::vector<double>{632.8e-9}).attribute(surface, "Interferometric Scale Factor", std::vector<double>{0.5});
+    file.attribute(surface, "Obliquity Factor", std::vector<double>{1.25});
+    file.group("/Attributes/{A}").attribute("/Attributes/{A}", "Data Context.Data Attributes.System Type", std::string("NewView 9000"));
+    file.attribute("/Attributes/{A}", "Data Context.Data Attributes.System Serial Number", std::string("4711"));
     map(2, 3) = std::nan("");
     return {.format = "datx", .name = name, .content = file.bytes(), .shape = {6, 4}, .size = {1.2e-6, 1.2e-6}, .heights = map * metres};
 }
@@ -55,10 +57,12 @@ FormatSample jpk_sample(const std::string& name, hsize_t frames, const Layout& l
             for (hsize_t frame = 0; frame < frames; ++frame) values.push_back(map(i, row) + 1000.0 * static_cast<double>(frame));
     const std::string measurement = "/Measurement_000", channel = measurement + "/Channel_001";
     Hdf5Builder file;
-    file.dataset(channel + "/Height", H5T_STD_I32LE, {15, frames}, values, layout).attribute(channel, "channel.name", std::string("height")).attribute(channel, "retrace", std::string("true"));
+    file.dataset(channel + "/Height", H5T_STD_I32LE, {15, frames}, values, layout).attribute(channel, "channel.name", std::string("height"));
+    file.attribute(channel, "retrace", std::string("true"));
     file.attribute(channel, "net-encoder.scaling.multiplier", std::vector<double>{2e-9}).attribute(channel, "net-encoder.scaling.offset", std::vector<double>{1e-9});
     file.attribute(measurement, "position-pattern.grid.ilength", std::vector<double>{5}).attribute(measurement, "position-pattern.grid.jlength", std::vector<double>{3});
-    file.attribute(measurement, "position-pattern.grid.ulength", std::vector<double>{500e-9}).attribute(measurement, "position-pattern.grid.vlength", std::vector<double>{300e-9});
+    file.attribute(measurement, "position-pattern.grid.ulength", std::vector<double>{500e-9});
+    file.attribute(measurement, "position-pattern.grid.vlength", std::vector<double>{300e-9});
     file.attribute(measurement, "timing-settings.scanRate", std::vector<double>{128.0});
     const double above = 1000.0 * static_cast<double>(frames - 1);
     return {.format = "jpk-hdf5", .name = name, .content = file.bytes(), .channel = frames - 1, .shape = {5, 3}, .size = {500e-9, 300e-9}, .heights = 2e-9 * (map + above) + 1e-9};

@@ -37,7 +37,8 @@ std::vector<double> numbers(std::size_t count) {
 
 TEST(Hdf5, EveryMapAndLineIsAChannelInGroupsToo) {
     Hdf5Builder file;
-    file.dataset("/map", H5T_IEEE_F32LE, {3, 4}, numbers(12)).dataset("/deep/er/line", H5T_STD_I8LE, {5}, numbers(5)).dataset("/cube", H5T_IEEE_F64LE, {2, 2, 2}, numbers(8)).dataset("/one", H5T_IEEE_F64LE, {1, 1}, {1.0});
+    file.dataset("/map", H5T_IEEE_F32LE, {3, 4}, numbers(12)).dataset("/deep/er/line", H5T_STD_I8LE, {5}, numbers(5));
+    file.dataset("/cube", H5T_IEEE_F64LE, {2, 2, 2}, numbers(8)).dataset("/one", H5T_IEEE_F64LE, {1, 1}, {1.0});
     EXPECT_EQ(names_of(channels_of(file.bytes())), (std::vector<std::string>{"deep/er/line", "map"}));
 }
 
@@ -51,7 +52,8 @@ TEST(Hdf5, SizeOfTheMapIsNotTheLines) {
 
 TEST(Hdf5, UnitOfAnAttributeIsTaken) {  // SurfaceTopography reads no unit
     Hdf5Builder file;
-    file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6)).attribute("/a", "unit", std::string("um")).dataset("/b", H5T_IEEE_F64LE, {2, 3}, numbers(6)).variable_text("/b", "units", "V");
+    file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6)).attribute("/a", "unit", std::string("um"));
+    file.dataset("/b", H5T_IEEE_F64LE, {2, 3}, numbers(6)).variable_text("/b", "units", "V");
     const auto channels = channels_of(file.bytes(), {.size = {{2e-6, 3e-6}}, .unit = {}});
     EXPECT_DOUBLE_EQ(std::get<HeightMap>(channels.at(0).read()).heights(1, 2), 5e-6);
     EXPECT_FALSE(channels.at(1).info.is_height);
@@ -90,6 +92,33 @@ TEST(Hdf5, ValuesNeverWrittenAreListedAndRefused) {
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(3, 4), 19.0 * units::nm);
 }
 
+TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
+    Hdf5Builder file({.newest = true});
+    file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).dataset("/b", H5T_STD_I16LE, {4, 5}, numbers(20));
+    auto content = file.bytes();
+    content[content.rfind("OHDR") + 12] ^= 1;  // its checksum then tells the header's damage
+    const auto channels = channels_of(content);
+    ASSERT_EQ(channels.size(), 2u);
+    const std::size_t damaged = channels[0].info.alerts.empty() ? 1 : 0;
+    EXPECT_EQ(channels[damaged].info.alerts.at(0).code, "UNREADABLE_ARRAY");
+    EXPECT_NE(message_of([&] { (void)channels[damaged].read(); }).find("cannot be opened"), std::string::npos);
+    EXPECT_EQ(std::get<HeightMap>(channels[1 - damaged].read()).heights(3, 4), 19.0 * units::nm);
+}
+
+TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
+    Hdf5Builder file;
+    file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).variable_text("/a", "note", "a text of variable length");
+    const auto content = file.bytes();
+    const auto heap = content.find("GCOL");
+    ASSERT_NE(heap, std::string::npos);
+    EXPECT_EQ(channels_of(content).size(), 1u);
+    for (const std::size_t byte : {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space behind it
+        auto damaged = content;
+        damaged[heap + byte] ^= 0x40;
+        EXPECT_NE(message_of([&] { (void)channels_of(damaged); }).find("a heap"), std::string::npos) << byte;
+    }
+}
+
 TEST(Hdf5, OtherFiltersAreNamedWithARemedy) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20), {.chunk = {2, 2}, .n_bit = true});
@@ -106,7 +135,8 @@ TEST(Hdf5, NothingOutsideTheFileIsFollowed) {
     const auto other_path = folder.write("other.h5", other.bytes());
     folder.write("raw.bin", std::string(48, 'x'));
     Hdf5Builder file;
-    file.dataset("/own", H5T_IEEE_F64LE, {2, 3}, numbers(6)).external_link("/away", other_path, "/secret").soft_link("/same", "/own").external_dataset("/raw", {2, 3}, folder.path("raw.bin"));
+    file.dataset("/own", H5T_IEEE_F64LE, {2, 3}, numbers(6)).external_link("/away", other_path, "/secret").soft_link("/same", "/own");
+    file.external_dataset("/raw", {2, 3}, folder.path("raw.bin"));
     const auto channels = open(folder.write("file.h5", file.bytes()), given);
     EXPECT_EQ(names_of(channels), (std::vector<std::string>{"own", "raw"}));
     EXPECT_NE(message_of([&] { (void)channels.at(1).read(); }).find("other files"), std::string::npos);
@@ -223,7 +253,9 @@ TEST(JpkHdf5, MetresAreAssumedAndTold) { EXPECT_EQ(channels_of(jpk_hdf5_samples(
 
 TEST(JpkHdf5, OtherChannelsAreListedOnly) {
     Hdf5Builder file;
-    file.dataset("/Measurement_000/Channel_000/Phase", H5T_IEEE_F64LE, {6, 1}, numbers(6)).attribute("/Measurement_000/Channel_000", "channel.name", std::string("phase")).attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
+    file.dataset("/Measurement_000/Channel_000/Phase", H5T_IEEE_F64LE, {6, 1}, numbers(6));
+    file.attribute("/Measurement_000/Channel_000", "channel.name", std::string("phase"));
+    file.attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
     const auto channel = channels_of(file.bytes(), {}).at(0);
     EXPECT_EQ(channel.info.name, "phase (trace)");
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{3, 2}));
@@ -232,7 +264,9 @@ TEST(JpkHdf5, OtherChannelsAreListedOnly) {
 
 TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
     Hdf5Builder file;
-    file.dataset("/Measurement_000/Channel_000/Height", H5T_IEEE_F64LE, {7, 1}, numbers(7)).attribute("/Measurement_000/Channel_000", "channel.name", std::string("height")).attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
+    file.dataset("/Measurement_000/Channel_000/Height", H5T_IEEE_F64LE, {7, 1}, numbers(7));
+    file.attribute("/Measurement_000/Channel_000", "channel.name", std::string("height"));
+    file.attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
     EXPECT_NE(message_of([&] { (void)channels_of(file.bytes(), {}); }).find("no lines of 3"), std::string::npos);
 }
 

@@ -15,7 +15,8 @@ namespace setae::io::tests {
 namespace {
 
 FormatSample sample_of(const std::string& name, const std::string& content, const Array2D& map, std::size_t channel = 0) {
-    return {.format = "mat", .name = name, .content = content, .options = {.size = {{3e-6, 2e-6}}, .unit = "nm"}, .channel = channel, .shape = {map.rows(), map.cols()}, .size = {3e-6, 2e-6}, .heights = map * units::nm};
+    return {.format = "mat", .name = name, .content = content, .options = {.size = {{3e-6, 2e-6}}, .unit = "nm"}, .channel = channel,
+            .shape = {map.rows(), map.cols()}, .size = {3e-6, 2e-6}, .heights = map * units::nm};
 }
 
 template <class T>
@@ -30,7 +31,8 @@ std::string level4(const Array2D& map, std::endian order, std::uint32_t precisio
     const std::uint32_t machine = order == std::endian::little ? 0 : 1000;
     file.number(machine + 1u).number(std::uint32_t{1}).number(std::uint32_t{3}).number(std::uint32_t{0}).number(std::uint32_t{5}).text("text", 5);
     for (const char c : std::string("abc")) file.number(static_cast<double>(c));
-    file.number(machine + 10 * precision).number(static_cast<std::uint32_t>(map.cols())).number(static_cast<std::uint32_t>(map.rows())).number(std::uint32_t{0}).number(std::uint32_t{2}).text("h", 2);
+    file.number(machine + 10 * precision).number(static_cast<std::uint32_t>(map.cols())).number(static_cast<std::uint32_t>(map.rows()));
+    file.number(std::uint32_t{0}).number(std::uint32_t{2}).text("h", 2);
     columns<T>(file, map);
     return file.content();
 }
@@ -61,7 +63,8 @@ std::string matrix(const Array2D& map, const std::string& name, std::uint32_t ki
 
 std::string level5(const std::string& elements, std::endian order) {
     ByteBuilder file(order);
-    file.text("MATLAB 5.0 MAT-file, made by a test", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).number(static_cast<std::uint16_t>('M' << 8 | 'I')).text(elements);
+    file.text("MATLAB 5.0 MAT-file, made by a test", 116, ' ').text("", 8).number(std::uint16_t{0x0100});
+    file.number(static_cast<std::uint16_t>('M' << 8 | 'I')).text(elements);
     return file.content();
 }
 
@@ -76,7 +79,8 @@ std::string compressed(const std::string& content, std::endian order) {
 
 FormatSample version73(const Array2D& map) {
     Hdf5Builder file({.newest = false, .user_block = 512});
-    file.dataset("/height", H5T_IEEE_F64LE, {static_cast<hsize_t>(map.rows()), static_cast<hsize_t>(map.cols())}, first_index_x(map), {.chunk = {4, 3}, .deflated = true}).attribute("/height", "MATLAB_class", std::string("double"));
+    file.dataset("/height", H5T_IEEE_F64LE, {static_cast<hsize_t>(map.rows()), static_cast<hsize_t>(map.cols())}, first_index_x(map), {.chunk = {4, 3}, .deflated = true});
+    file.attribute("/height", "MATLAB_class", std::string("double"));
     file.dataset("/name", H5T_STD_U16LE, {3, 1}, {104, 105, 106}).attribute("/name", "MATLAB_class", std::string("char"));
     file.dataset("/settings/inner", H5T_IEEE_F64LE, {2, 2}, {1, 2, 3, 4});
     auto content = file.bytes();

@@ -65,9 +65,9 @@ TEST(Mdt, MapsThatLeaveTheirFrameAreRefused) {
 }
 
 TEST(Mdt, OpenReadsHeadersOnly) {
-    const CountedSource counted(mdt_file({mdt_scan(lopsided_heights(1000, 900, 0.1), 1.0f, 0.0f, -1, "")}));
-    (void)open(counted.source(), {});
-    EXPECT_LT(counted.bytes(), 5u << 16);
+    const auto counted = counted_source(mdt_file({mdt_scan(lopsided_heights(1000, 900, 0.1), 1.0f, 0.0f, -1, "")}));
+    (void)open(counted.source, {});
+    EXPECT_LT(*counted.bytes_read, 5u << 16);
 }
 
 }  // namespace

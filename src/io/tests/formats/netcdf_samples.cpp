@@ -150,8 +150,11 @@ FormatSample map_sample(int version) {
     map(1, 1) = -999.0;
     Classic file(version);
     file.dimension("x", 6).dimension("y", 4).about(Classic::text_attribute(file, "json", info));
-    const auto axis = [&](double length) { return std::vector<std::string>{Classic::number_attribute(file, "length", length), Classic::number_attribute(file, "periodic", 1.0), Classic::text_attribute(file, "unit", "um")}; };
-    file.variable("mask", 1, {0, 1}, {}, bytes_as<std::int8_t>(mask)).variable("x", 6, {0}, axis(3.0), positions(6, 0.5)).variable("y", 6, {1}, axis(1.0), positions(4, 0.25));
+    const auto axis = [&](double length) {
+        return std::vector<std::string>{Classic::number_attribute(file, "length", length), Classic::number_attribute(file, "periodic", 1.0), Classic::text_attribute(file, "unit", "um")};
+    };
+    file.variable("mask", 1, {0, 1}, {}, bytes_as<std::int8_t>(mask)).variable("x", 6, {0}, axis(3.0), positions(6, 0.5));
+    file.variable("y", 6, {1}, axis(1.0), positions(4, 0.25));
     file.variable("heights", 5, {0, 1}, {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "_FillValue", -999.0)}, bytes_as<float>(map));
     map(3, 2) = map(1, 1) = std::nan("");
     return {.format = "nc", .name = "map, version " + std::to_string(version), .content = file.content(), .shape = {6, 4}, .size = {3e-6, 1e-6}, .heights = map * units::nm};
@@ -163,7 +166,8 @@ FormatSample records_sample() {
     Classic file(2);
     file.dimension("x", 0).dimension("y", 3);
     file.variable("y", 6, {1}, {Classic::number_attribute(file, "length", 3.0), Classic::text_attribute(file, "unit", "um")}, positions(3, 1.0));
-    file.variable("heights", 3, {0, 1}, {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "scale_factor", 0.5), Classic::number_attribute(file, "add_offset", 7.0)}, bytes_as<std::int16_t>(map), 6);
+    file.variable("heights", 3, {0, 1}, {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "scale_factor", 0.5), Classic::number_attribute(file, "add_offset", 7.0)},
+                  bytes_as<std::int16_t>(map), 6);
     file.variable("x", 6, {0}, {Classic::number_attribute(file, "length", 5.0), Classic::text_attribute(file, "unit", "um")}, positions(5, 1.0), 8);
     return {.format = "nc", .name = "records", .content = file.content(), .shape = {5, 3}, .size = {5e-6, 3e-6}, .heights = (0.5 * map + 7.0) * units::nm};
 }
@@ -174,7 +178,8 @@ FormatSample unequal_steps_sample() {
     heights << 3.0, 1.0, 2.0, 5.0;
     Classic file(1);
     file.dimension("n", 4);
-    file.variable("x", 6, {0}, {Classic::text_attribute(file, "unit", "um")}, bytes_as<double>(x)).variable("heights", 6, {0}, {Classic::text_attribute(file, "unit", "nm")}, bytes_as<double>(heights));
+    file.variable("x", 6, {0}, {Classic::text_attribute(file, "unit", "um")}, bytes_as<double>(x));
+    file.variable("heights", 6, {0}, {Classic::text_attribute(file, "unit", "nm")}, bytes_as<double>(heights));
     return {.format = "nc", .name = "unequal steps", .content = file.content(), .shape = {4}, .size = {4e-6}, .heights = heights * units::nm};
 }
 
@@ -182,9 +187,11 @@ FormatSample unequal_steps_sample() {
 FormatSample version4_sample() {
     const auto map = lopsided_heights(6, 4, 1.0);
     Hdf5Builder file({.newest = true});
-    file.dataset("/x", H5T_IEEE_F64LE, {6}, {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}).attribute("/x", "length", std::vector<double>{3.0}).attribute("/x", "unit", std::string("um")).attribute("/x", "periodic", std::vector<double>{1.0});
+    file.dataset("/x", H5T_IEEE_F64LE, {6}, {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}).attribute("/x", "length", std::vector<double>{3.0});
+    file.attribute("/x", "unit", std::string("um")).attribute("/x", "periodic", std::vector<double>{1.0});
     file.dataset("/y", H5T_IEEE_F64LE, {4}, {0.0, 0.25, 0.5, 0.75}).variable_text("/y", "unit", "um").variable_text("/y", "CLASS", "DIMENSION_SCALE");
-    file.dataset("/heights", H5T_IEEE_F32LE, {6, 4}, first_index_x(map), {.chunk = {3, 4}, .shuffled = true, .deflated = true}).variable_text("/heights", "unit", "nm").variable_text("/", "_NCProperties", "version=2");
+    file.dataset("/heights", H5T_IEEE_F32LE, {6, 4}, first_index_x(map), {.chunk = {3, 4}, .shuffled = true, .deflated = true});
+    file.variable_text("/heights", "unit", "nm").variable_text("/", "_NCProperties", "version=2");
     return {.format = "nc", .name = "version 4, packed", .content = file.bytes(), .shape = {6, 4}, .size = {3e-6, 1e-6}, .heights = map * units::nm};
 }
 

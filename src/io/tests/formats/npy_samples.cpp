@@ -28,7 +28,8 @@ ByteBuilder npy_header(int version, const std::string& type, const std::string& 
 }
 
 FormatSample sample_of(const std::string& name, const ByteBuilder& file, const Array2D& map) {
-    return {.format = "npy", .name = name, .content = file.content(), .options = {.size = {{3e-6, 2e-6}}, .unit = "nm"}, .shape = {map.rows(), map.cols()}, .size = {3e-6, 2e-6}, .heights = map * units::nm};
+    return {.format = "npy", .name = name, .content = file.content(), .options = {.size = {{3e-6, 2e-6}}, .unit = "nm"},
+            .shape = {map.rows(), map.cols()}, .size = {3e-6, 2e-6}, .heights = map * units::nm};
 }
 
 /// Values in the order of a map's columns: x slow.

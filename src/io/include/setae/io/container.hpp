@@ -69,6 +69,13 @@ struct ContainerTopography {
         bool operator==(const Datafile&) const = default;
     } datafile;
     std::optional<std::size_t> data_source;  ///< channel of the original, counted from 0
+    struct Channel {
+        std::string name;
+        std::optional<std::size_t> occurrence;  ///< of several channels of this name, counted from 0
+        std::string extra;
+        bool operator==(const Channel&) const = default;
+    };
+    std::optional<Channel> channel;          ///< as the newest TopoBank names it, instead of data_source
     std::vector<double> size;                ///< [unit]
     std::string unit;
     std::optional<double> height_scale;      ///< what the original's numbers are multiplied by where the file itself carries no scale
@@ -113,7 +120,8 @@ struct Container {
 enum class ContainerGeneration {
     yaml,        ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
     both,        ///< B: index.json with the keys of A, beside meta.yml
-    json,        ///< C: index.json with created_by, created_at; what setae writes
+    json,        ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest development,
+                 ///< with "measurements" of a "kind" and their "metadata"
     skeleton,    ///< as SurfaceTopography writes: processed copies alone, hardly a field
 };
 [[nodiscard]] std::string describe(ContainerGeneration generation);
