@@ -26,6 +26,7 @@ inline constexpr const char* heights_output_explanation =
     ".gwy  Gwyddion: one channel of float64 heights [m], undefined points under its mask; maps\n"
     ".nc   NetCDF: heights(x[, y]), x, y [m] with length and periodicity; read back without --size and --unit\n"
     ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"
+    ".txt  a map: rows from the top behind its size and unit, as Gwyddion exports them; a line: columns x [m], h [m]\n"
     ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n";
 
 }  // namespace setae::cli

@@ -20,7 +20,7 @@ except ImportError:
     sys.exit(SKIPPED)
 
 MAP_SIZE, LINE_SIZE = (7.7e-6, 4e-6), (2.1e-5,)  # m
-ENDINGS = ("x3p", "sdf", "gwy", "nc", "npy", "csv")
+ENDINGS = ("x3p", "sdf", "gwy", "nc", "npy", "txt", "csv")
 #: what a package cannot be asked, though setae writes it
 UNREAD = {
     ("SurfaceTopography", "x3p", "line"): "reads surfaces alone",
@@ -51,7 +51,7 @@ def by_surface_topography(path, kind, package):
         given = {"physical_sizes": MAP_SIZE, "unit": "m"}
     elif path.suffix == ".npy":
         given = {"physical_sizes": LINE_SIZE, "unit": "m"}
-    elif path.suffix == ".csv":
+    elif path.suffix in (".csv", ".txt") and kind == "line":
         given = {"unit": "m"}
     topography = reader.topography(**given)
     topography = topography.to_unit("m")

@@ -118,7 +118,7 @@ ExitCode run(const Arguments& arguments) {
 
 void add_convert(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy or .csv");
+    auto* verb = program.add_subcommand("convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
     verb->add_option("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
     verb->add_option("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
     verb->add_option("--to", arguments->to, "ending of files in that folder, such as x3p");

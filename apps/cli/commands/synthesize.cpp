@@ -91,7 +91,7 @@ void add_synthesize(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("synthesize", "make a random surface or line with a given power spectrum");
     arguments->options.add_to(*verb);
-    verb->add_option("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy or .csv");
+    verb->add_option("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
     on_named(*verb, action, arguments, explanation, run);
 }
 
