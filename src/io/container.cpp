@@ -147,7 +147,7 @@ void check(const ContainerSurface& surface, const std::string& place, Violations
     violations.require(!surface.name.empty(), place + "/name", "no name");
     check(surface.created_by, place, violations);
     for (std::size_t i = 0; i < surface.properties.size(); ++i)
-        violations.require(!surface.properties[i].name.empty(), fmt::format("{}/properties/{}", place, i), "a property without name");
+        violations.require(!surface.properties[i].name.empty() && surface.properties[i].value, fmt::format("{}/properties/{}", place, i), "a property without name or value");
     if (const auto& publication = surface.publication) {
         const bool whole = !publication->url.empty() && !publication->license.empty() && !publication->authors.empty() && publication->version && !publication->date.empty();
         violations.require(whole, place + "/publication", "a publication has url, license, authors, version and date");

@@ -74,7 +74,7 @@ json any_surface() {
     if (often()) surface["created_by"] = any_author();
     if (often()) surface["tags"] = any_texts();
     if (often()) surface["is_published"] = often();
-    if (often()) surface["properties"] = {{{"name", any_text()}, {"value", any_number()}, {"unit", "GPa"}}, {{"name", any_text()}, {"value", any_text()}}};
+    if (often()) surface["properties"] = {{{"name", any_text()}, {"value", any_number()}, {"unit", "GPa"}}, {{"name", any_text()}, {"value", any_text()}}, {{"name", any_text()}}};
     if (often()) surface["publication"] = {{"url", any_text()}, {"license", "cc0-1.0"}, {"authors", any_text()}, {"version", 3}, {"date", "2024-05-06"}};
     for (int left = *rc::gen::inRange(0, 4); left > 0; --left) surface["topographies"].push_back(any_topography());
     return surface;

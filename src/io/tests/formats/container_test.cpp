@@ -62,8 +62,8 @@ TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
     const auto file = read_container(container({{"index.json", json_index_text()}}));
     const auto& surface = file.container.surfaces.at(0);
     EXPECT_EQ(file.container.extra, R"({"extra":{"groups":[[0]]}})");
-    EXPECT_EQ(std::get<double>(surface.properties.at(0).value), 9.5);
-    EXPECT_EQ(std::get<std::string>(surface.properties.at(1).value), "W7");
+    EXPECT_EQ(std::get<double>(surface.properties.at(0).value.value()), 9.5);
+    EXPECT_EQ(std::get<std::string>(surface.properties.at(1).value.value()), "W7");
     EXPECT_EQ(surface.publication->version, 2u);
     EXPECT_EQ(surface.topographies.at(0).undefined_data_fraction, 0.0);
     EXPECT_DOUBLE_EQ(surface.topographies[0].instrument->parameters->tip_radius->metres().value(), 5e-6);
@@ -72,6 +72,14 @@ TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
     ASSERT_EQ(file.alerts.size(), 2u);
     EXPECT_EQ(file.alerts[0].code, "UNKNOWN_FIELD");
     EXPECT_EQ(file.alerts[0].subject, "surfaces/0/topographies/0/instrument/vendor");
+}
+
+TEST(ContainerIndex, NoValueIsMadeUpForAProperty) {
+    const auto without = container({{"index.json", R"({"surfaces": [{"name": "s", "properties": [{"name": "batch"}, {"name": "odd", "value": [1]}]}]})"}});
+    EXPECT_EQ(read_container(without).container.surfaces.at(0).properties.at(0).value, std::nullopt);
+    const TemporaryFolder folder;
+    write_container(folder.path("c.zip"), read_container(without).container, {});
+    EXPECT_TRUE(container_differences(without, file_source(folder.path("c.zip"))).empty());
 }
 
 TEST(ContainerIndex, IndexJsonIsPreferredToMetaYml) {

@@ -26,7 +26,7 @@ struct ContainerAuthor {
 /// A number or word that belongs to a surface, such as its hardness.
 struct ContainerProperty {
     std::string name;
-    std::variant<double, std::string> value;
+    std::optional<std::variant<double, std::string>> value;
     std::string unit, extra;
     bool operator==(const ContainerProperty&) const = default;
 };
