@@ -69,13 +69,16 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
     }
     const auto stored = std::min<std::uint64_t>(H5Dget_storage_size(dataset.data), dataset.source.size);
     const auto most = most_expanded(stored), piece_bytes = hdf5_product(chunks.chunk, chunks.value_bytes);
-    if (bytes > most || piece_bytes > most)
-        broken(dataset.source,
-               fmt::format("dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value", dataset.path, bytes, piece_bytes, stored));
+    if (bytes > most || piece_bytes > most) {
+        array.refusal = fmt::format("HDF5: dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value", dataset.path, bytes, piece_bytes, stored);
+        return;
+    }
     std::uint64_t pieces = 1;
     for (std::size_t k = 0; k < chunks.chunk.size(); ++k) pieces *= (dataset.extents[k] + chunks.chunk[k] - 1) / chunks.chunk[k];
-    if (pieces > dataset.source.size / 8 + 4096)
-        broken(dataset.source, fmt::format("dataset {:.200} is cut into {} pieces, more than the file can hold; it is damaged", dataset.path, pieces));
+    if (pieces > dataset.source.size / 8 + 4096) {
+        array.refusal = fmt::format("HDF5: dataset {:.200} is cut into {} pieces, more than the file can hold; it is damaged", dataset.path, pieces);
+        return;
+    }
     chunks.fill = fill_value(dataset, chunks.value_bytes);
 
     struct Guarded {

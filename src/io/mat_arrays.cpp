@@ -137,13 +137,16 @@ std::optional<MatVariable> compressed_matrix(const Source& source, std::uint64_t
     const auto head = inflated(source.bytes(offset, std::min(packed, header_bytes)), source, offset, mat, tag_bytes);
     if (head.size() < tag_bytes) throw FormatError(source.name, {.offset = offset}, fmt::format("MAT: a compressed element of {} bytes; the file is damaged", head.size()));
     const std::uint64_t expanded = tag_bytes + load<std::uint32_t>(head.data() + 4, order);
-    if (expanded > most_expanded(packed))
-        throw FormatError(source.name, {.offset = offset},
-                          fmt::format("MAT: {} compressed bytes are to become {}, more than {}; if the file is honest, save it uncompressed (-v6)", packed, expanded, most_expanded(packed)));
     const auto seen = memory_source(source.name, head);
     Cursor cursor(seen, "MAT: compressed element", 0, order);
     auto variable = matrix(cursor, order);
-    if (variable) place_compressed(*variable, source, offset, packed, expanded);
+    if (!variable) return variable;
+    variable->array.data = source;
+    if (expanded > most_expanded(packed))
+        variable->array.refusal = fmt::format("MAT: matrix '{:.64}' of {} compressed bytes is to become {}, more than {}; if it is honest, save it uncompressed (-v6)", variable->array.name, packed,
+                                              expanded, most_expanded(packed));
+    else
+        place_compressed(*variable, source, offset, packed, expanded);
     return variable;
 }
 

@@ -225,15 +225,19 @@ TEST(Mat, StructsAloneAreRefusedPolitely) {
 }
 
 TEST(Mat, CompressedMatrixThatPromisesTooMuchIsRefused) {
+    constexpr std::uint32_t side = 20000, values = 8 * side * side;
+    ByteBuilder header;  // of a matrix of 3 GB
+    header.number(std::uint32_t{14}).number(values + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{6}).number(std::uint32_t{0});
+    header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(side).number(side).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{9}).number(values);
+    const auto length = static_cast<std::uint16_t>(header.size());
+    ByteBuilder packed;  // a zlib stream with one block that is stored, not deflated
+    packed.number(std::uint8_t{0x78}).number(std::uint8_t{0x01}).number(std::uint8_t{1}).number(length).number(static_cast<std::uint16_t>(~length)).text(header.content()).number(std::uint32_t{0});
     ByteBuilder file;
-    // stored, not deflated: a matrix of 4 GB announced in 24 bytes
-    ByteBuilder packed;
-    packed.number(std::uint8_t{0x78}).number(std::uint8_t{0x01}).number(std::uint8_t{1}).number(std::uint16_t{16}).number(std::uint16_t{0xffef});
-    packed.number(std::uint32_t{14}).number(std::uint32_t{0xfffffff0}).number(std::uint64_t{0}).number(std::uint32_t{0});
     file.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM");
-    file.number(std::uint32_t{15});
-    file.number(static_cast<std::uint32_t>(packed.size())).text(packed.content());
-    EXPECT_NE(message_of([&] { (void)open(memory_source("a.mat", file.content()), {}); }).find("are to become"), std::string::npos);
+    file.number(std::uint32_t{15}).number(static_cast<std::uint32_t>(packed.size())).text(packed.content());
+    const auto channel = open(memory_source("a.mat", file.content()), {.size = {{1e-6, 1e-6}}, .unit = "nm"}).at(0);
+    EXPECT_EQ(channel.info.alerts.at(0).code, "UNREADABLE_ARRAY");
+    EXPECT_NE(message_of([&] { (void)channel.read(); }).find("is to become"), std::string::npos);
 }
 
 TEST(Mat, OpeningReadsHeadersAlone) {
