@@ -62,6 +62,7 @@ std::vector<FormatSample> format_samples() {
         dektak_csv_samples,
         hfm_samples,
         dabam_samples,
+        matrix_text_samples,
         xyz_samples,
         xy_samples,
     };

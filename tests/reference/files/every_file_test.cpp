@@ -21,11 +21,11 @@ const std::map<std::string, std::string>& refused() {
     static const std::map<std::string, std::string> files{
         {"di_corrupted.di", "at byte 489346"},
         {"nonsense_txt_file.txt", "text without a row of numbers"},
-        {"wrongnpyfile.npy", "text"},
-        {"ISO5436-sample2.x3p", "form no matrix"},
-        {"ISO5436-sample2.xml", "form no matrix"},
-        {"ISO5436-sample3.x3p", "form no matrix"},
-        {"ISO5436-sample3.xml", "form no matrix"},
+        {"wrongnpyfile.npy", "which no format setae reads does"},
+        {"ISO5436-sample1_bin.xml", "open the archive instead"},
+        {"ISO5436-sample4_bin.xml", "open the archive instead"},
+        {"ISO5436-sample2.x3p", "cloud of points"},
+        {"ISO5436-sample2.xml", "cloud of points"},
         {"dabam-010.txt", "JSON"},
         {"dabam-011.txt", "JSON"},
         {"dabam-014.txt", "JSON"},
@@ -103,7 +103,8 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
     int looked_at = 0;
     for (const auto& path : all_files()) {
         const bool text = path.extension() == ".txt" || path.extension() == ".csv";
-        if (fs::file_size(path) < 2'000'000 || text || refused().contains(path.filename().string())) continue;
+        const bool compressed = path.extension() == ".mnt";  // what its objects are stands in the stream of their data
+        if (fs::file_size(path) < 2'000'000 || text || compressed || refused().contains(path.filename().string())) continue;
         SCOPED_TRACE(path.string());
         const auto before = bytes_read();
         (void)open(path.string(), {.unit = "nm"});

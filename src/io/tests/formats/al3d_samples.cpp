@@ -17,6 +17,19 @@ constexpr std::size_t icon_bytes = 68;
 
 ByteBuilder& tag(ByteBuilder& file, const std::string& key, const std::string& value) { return file.text(key, 20).text(value, 30).text("\r\n"); }
 
+FormatSample sample(const char* name, Index nx) {
+    constexpr Index ny = 4;
+    auto heights = lopsided_heights(nx, ny, units::um);
+    auto stored = heights;
+    heights(2, 1) = undefined;
+    stored(2, 1) = 3e15;
+    heights(nx - 1, 3) = undefined;
+    stored(nx - 1, 3) = undefined;
+    // the texture behind the heights is not read: without it nothing is missing
+    return {.format = "al3d", .name = name, .content = al3d_file(stored, {{"CreatingApplication", "MeasureSuite 5.3.6"}, {"InvalidPixelValue", "3.000000028082e+15"}}),
+            .shape = {nx, ny}, .size = {dx * static_cast<double>(nx), dy * ny}, .heights = heights, .tolerance = 1e-7, .may_lose_its_end = true};
+}
+
 }  // namespace
 
 std::string al3d_file(const Array2D& heights, std::vector<std::pair<std::string, std::string>> tags) {
@@ -39,22 +52,6 @@ std::string al3d_file(const Array2D& heights, std::vector<std::pair<std::string,
     return file.text("texture", 24, '\x55').content();
 }
 
-std::vector<FormatSample> al3d_samples() {
-    std::vector<FormatSample> samples;
-    for (const auto& [name, nx] : {std::pair{"padded rows", Index{5}}, {"rows without padding", Index{6}}}) {
-        constexpr Index ny = 4;
-        auto heights = lopsided_heights(nx, ny, units::um);
-        auto stored = heights;
-        heights(2, 1) = undefined;
-        stored(2, 1) = 3e15;
-        heights(nx - 1, 3) = undefined;
-        stored(nx - 1, 3) = undefined;
-        samples.push_back({.format = "al3d", .name = name, .content = al3d_file(stored, {{"CreatingApplication", "MeasureSuite 5.3.6"}, {"InvalidPixelValue", "3.000000028082e+15"}}),
-                           .shape = {nx, ny}, .size = {dx * static_cast<double>(nx), dy * ny}, .heights = heights, .tolerance = 1e-7});
-        // the texture behind the heights is not read
-        samples.back().may_lose_its_end = true;
-    }
-    return samples;
-}
+std::vector<FormatSample> al3d_samples() { return {sample("padded rows", 5), sample("rows without padding", 6)}; }
 
 }  // namespace setae::io::tests
