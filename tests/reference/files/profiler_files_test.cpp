@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "expected_file.hpp"
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/io/channel.hpp"
 #include "setae/io/source.hpp"
 #include "setae/io/table_file.hpp"
-#include "setae/io/whole_file.hpp"
 
 // Files of stylus and optical profilers against another reader, a text export and what is known of the objects measured.
 namespace setae::io {
@@ -21,50 +20,11 @@ using topography::LineScan;
 
 std::string in_folder(const std::string& name) { return "topography/surfacetopography/" + name; }
 
-nlohmann::json expected_entry(const std::string& file) {
-    auto text = read_file((tests::reference_data_folder() / "expected" / "topography_files.json").string());
-    for (auto at = text.find(": NaN"); at != std::string::npos; at = text.find(": NaN", at)) text.replace(at, 5, ": null");
-    for (const auto& entry : nlohmann::json::parse(text))
-        if (entry.at("file") == file) return entry;
-    return nullptr;
-}
-
-/// Heights, undefined points and corners of an entry whose heights are `factor` metres.
-void expect_heights(const HeightMap& map, const nlohmann::json& entry, double factor) {
-    const auto& computed = entry.at("peer_computed");
-    EXPECT_EQ(map.shape(), (entry.at("shape").get<std::array<Index, 2>>()));
-    const auto undefined_points = map.heights.isNaN().count();
-    EXPECT_EQ(undefined_points, computed.at("n_undefined").get<Index>());
-    const auto defined = static_cast<double>(map.heights.size() - undefined_points);
-    const double mean = map.heights.isNaN().select(0.0, map.heights).sum() / defined;
-    const double deviation = std::sqrt(map.heights.isNaN().select(0.0, map.heights - mean).square().sum() / defined);
-    EXPECT_NEAR(mean / factor / computed.at("mean_valid").get<double>(), 1.0, 1e-9);
-    EXPECT_NEAR(deviation / factor / computed.at("std_valid").get<double>(), 1.0, 1e-9);
-    const Index right = map.heights.rows() - 1, bottom = map.heights.cols() - 1;
-    const std::array corners{map.heights(0, 0), map.heights(0, bottom), map.heights(right, 0), map.heights(right, bottom)};
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const auto& expected = computed.at("corners_00_0m1_m10_m1m1").at(k);
-        if (expected.is_null())
-            EXPECT_TRUE(std::isnan(corners[k])) << "corner " << k;
-        else
-            EXPECT_NEAR(corners[k] / factor / expected.get<double>(), 1.0, 1e-9) << "corner " << k;
-    }
-}
-
-/// The same, and the size.
-void expect_entry(const Channel& channel, const std::string& file, double factor) {
-    const auto entry = expected_entry(in_folder(file));
-    ASSERT_FALSE(entry.is_null());
-    const auto map = std::get<HeightMap>(channel.read());
-    expect_heights(map, entry, factor);
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(map.size[i] / factor / entry.at("physical_sizes").at(i).get<double>(), 1.0, 1e-9) << i;
-}
-
 TEST(OpdFile, HeightsSizeAndTime) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opd-1.opd"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 4u);
-    expect_entry(channels[0], "opd-1.opd", units::mm);
+    expect_entry_of(channels[0], expected_entry(in_folder("opd-1.opd")), units::mm);
     EXPECT_EQ(channels[0].info.name, "Raw");
     EXPECT_EQ(channels[0].info.unit, "nm");
     EXPECT_EQ(channels[0].info.metadata.acquisition_time, "7/7/2015 16:19:48");
@@ -109,7 +69,7 @@ TEST(MetroProFile, HeightsSizeAndTime) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("metropro-1.dat"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
-    expect_entry(channels[0], "metropro-1.dat", units::m);
+    expect_entry_of(channels[0], expected_entry(in_folder("metropro-1.dat")), units::m);
     EXPECT_EQ(channels[0].info.metadata.acquisition_time, "2011-07-23 16:49:36 UTC");
     EXPECT_EQ(channels[0].info.metadata.attributes.at("serial_number"), "59407");
     EXPECT_EQ(channels[1].info.name, "Intensity");
@@ -118,7 +78,7 @@ TEST(MetroProFile, HeightsSizeAndTime) {
 
 TEST(BcrFile, HeightsAreThoseOfAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("bcrf-1.bcrf"));
-    expect_heights(std::get<HeightMap>(read(path.string())), expected_entry(in_folder("bcrf-1.bcrf")), units::nm);
+    expect_heights_of(open(path.string()).at(0), expected_entry(in_folder("bcrf-1.bcrf")), units::nm);
 }
 
 /// mnt-1.mnt holds the same measurement, with the distance from point to point: xlength goes from the first to the last.
@@ -138,7 +98,7 @@ TEST(NmsFile, HeightsAreThoseOfAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("nms-1.nms"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
-    expect_heights(std::get<HeightMap>(channels[0].read()), expected_entry(in_folder("nms-1.nms")), units::um);
+    expect_heights_of(channels[0], expected_entry(in_folder("nms-1.nms")), units::um);
     EXPECT_EQ(channels[0].info.name, "Confocal Height Image");
     EXPECT_EQ(channels[0].info.metadata.acquisition_time, "2022-02-09T13:25");
 }
@@ -154,7 +114,7 @@ TEST(FrtFile, HeightsSizeAndInstrument) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("frt-2.frt"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
-    expect_entry(channels[0], "frt-2.frt", units::m);
+    expect_entry_of(channels[0], expected_entry(in_folder("frt-2.frt")), units::m);
     EXPECT_EQ(channels[0].info.metadata.attributes.at("serial_number"), "SN_1036");
     EXPECT_EQ(channels[0].info.metadata.acquisition_time, "2023-06-26 16:22:25 UTC");
     EXPECT_EQ(channels[1].info.name, "Intensity");
@@ -163,7 +123,7 @@ TEST(FrtFile, HeightsSizeAndInstrument) {
 TEST(TrueMapFile, HeightsAndSizeInTheUnitAssumed) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("tmd-1.tmd"));
     const auto channel = open(path.string()).at(0);
-    expect_entry(channel, "tmd-1.tmd", units::mm);
+    expect_entry_of(channel, expected_entry(in_folder("tmd-1.tmd")), units::mm);
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNIT_ASSUMED");
 }
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "expected_file.hpp"
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -108,44 +108,10 @@ void PrintTo(const Expectation& expectation, std::ostream* stream) { *stream << 
 
 class ExpectedFile : public testing::TestWithParam<Expectation> {};
 
-nlohmann::json expected_entry(const Expectation& expectation) {
-    auto text = read_file((tests::reference_data_folder() / "expected" / "topography_files.json").string());
-    for (auto at = text.find(": NaN"); at != std::string::npos; at = text.find(": NaN", at)) text.replace(at, 5, ": null");
-    for (const auto& entry : nlohmann::json::parse(text))
-        if (entry.at("file") == expectation.file && entry.at("channel_index") == expectation.channel) return entry;
-    return nullptr;
-}
-
 TEST_P(ExpectedFile, HasShapeSizeAndHeightsOfAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, GetParam().file);
-    const auto entry = expected_entry(GetParam());
-    ASSERT_FALSE(entry.is_null());
-    const auto channel = open(path.string(), {{}, GetParam().unit}).at(GetParam().channel);
-    EXPECT_EQ(channel.info.shape, entry.at("shape").get<std::vector<Index>>());
-    const auto heights = topography::all_heights(channel.read());
-    Array1D defined(heights.size());
-    Index n = 0;
-    for (const double h : heights)
-        if (h == h) defined[n++] = h / GetParam().factor;
-    defined.conservativeResize(n);
-    const auto& computed = entry.at("peer_computed");
-    EXPECT_EQ(heights.size() - n, computed.at("n_undefined").get<Index>());
-    const double spread = computed.at("max").get<double>() - computed.at("min").get<double>();
-    const double tolerance = 1e-9 * (std::abs(computed.at("max").get<double>()) + spread);
-    EXPECT_NEAR(defined.minCoeff(), computed.at("min").get<double>(), tolerance);
-    EXPECT_NEAR(defined.maxCoeff(), computed.at("max").get<double>(), tolerance);
-    EXPECT_NEAR(defined.mean(), computed.at("mean_valid").get<double>(), tolerance);
-    EXPECT_NEAR(standard_deviation(defined), computed.at("std_valid").get<double>(), tolerance);
-    if (!computed.contains("corners_00_0m1_m10_m1m1")) return;
-    const auto map = std::get<HeightMap>(channel.read());
-    const auto nx = map.heights.rows() - 1, ny = map.heights.cols() - 1;
-    const auto corners = computed.at("corners_00_0m1_m10_m1m1").get<std::array<double, 4>>();
-    EXPECT_NEAR(map.heights(0, 0) / GetParam().factor, corners[0], tolerance);
-    EXPECT_NEAR(map.heights(0, ny) / GetParam().factor, corners[1], tolerance);
-    EXPECT_NEAR(map.heights(nx, 0) / GetParam().factor, corners[2], tolerance);
-    EXPECT_NEAR(map.heights(nx, ny) / GetParam().factor, corners[3], tolerance);
-    EXPECT_NEAR(map.size[0] / GetParam().factor, entry.at("physical_sizes").at(0).get<double>(), 1e-9 * map.size[0] / GetParam().factor);
-    EXPECT_NEAR(map.size[1] / GetParam().factor, entry.at("physical_sizes").at(1).get<double>(), 1e-9 * map.size[1] / GetParam().factor);
+    const auto entry = expected_entry(GetParam().file, GetParam().channel);
+    expect_entry_of(open(path.string(), {{}, GetParam().unit}).at(GetParam().channel), entry, GetParam().factor);
 }
 
 std::string in_folder(const char* name) { return std::string("topography/surfacetopography/") + name; }
