@@ -67,7 +67,7 @@ void add_layout_option(CLI::App& verb, std::string& as) {
 
 void FileOptions::add_to(CLI::App& verb) {
     verb.add_option("--size", size, "extent where the file leaves it open: \"1 mm x 1 mm\" or \"2 mm\"");
-    verb.add_option("--unit", unit, "unit of lengths where the file leaves it open, such as um");
+    verb.add_option("--unit", unit, "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights");
     add_layout_option(verb, as);
     verb.add_option("--channel", channel, "channel, counted from 0 as `setae info` lists them");
 }

@@ -11,6 +11,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::io {
@@ -116,10 +117,17 @@ Array1D standard_errors(const RawTable::RawColumn& column, const Source& source)
     return column.values * length_unit(column.unit, source).factor;
 }
 
+GivenUnits given_units(const ReadOptions& options) {
+    const std::string_view text = options.unit ? std::string_view(*options.unit) : std::string_view{};
+    const auto comma = text.find(',');
+    if (comma == std::string_view::npos) return {std::string(text), std::string(text)};
+    return {std::string(trimmed(text.substr(0, comma))), std::string(trimmed(text.substr(comma + 1)))};
+}
+
 double complete(ChannelInfo& info, const ReadOptions& options, const Source& source) {
     double factor = 1.0;
     if (info.unit.empty() && options.unit) {
-        const auto unit = length_unit(*options.unit, source);
+        const auto unit = length_unit(given_units(options).heights, source);
         info.unit = unit.name;
         factor = unit.factor;
     } else if (!info.unit.empty()) {
@@ -145,22 +153,6 @@ Channel incomplete_channel(ChannelInfo info, const Source& source) {
                          : info.unit.empty()                    ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
                                                                 : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
-}
-
-std::string required_unit(const ReadOptions& options, const Source& source) {
-    if (options.unit) return *options.unit;
-    throw InvalidArgument(fmt::format("{}: the file states no unit; give it, as in --unit um", source.name));
-}
-
-std::vector<double> required_size(const ReadOptions& options, std::size_t dimensions, const Source& source) {
-    const auto example = dimensions == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\"";
-    if (!options.size)
-        throw InvalidArgument(options.unit ? fmt::format("{}: the file states no size; give it, as in {}", source.name, example)
-                                           : fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name, example));
-    if (options.size->size() != dimensions)
-        throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name,
-                                          options.size->size(), dimensions, example));
-    return *options.size;
 }
 
 }  // namespace setae::io

@@ -46,6 +46,12 @@ struct LengthUnit {
 /// Standard errors [m] of a column. @throws FormatError without a unit of length or for a value that is negative or undefined.
 [[nodiscard]] Array1D standard_errors(const RawTable::RawColumn& column, const Source& source);
 
+/// Units the user gave, for positions and for heights; empty where none. One unit counts for both, "mm, um" for each its own.
+struct GivenUnits {
+    std::string positions, heights;
+};
+[[nodiscard]] GivenUnits given_units(const ReadOptions& options);
+
 /// Fills size and unit that the file leaves open from what the user gave, makes the unit setae's spelling, and copies name, format,
 /// unit and, where the metadata names no file, the source's name to the metadata. `info.shape` tells how many sizes belong to it. Returns metres per unit where the unit is the user's,
 /// else 1.
@@ -55,10 +61,5 @@ double complete(ChannelInfo& info, const ReadOptions& options, const Source& sou
 
 /// A channel that lacks size or unit: listed, and `read` throws InvalidArgument that tells what to give.
 [[nodiscard]] Channel incomplete_channel(ChannelInfo info, const Source& source);
-
-/// The unit and, where the format leaves it open, the extent the user gave.
-/// @throws InvalidArgument that tells the option to give.
-[[nodiscard]] std::string required_unit(const ReadOptions& options, const Source& source);
-[[nodiscard]] std::vector<double> required_size(const ReadOptions& options, std::size_t dimensions, const Source& source);
 
 }  // namespace setae::io

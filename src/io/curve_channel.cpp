@@ -31,12 +31,12 @@ Units find_units(const Curve& curve, ChannelInfo& info, const ReadOptions& optio
     for (const auto* unit : {&units.x, &units.heights})
         if (!unit->empty() && !is_length_unit(*unit))
             throw FormatError(source.name, {.line = 1}, fmt::format("the header gives the unit '{}', expected a length such as um; force curves are read by `setae jkr fit`", *unit));
-    const auto given = options.unit.value_or("");
-    if (units.x.empty() && units.heights.empty()) return {given, given};
+    const auto given = given_units(options);
+    if (units.x.empty() && units.heights.empty()) return {given.positions, given.heights};
     const bool one_missing = units.x.empty() || units.heights.empty();
     auto& missing = units.x.empty() ? units.x : units.heights;
     if (one_missing && options.unit) {
-        missing = given;
+        missing = units.x.empty() ? given.positions : given.heights;
         return units;
     }
     if (one_missing) {
@@ -87,8 +87,9 @@ std::optional<double> try_length(std::string_view text) {
 }
 
 void compare_unit(ChannelInfo& info, const ReadOptions& options, const Source& source) {
-    if (!options.unit || info.unit.empty() || length_unit(*options.unit, source).factor == length_unit(info.unit, source).factor) return;
-    info.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("unit {} given, but the file says {}, which was used", *options.unit, info.unit),
+    const auto given = given_units(options).heights;
+    if (given.empty() || info.unit.empty() || length_unit(given, source).factor == length_unit(info.unit, source).factor) return;
+    info.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("unit {} given, but the file says {}, which was used", given, info.unit),
                            "check the unit; correct the file's header where it is wrong"});
 }
 
@@ -99,7 +100,7 @@ Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options,
     if (units.heights.empty()) {
         info.shape = {curve.x.values.size()};
         (void)complete(info, {}, source);
-        const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
+        const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"", source.name);
         return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
     }
     const auto height_unit = length_unit(units.heights, source);

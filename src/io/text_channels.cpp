@@ -115,8 +115,9 @@ Channel points_of(const RawTable& table, PointGrid grid, std::vector<Alert> aler
     }
     info.unit = unit;
     compare_unit(info, options, source);
-    if (lateral.empty()) lateral = options.unit.value_or("");
-    if (unit.empty()) unit = options.unit.value_or("");
+    const auto given = given_units(options);
+    if (lateral.empty()) lateral = given.positions;
+    if (unit.empty()) unit = given.heights;
     if (unit.empty()) {
         const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
         return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};

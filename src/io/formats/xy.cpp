@@ -22,7 +22,7 @@ Format xy_format() {
                            "Alpha-Step and Apex",
             .heights = "values in the unit stated or given; empty cells and nan are undefined",
             .orientation = "",
-            .not_read = "a unit that is given counts for x and heights: exports with x in mm and heights in um need their units in a header line, 'x [mm]<tab>h [um]'",
+            .not_read = "units of exports without a header, such as those of KLA-Tencor's P and Alpha-Step profilers, x in mm and heights in um, are given: --unit \"mm, um\"",
             .reference = "no standard; the dialects stand in setae/io/table_file.hpp",
             .tested_on_real_files = true,
             .carries_scale = false,

@@ -7,6 +7,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/channel.hpp"
+#include "setae/io/format.hpp"
 
 namespace setae::io::tests {
 namespace {
@@ -180,6 +181,17 @@ TEST(Open, RefusesMissingFilesAndFolders) {
     EXPECT_THROW((void)open(folder.path(".")), FileError);
     EXPECT_THROW((void)open(folder.write("b", std::string("\x00\x01\x02", 3))), FormatError);
     EXPECT_THROW((void)read(folder.write("c", "0 1\n1 2\n"), 1, microns), InvalidArgument);
+}
+
+/// KLA-Tencor's profilers export bare columns, x in mm and heights in µm.
+TEST(TwoColumns, WithoutHeaderTakeAUnitEach) {
+    const std::string text = "0.0000\t0.5\n0.0010\t0.25\n0.0020\t1.5\n";
+    const auto scan = std::get<topography::LineScan>(open(memory_source("kla.txt", text), {.unit = "mm, um"}).at(0).read());
+    EXPECT_NEAR(scan.size, 3e-6, 1e-18);
+    EXPECT_NEAR(scan.heights[2], 1.5e-6, 1e-18);
+    const auto points = open(memory_source("xyz.txt", "0 0 1\n1 0 2\n0 1 3\n1 1 5\n0 2 1\n1 2 1\n"), {.unit = "um, nm"}).at(0);
+    EXPECT_NEAR(points.info.size.at(1), 3e-6, 1e-18);
+    EXPECT_NEAR(std::get<topography::HeightMap>(points.read()).heights(1, 1), 5e-9, 1e-20);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ enum class TextLayout { matrix, columns };
 /// becomes an alert (SIZE_MISMATCH above 1e-4, UNIT_MISMATCH).
 struct ReadOptions {
     std::optional<std::vector<double>> size;  ///< extent [m] of npy arrays and text matrices
-    std::optional<std::string> unit;          ///< of x and heights in text, of heights in npy arrays and text matrices
+    std::optional<std::string> unit;          ///< of x and heights in text, of heights in npy arrays and text matrices; "mm, um": of x, then of heights
     std::optional<TextLayout> layout = {};    ///< of text; nothing: from the numbers, with an alert AMBIGUOUS_COLUMNS where both fit
 };
 
