@@ -52,23 +52,23 @@ bool can_be_read(const io::ChannelInfo& info) { return info.is_height && !is_mis
 /// A member of a container that cannot be opened is a channel of no format; an alert says why.
 bool is_bad_member(const io::ChannelInfo& info) { return info.format.empty(); }
 
-HeightSummary summarise(const io::Channel& channel) {
-    HeightSummary summary;
-    try {
-        const auto heights = topography::all_heights(channel.read());
-        const auto defined = heights == heights;
-        const auto count = static_cast<double>(defined.count());
-        const double offset = summary.mean = defined.select(heights, 0.0).sum() / count;
-        summary.points = heights.size();
-        summary.undefined_count = heights.size() - defined.count();
-        summary.standard_deviation = std::sqrt(defined.select((heights - offset).square(), 0.0).sum() / count);
-        summary.least = defined.select(heights, INFINITY).minCoeff();
-        summary.greatest = defined.select(heights, -INFINITY).maxCoeff();
-        summary.read = true;
-    } catch (const Error& error) {
-        summary.error = error.what();
-    }
+HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
+    HeightSummary summary{.read = true, .undefined_count = heights.isNaN().count(), .points = heights.size()};
+    const auto count = static_cast<double>(summary.points - summary.undefined_count);
+    const double offset = summary.mean = heights.isNaN().select(0.0, heights).sum() / count;
+    summary.standard_deviation = std::sqrt(heights.isNaN().select(0.0, heights - offset).square().sum() / count);
+    summary.least = heights.isNaN().select(INFINITY, heights).minCoeff();
+    summary.greatest = heights.isNaN().select(-INFINITY, heights).maxCoeff();
     return summary;
+}
+
+HeightSummary summarise(const io::Channel& channel) {
+    try {
+        const auto measurement = channel.read();
+        return std::visit([](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); }, measurement);
+    } catch (const Error& error) {
+        return {.error = error.what()};
+    }
 }
 
 workflow::Json optional_number(const std::optional<double>& value) { return value ? workflow::Json(*value) : workflow::Json(nullptr); }
