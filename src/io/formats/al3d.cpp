@@ -97,12 +97,27 @@ std::vector<double> undefined_values(const Tags& tags) {
     return values;
 }
 
+/// The texture behind the depth image is not read, but a file without all of it is not whole: planes of bytes, rows padded to 8.
+void require_texture(const Tags& tags, const Raster& depth, const Source& source) {
+    if (!tags.values.contains("TextureImageOffset")) return;
+    const auto offset = count_of(tags, "TextureImageOffset", source);
+    const auto planes = tags.values.contains("NumberOfPlanes") ? count_of(tags, "NumberOfPlanes", source) : Index{1};
+    if (offset == 0 || planes == 0) return;
+    constexpr Index most_planes = 16;
+    if (planes > most_planes) throw FormatError(source.name, {.offset = tags.end}, fmt::format("Alicona: {} planes, expected {} at most", planes, most_planes));
+    const auto row = (static_cast<std::uint64_t>(depth.nx) + 7) / 8 * 8;
+    const Raster texture{.offset = static_cast<std::uint64_t>(offset), .nx = depth.nx, .ny = depth.ny * planes, .sample = Sample::uint8, .line_distance = row};
+    require_raster(texture, source, "Alicona");
+}
+
 std::vector<Channel> open_al3d(const Source& source, const ReadOptions& options) {
     const auto tags = read_tags(source);
     Raster raster{.nx = count_of(tags, "Cols", source), .ny = count_of(tags, "Rows", source), .sample = Sample::float32};
     raster.line_distance = (static_cast<std::uint64_t>(raster.nx) * sizeof(float) + 7) / 8 * 8;
     raster.offset = static_cast<std::uint64_t>(count_of(tags, "DepthImageOffset", source));
     if (raster.offset < tags.end) throw FormatError(source.name, {.offset = tags.end}, fmt::format("Alicona: no depth image (its offset is {}); pictures alone are not read", raster.offset));
+    require_raster(raster, source, "Alicona");
+    require_texture(tags, raster, source);
     ChannelInfo info{.name = "depth image", .format = "al3d"};
     info.unit = "m";
     info.orientation = "rows from the top, as stored; not stated in the file, taken as Gwyddion shows it";

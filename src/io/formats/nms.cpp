@@ -73,7 +73,10 @@ std::vector<Channel> open_nms(const Source& source, const ReadOptions& options) 
     const RawScale scale{.factor = (highest - lowest) * units::um / steps_of_range, .offset = lowest * units::um};
     std::vector<Channel> channels{raster_channel(std::move(info), source, raster, scale, options)};
     const auto points = std::uint64_t{nx} * ny;
-    if (source.size - header_bytes - 2 * points >= points) {
+    const auto behind = source.size - header_bytes - 2 * points;
+    if (behind > 0 && behind < points)
+        throw FormatError(source.name, {.offset = source.size}, fmt::format("NMS: the file ends here, its picture should end at byte {}; it is truncated", header_bytes + 3 * points));
+    if (behind >= points) {
         picture.name = picture.metadata.name = "Intensity";
         picture.shape = {nx, ny};
         picture.unit.clear();

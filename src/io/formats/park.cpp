@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,7 +18,8 @@
 namespace setae::io {
 namespace {
 
-enum Tag : std::uint16_t { magic_tag = 50432, version_tag = 50433, samples_tag = 50434, header_tag = 50435, comment_tag = 50436, date_tag = 306, software_tag = 305 };
+enum Tag : std::uint16_t { magic_tag = 50432, version_tag = 50433, samples_tag = 50434, header_tag = 50435, comment_tag = 50436, date_tag = 306, software_tag = 305, strip_offsets_tag = 273, strip_bytes_tag = 279 };
+constexpr std::uint64_t most_strips = 1 << 20;
 constexpr double magic = 0x0E031301, version_1 = 0x1000001, version_2 = 0x1000002;
 constexpr std::uint64_t header_bytes = 356, header_bytes_2 = 580;
 
@@ -121,6 +123,14 @@ Raster raster_of(const ParkHeader& header, const TiffTag& samples, const TiffFil
     return raster;
 }
 
+/// The picture is not read, but a file without all of it is not whole.
+void require_preview(const TiffFile& file, const TiffPage& page) {
+    const auto offsets = file.integers(page, strip_offsets_tag, most_strips), counts = file.integers(page, strip_bytes_tag, most_strips);
+    for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
+        if (offsets[k] > file.source.size || counts[k] > file.source.size - offsets[k])
+            throw FormatError(file.source.name, {.offset = file.source.size}, fmt::format("Park: the file ends here, a strip of its picture should end at byte {}; it is truncated", offsets[k] + counts[k]));
+}
+
 std::vector<Channel> open_park(const Source& source, const ReadOptions& options) {
     const auto file = open_tiff(source, "Park", 1);
     const auto& page = file.pages.front();
@@ -130,6 +140,7 @@ std::vector<Channel> open_park(const Source& source, const ReadOptions& options)
     if (version != version_1 && version != version_2) throw FormatError(source.name, {.offset = page.offset}, fmt::format("Park: version {}, expected 1 or 2", version));
     const auto header = header_of(file, *header_at);
     require_readable(header, file, header_at->offset);
+    require_preview(file, page);
     ChannelInfo info;
     info.name = header.source;
     info.format = "park";

@@ -107,7 +107,7 @@ std::vector<Channel> open_plu(const Source& source, const ReadOptions& options) 
             if (topography) info.orientation = "rows from the top, as stored; not stated in the file, taken as Gwyddion shows it";
             channels.push_back(raster_channel(std::move(info), source, raster, {.factor = units::um, .undefined = {not_measured}}, options));
         }
-        if (layer + 1 < head.layers) cursor.skip(2 * sizeof(float) + std::uint64_t{3} * head.pictures * rows * columns);
+        if (layer + 1 < head.layers || head.pictures > 0) cursor.skip(2 * sizeof(float) + std::uint64_t{3} * head.pictures * rows * columns);
     }
     return channels;
 }

@@ -10,6 +10,7 @@
 #include "reference_data.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/format.hpp"
+#include "setae/io/whole_file.hpp"
 
 namespace setae::io {
 namespace {
@@ -52,6 +53,10 @@ ReadOptions said_by_the_user(const fs::path& path) {
     const auto& info = listed.front().info;
     if (info.size.empty()) options.size = std::vector<double>(info.shape.size(), 1e-6);
     return options;
+}
+
+bool looks_like_text_file(const std::string& content) {
+    return std::none_of(content.begin(), content.end(), [](char c) { return c >= 0 && c < 9; });
 }
 
 void expect_consistent(const Channel& channel) {
@@ -109,6 +114,42 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
         const auto before = bytes_read();
         (void)open(path.string(), {.unit = "nm"});
         EXPECT_LT(bytes_read() - before, 1'000'000u);
+        ++looked_at;
+    }
+    if (looked_at == 0) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
+}
+
+/// What opening and reading all channels of bytes says is wrong; nothing where they are read.
+std::string error_of(const std::string& content, const ReadOptions& options) {
+    try {
+        for (const auto& channel : open(memory_source("cut", content), options))
+            if (channel.info.is_height || !channel.info.alerts.empty()) (void)channel.read();
+    } catch (const FormatError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
+    constexpr std::size_t cuts = 64;
+    // bytes at the end that programs add for themselves and no header announces
+    const std::map<std::string, std::size_t> footers{{"spot_1-1000nm.ibw", 110'000}, {"plu-1.plu", 133'200}};
+    int looked_at = 0;
+    for (const auto& path : all_files()) {
+        if (refused().contains(path.filename().string())) continue;
+        const auto content = read_file(path.string());
+        if (looks_like_text_file(content) || path.extension() == ".csv") continue;  // a shorter text, also in UTF-16, is a whole one, too
+        const auto footer = footers.find(path.filename().string());
+        const auto announced = content.size() - (footer == footers.end() ? 0 : footer->second);
+        SCOPED_TRACE(path.string());
+        const auto options = said_by_the_user(path);
+        for (std::size_t k = 0; k < cuts; ++k) {
+            const auto length = content.size() * k / cuts;
+            if (length >= announced) break;
+            const auto error = error_of(content.substr(0, length), options);
+            const bool has_place = error.find("at byte ") != std::string::npos || error.starts_with("cut:");
+            EXPECT_TRUE(has_place) << "cut at " << length << " of " << content.size() << ": '" << error << "'";
+        }
         ++looked_at;
     }
     if (looked_at == 0) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
