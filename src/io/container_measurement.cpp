@@ -163,17 +163,6 @@ Channel member_channel(const Source& source, const Archive& archive, const Entry
     return {std::move(info), [source, entry] { return read_member(source, entry); }};
 }
 
-/// Called while an error is handled: the channel keeps it and throws it when read.
-Channel unreadable_channel(const Source& source, const std::string& name, const std::string& reason) {
-    ChannelInfo info;
-    info.name = name;
-    info.is_height = false;
-    info.metadata.file = source.name;
-    info.metadata.name = name;
-    info.alerts.push_back({"UNREADABLE_MEMBER", name, reason, "the other measurements are not affected; repair or replace this one"});
-    return {std::move(info), [error = std::current_exception()]() -> topography::Measurement { std::rethrow_exception(error); }};
-}
-
 }  // namespace
 
 std::optional<topography::Trend> trend_of(const std::string& detrend_mode) {
@@ -197,7 +186,7 @@ Channel container_channel(const Source& source, const Archive& archive, const Co
     try {
         return member_channel(source, archive, entry_of(topography, surface.name, archive));
     } catch (const Error& error) {
-        return unreadable_channel(source, topography.name, error.what());
+        return unreadable_member(source, topography.name, error.what());
     }
 }
 

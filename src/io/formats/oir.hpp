@@ -8,6 +8,8 @@
 
 namespace setae::io {
 
+/// The heights of one Olympus OIR file; a POIR archive holds several.
+/// @throws FormatError for content that breaks the format.
 [[nodiscard]] std::vector<Channel> open_oir(const Source& source, const ReadOptions& options);
 
 }  // namespace setae::io

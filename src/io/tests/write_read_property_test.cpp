@@ -133,7 +133,7 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesWhereTheyAreHeld, ()) {
     Profile profile{Array1D(count), any_heights(count), any_metadata()};
     profile.positions[0] = 0.0;
     for (Index i = 1; i < count; ++i) profile.positions[i] = profile.positions[i - 1] + any_length();
-    profile.positions[count - 1] += profile.positions[count - 1] - profile.positions[0];  // steps differ
+    profile.positions[count - 1] += 3.0 * (profile.positions[count - 1] - profile.positions[0]);  // the last step is more than three others together
     for (const auto& format : writers_of(Kind::profile)) {
         const auto back = std::get<Profile>(written_and_read(format, profile, {}));
         RC_ASSERT(back.heights.size() == count);
