@@ -176,7 +176,7 @@ bool repeats_scale(const Archive& archive, const ContainerTopography& topography
     const auto& original = topography.datafile.original;
     if (topography.height_scale.value_or(1.0) == 1.0 || original.empty() || !archive.has(original)) return false;
     try {
-        return detect_format(unpacked(archive.member(original))).carries_scale;
+        return detect_format(archive.member(original)).carries_scale;
     } catch (const FormatError&) {
         return false;
     }
