@@ -60,6 +60,11 @@ Channel loaded_channel(ChannelInfo info, Measurement measurement) {
     return {std::move(info), [shared] { return *shared; }};
 }
 
+void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> read) {
+    channel.read = std::move(read);
+    channel.lines = {};
+}
+
 Channel non_height_channel(ChannelInfo info) {
     info.is_height = false;
     auto message = fmt::format("{}: channel '{}' holds no heights", info.metadata.file, info.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace setae::io {
 
 /// A channel that holds a measurement already in memory.
 [[nodiscard]] Channel loaded_channel(ChannelInfo info, topography::Measurement measurement);
+
+/// Lets `read` read the heights of a channel from now on, which changes or checks what the old one gave: only as a whole.
+void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> read);
 
 /// A channel of something other than heights: listed, never read.
 [[nodiscard]] Channel non_height_channel(ChannelInfo info);

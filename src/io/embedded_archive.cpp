@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "archive.hpp"
+#include "channel_building.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::io {
@@ -33,11 +34,11 @@ std::vector<Channel> member_channels(const Source& archive, const std::string& m
             info.metadata.name = info.name;
             info.format = info.metadata.format = format;
             if (!info.is_height) continue;
-            channels[i].read = [archive, member, metadata = info.metadata, i, open_file, options] {
+            read_as_a_whole(channels[i], [archive, member, metadata = info.metadata, i, open_file, options] {
                 auto measurement = open_file(Archive(archive).member(member), options).at(i).read();
                 topography::metadata(measurement) = metadata;
                 return measurement;
-            };
+            });
         }
         return channels;
     } catch (const Error& error) {

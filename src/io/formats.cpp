@@ -191,6 +191,12 @@ std::vector<std::string> missing(const ChannelInfo& info) {
     return names;
 }
 
+std::optional<topography::TiledMap> tiled(const Channel& channel) {
+    const auto& info = channel.info;
+    if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
+    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]}, false, info.metadata, channel.lines};
+}
+
 std::vector<Channel> open(const Source& packed, const ReadOptions& options) {
     const auto source = unpacked(packed);
     auto channels = detected(source).open(source, options);

@@ -24,11 +24,11 @@ void undefine(Array2D& heights, const PointMask& mask) {
 Channel masked(Channel channel, const PointMask& mask) {
     require_raster({.offset = mask.offset, .nx = channel.info.shape.at(0), .ny = channel.info.shape.at(1), .sample = Sample::uint8, .line_distance = mask.row_distance},
                    mask.source, channel.info.format);
-    channel.read = [heights_of = std::move(channel.read), mask] {
+    read_as_a_whole(channel, [heights_of = channel.read, mask] {
         auto map = std::get<topography::HeightMap>(heights_of());
         undefine(map.heights, mask);
         return checked(std::move(map), mask.source);
-    };
+    });
     return channel;
 }
 

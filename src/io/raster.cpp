@@ -209,6 +209,16 @@ std::uint64_t line_bytes(const Raster& raster) {
     return (samples - 1) * raster.sample_distance() + bytes_of(raster.sample);
 }
 
+/// The part of a raster that holds some lines of heights, y = first … first + count − 1.
+Raster lines_of(const Raster& raster, Index first, Index count) {
+    Raster part = raster;
+    const auto from_top = static_cast<std::uint64_t>(raster.bottom_up ? raster.ny - first - count : first);
+    part.ny = count;
+    part.line_distance = raster.row_distance();
+    part.offset += from_top * (raster.columns ? raster.sample_distance() : part.line_distance);
+    return part;
+}
+
 topography::Measurement measured(const Source& source, const Raster& raster, const RawScale& scale, bool line, const std::vector<double>& size, const topography::Metadata& metadata) {
     auto heights = read_raster(source, raster, scale);
     topography::Measurement measurement = topography::LineScan{};
@@ -276,7 +286,13 @@ Channel raster_channel(ChannelInfo info, const Source& source, const Raster& ras
     metres.factor *= given;
     metres.offset *= given;
     auto read = [source, raster, metres, line, size = info.size, metadata = info.metadata] { return measured(source, raster, metres, line, size, metadata); };
-    return {std::move(info), std::move(read)};
+    if (line) return {std::move(info), std::move(read)};
+    auto lines = [source, raster, metres](Index first, Index count) {
+        if (first < 0 || count < 1 || count > raster.ny - first)
+            throw InvalidArgument(fmt::format("{}: lines {} to {} asked for, the map has lines 0 to {}", source.name, first, first + count - 1, raster.ny - 1));
+        return read_raster(source, lines_of(raster, first, count), metres);
+    };
+    return {std::move(info), std::move(read), std::move(lines)};
 }
 
 }  // namespace setae::io

@@ -89,10 +89,10 @@ Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& 
     }
     auto channel = raster_channel(std::move(info), array.data, raster, scale, options);
     if (array.hold)
-        channel.read = [read = std::move(channel.read), hold = array.hold] {
+        read_as_a_whole(channel, [read = channel.read, hold = array.hold] {
             const auto kept = hold();
             return read();
-        };
+        });
     return channel;
 }
 

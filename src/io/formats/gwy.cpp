@@ -205,7 +205,7 @@ Channel with_undefined_points(Channel channel, const Source& source, const Part&
     const auto field = read_field(source, mask, "the mask");
     const auto raster = raster_of(field);
     require_raster(raster, source, "GWY");
-    channel.read = [read = channel.read, source, raster] {
+    read_as_a_whole(channel, [read = channel.read, source, raster] {
         auto measurement = read();
         const auto marked = read_raster(source, raster, {});
         std::visit(
@@ -215,7 +215,7 @@ Channel with_undefined_points(Channel channel, const Source& source, const Part&
             },
             measurement);
         return checked(std::move(measurement), source);
-    };
+    });
     return channel;
 }
 

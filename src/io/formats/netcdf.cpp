@@ -156,6 +156,8 @@ struct Finish {
     std::optional<Positions> positions;
     bool periodic = false;
 
+    [[nodiscard]] bool changes_heights() const { return mask || positions; }
+
     topography::Measurement operator()(topography::Measurement measurement) const {
         if (mask) apply_mask(measurement, *mask);
         if (auto* map = std::get_if<topography::HeightMap>(&measurement)) map->periodic = periodic;
@@ -222,7 +224,7 @@ std::vector<Channel> open_netcdf(const Source& source, const ReadOptions& option
     const bool only_unit_missing = !unit && (has_positions || (x && number_of(x->attributes, "length")));
     auto channel = array_channel(std::move(info), *heights, FirstIndex::x_to_the_right, raw_scale(*heights, stated.empty() ? 1.0 : *unit), options);
     if (only_unit_missing) return {without_unit(std::move(channel.info), source)};
-    channel.read = [read = std::move(channel.read), finish] { return finish(read()); };
+    if (finish.changes_heights() || finish.periodic) read_as_a_whole(channel, [read = channel.read, finish] { return finish(read()); });
     return {std::move(channel)};
 }
 

@@ -181,7 +181,7 @@ std::vector<Channel> open_wsxm(const Source& source, const ReadOptions& options)
     if (const auto range = stated_range(header)) return {raster_channel(std::move(info), source, raster, {.factor = span / *range}, options)};
     if (info.unit.empty()) broken(source, header.data_offset, "the header states neither the unit of 'Z Amplitude' nor the integers' range");
     auto channel = raster_channel(std::move(info), source, raster, {.factor = span}, options);
-    channel.read = [read = std::move(channel.read), span] { return spanning(read(), span); };
+    read_as_a_whole(channel, [read = channel.read, span] { return spanning(read(), span); });
     return {std::move(channel)};
 }
 

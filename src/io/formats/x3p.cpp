@@ -125,7 +125,7 @@ Channel layer_channel(const X3pDocument& document, const Package& package, Index
     auto channel = raster_channel(std::move(info), named, raster, {.factor = document.z.step(), .offset = document.z.offset}, options);
     if (channel.info.size.empty()) return channel;
     const auto valid = valid_points(package, document, count);
-    channel.read = [read = channel.read, member, valid, checksum = document.point_checksum, first = static_cast<std::uint64_t>(layer) * points, points, named] {
+    read_as_a_whole(channel, [read = channel.read, member, valid, checksum = document.point_checksum, first = static_cast<std::uint64_t>(layer) * points, points, named] {
         require_checksum(member, checksum);
         auto measurement = read();
         if (!valid) return measurement;
@@ -136,7 +136,7 @@ Channel layer_channel(const X3pDocument& document, const Package& package, Index
             },
             measurement);
         return checked(std::move(measurement), named);
-    };
+    });
     return channel;
 }
 
@@ -338,7 +338,7 @@ std::vector<Channel> nested_channels(const Source& source, const std::string& na
         auto channels = open_nested(source, name, options);
         for (std::size_t k = 0; k < channels.size(); ++k) {
             channels[k].info.name = name + ": " + channels[k].info.name;
-            channels[k].read = [source, name, options, k] { return open_nested(source, name, options).at(k).read(); };
+            read_as_a_whole(channels[k], [source, name, options, k] { return open_nested(source, name, options).at(k).read(); });
         }
         return channels;
     } catch (const Error& error) {

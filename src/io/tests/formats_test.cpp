@@ -47,6 +47,32 @@ TEST_P(FormatSamples, HoldTheirHeights) {
     }
 }
 
+TEST_P(FormatSamples, GiveTheSameHeightsByBandsOfLines) {
+    const auto channel = open(source_of(GetParam()), GetParam().options).at(GetParam().channel);
+    const auto map = tiled(channel);
+    if (!map) return;
+    const auto whole = std::get<topography::HeightMap>(channel.read());
+    EXPECT_FALSE(whole.periodic);
+    for (const Index first : {Index{0}, map->ny / 2}) {
+        const auto count = (map->ny + 1) / 2;
+        if (first + count > map->ny) continue;
+        const Array2D band = map->lines(first, count), wanted = whole.heights.middleCols(first, count);
+        ASSERT_EQ(band.rows(), map->nx);
+        EXPECT_TRUE((band == wanted || (band.isNaN() && wanted.isNaN())).all()) << "lines from " << first;
+    }
+    EXPECT_THROW((void)map->lines(map->ny, 1), InvalidArgument);
+}
+
+TEST(Formats, MostMapsCanBeReadByBandsOfLines) {
+    int maps = 0, by_bands = 0;
+    for (const auto& sample : format_samples()) {
+        const auto channel = open(source_of(sample), sample.options).at(sample.channel);
+        maps += channel.info.shape.size() == 2;
+        by_bands += tiled(channel).has_value();
+    }
+    EXPECT_GT(2 * by_bands, maps);
+}
+
 /// Opens and reads all channels; the error's text, or nothing.
 std::string error_of(const FormatSample& sample, const std::string& content) {
     try {

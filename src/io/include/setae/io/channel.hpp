@@ -10,6 +10,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/topography/detrend.hpp"
 #include "setae/topography/measurement.hpp"
+#include "setae/topography/tiled_map.hpp"
 
 namespace setae::io {
 
@@ -29,12 +30,19 @@ struct ChannelInfo {
 
 /// A channel and the function that reads its heights [m]: scaled once, not levelled, NaN = undefined.
 ///
-/// @throws (read) FormatError for content that breaks the format, UndefinedDataError where no height is defined,
+/// lines: heights of the scan lines first … first + count − 1 alone, shape (nx, count), for maps larger than memory; empty where the
+/// format has to be read as a whole.
+/// @throws (read, lines) FormatError for content that breaks the format, UndefinedDataError where no height is defined,
 /// InvalidArgument for a channel that holds no heights.
 struct Channel {
     ChannelInfo info;
     std::function<topography::Measurement()> read;
+    std::function<Array2D(Index first, Index count)> lines = {};
 };
+
+/// The map of a channel by bands of scan lines, read when asked; nothing where it is no map, a size or unit is missing, or the format
+/// has to be read as a whole.
+[[nodiscard]] std::optional<topography::TiledMap> tiled(const Channel& channel);
 
 /// What the file of a channel does not say: "size" and "unit", without which heights cannot be read, then "instrument" and "date".
 [[nodiscard]] std::vector<std::string> missing(const ChannelInfo& info);

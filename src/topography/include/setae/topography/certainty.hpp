@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-
 #include "setae/topography/dilation.hpp"
+#include "setae/topography/mask.hpp"
 
 namespace setae::topography {
 
 /// Where a scan shows the true surface for certain.
 struct Certainty {
     HeightMap reconstruction;  ///< eroded(image)
-    /// 1 where the reconstruction is the surface, 0 where it is an upper bound; shape of the map.
-    Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> certain;
+    Mask certain;              ///< 1 where the reconstruction is the surface, 0 where it is an upper bound
     double share = 0.0;        ///< of certain points among defined ones
 };
 
