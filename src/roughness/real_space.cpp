@@ -2,7 +2,9 @@
 #include "setae/roughness/real_space.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -35,12 +37,15 @@ struct Sums {
     }
 };
 
-/// Row i of a map with its neighbours (null beyond an open border) and what their differences are scaled by.
+/// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and what their differences are
+/// scaled by. Sums run over the points begin … end − 1; those beside them are looked at.
 struct Neighbourhood {
     const double* previous;
     const double* row;
     const double* next;
     Index n;
+    Index begin;
+    Index end;
     double inverse_dx2;
     double inverse_dy2;
     double origin;
@@ -89,22 +94,22 @@ template <bool checked>
 Sums row_sums(const Neighbourhood& at) {
     Sums sums;
     const double* row = at.row;
-    const auto n = at.n;
+    const auto n = at.n, begin = at.begin, end = at.end;
     const auto store = [](const Sum& s, double& sum, double& count) {
         sum += s.sum;
         count += s.count;
     };
     double ignored = 0.0;
-    store(sum_of<checked>(0, n, [&](Index j) { return row[j] - at.origin; }), sums.h, ignored);
-    store(sum_of<checked>(0, n, [&](Index j) { return square(row[j] - at.origin); }), sums.h2, sums.points);
-    store(sum_of<checked>(0, n - 1, [&](Index j) { return square(row[j + 1] - row[j]); }), sums.dy2, sums.dy_points);
+    store(sum_of<checked>(begin, end, [&](Index j) { return row[j] - at.origin; }), sums.h, ignored);
+    store(sum_of<checked>(begin, end, [&](Index j) { return square(row[j] - at.origin); }), sums.h2, sums.points);
+    store(sum_of<checked>(begin, std::min(end, n - 1), [&](Index j) { return square(row[j + 1] - row[j]); }), sums.dy2, sums.dy_points);
     if (at.periodic) store(sum_of<checked>(0, 1, [&](Index) { return square(row[0] - row[n - 1]); }), sums.dy2, sums.dy_points);
-    if (at.next) store(sum_of<checked>(0, n, [&](Index j) { return square(at.next[j] - row[j]); }), sums.dx2, sums.dx_points);
+    if (at.next) store(sum_of<checked>(begin, end, [&](Index j) { return square(at.next[j] - row[j]); }), sums.dx2, sums.dx_points);
     if (!at.previous || !at.next) return sums;
     const auto laplacian2 = [&](Index left, Index j, Index right) {
         return square((at.previous[j] - 2.0 * row[j] + at.next[j]) * at.inverse_dx2 + (row[left] - 2.0 * row[j] + row[right]) * at.inverse_dy2);
     };
-    store(sum_of<checked>(1, n - 1, [&](Index j) { return laplacian2(j - 1, j, j + 1); }), sums.laplacian2, sums.laplacian_points);
+    store(sum_of<checked>(std::max<Index>(begin, 1), std::min(end, n - 1), [&](Index j) { return laplacian2(j - 1, j, j + 1); }), sums.laplacian2, sums.laplacian_points);
     if (at.periodic && n > 2) {
         store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 1, 0, 1); }), sums.laplacian2, sums.laplacian_points);
         store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 2, n - 1, 0); }), sums.laplacian2, sums.laplacian_points);
@@ -113,16 +118,18 @@ Sums row_sums(const Neighbourhood& at) {
 }
 
 void add_to_lines(const Neighbourhood& at, bool has_undefined, const LineSums& lines) {
-    for (Index j = 0; j < at.n; ++j) {
-        const double h = at.row[j] - at.origin;
+    const double* row = at.row + at.begin;
+    const Index count = at.end - at.begin;
+    for (Index j = 0; j < count; ++j) {
+        const double h = row[j] - at.origin;
         const double defined = has_undefined && h != h ? 0.0 : h;
         lines.h[j] += defined;
         lines.h2[j] += defined * defined;
     }
     if (has_undefined)
-        for (Index j = 0; j < at.n; ++j) lines.points[j] += at.row[j] == at.row[j] ? 1.0 : 0.0;
+        for (Index j = 0; j < count; ++j) lines.points[j] += row[j] == row[j] ? 1.0 : 0.0;
     else
-        for (Index j = 0; j < at.n; ++j) lines.points[j] += 1.0;
+        for (Index j = 0; j < count; ++j) lines.points[j] += 1.0;
 }
 
 /// A row, quickly where all of it and its neighbours is defined.
@@ -141,11 +148,72 @@ double variance(double sum, double sum2, double count) {
 }
 
 /// A defined height near which sums of squares lose no digits.
-double origin_of(const Array2D& heights) {
-    for (Index i = 0; i < heights.size(); ++i)
-        if (heights.data()[i] == heights.data()[i]) return heights.data()[i];
-    throw UndefinedDataError("no defined height to take an rms of");
+std::optional<double> origin_of(const ArrayView2D& heights) {
+    for (Index i = 0; i < heights.rows(); ++i)
+        for (Index j = 0; j < heights.cols(); ++j)
+            if (heights(i, j) == heights(i, j)) return heights(i, j);
+    return {};
 }
+
+[[noreturn]] void nothing_defined() { throw UndefinedDataError("no defined height to take an rms of"); }
+
+/// Scan lines of a map that are looked at together with those beside them.
+struct Band {
+    const ArrayView2D& heights;  ///< (nx, lines)
+    Index begin, end;            ///< the lines summed over
+    bool periodic;               ///< along both directions: the band is the whole map
+};
+
+/// Sums over a map, gathered band by band.
+struct MapSums {
+    std::array<double, 2> pixel{};
+    Sums sums = {};
+    double variance_of_lines = 0.0;  ///< Σ over lines of points times variance
+    std::optional<double> origin = {};
+
+    void add(const Band& band, parallel::Threads threads) {
+        constexpr Index block_rows = 64;
+        if (!origin) origin = origin_of(band.heights);
+        if (!origin) return;
+        const auto nx = band.heights.rows(), lines_count = band.end - band.begin;
+        const auto blocks = static_cast<std::size_t>((nx + block_rows - 1) / block_rows);
+        std::vector<Sums> partial(blocks);
+        Array2D lines = Array2D::Zero(static_cast<Index>(blocks) * 3, lines_count);
+        const auto row = [&](Index i) -> const double* {
+            if (band.periodic) i = (i + nx) % nx;
+            return i < 0 || i >= nx ? nullptr : band.heights.row(i).data();
+        };
+        parallel::for_each_index(blocks, threads, [&](std::size_t b) {
+            const auto first = static_cast<Index>(b) * block_rows, line = first / block_rows * 3;
+            for (Index i = first; i < std::min(nx, first + block_rows); ++i)
+                partial[b] += add_row({row(i - 1), row(i), row(i + 1), band.heights.cols(), band.begin, band.end, 1.0 / (pixel[0] * pixel[0]),
+                                       1.0 / (pixel[1] * pixel[1]), *origin, band.periodic},
+                                      {lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data()});
+        });
+        for (const auto& block : partial) sums += block;
+        Array1D sum = Array1D::Zero(lines_count), squares = sum, count = sum;
+        for (Index b = 0; b < static_cast<Index>(blocks); ++b) {
+            sum += lines.row(3 * b).transpose();
+            squares += lines.row(3 * b + 1).transpose();
+            count += lines.row(3 * b + 2).transpose();
+        }
+        for (Index j = 0; j < lines_count; ++j) variance_of_lines += variance(sum[j], squares[j], count[j]) * count[j];
+    }
+
+    [[nodiscard]] RealSpaceParameters result() const {
+        if (!origin) nothing_defined();
+        RealSpaceParameters result;
+        result.defined = static_cast<Index>(sums.points);
+        result.mean_height = *origin + sums.h / sums.points;
+        result.rms_height = std::sqrt(variance(sums.h, sums.h2, sums.points));
+        result.rms_height_of_lines = std::sqrt(variance_of_lines / sums.points);
+        result.rms_slope_x = std::sqrt(ratio(sums.dx2, sums.dx_points)) / pixel[0];
+        result.rms_slope_y = std::sqrt(ratio(sums.dy2, sums.dy_points)) / pixel[1];
+        result.rms_slope = std::hypot(result.rms_slope_x, result.rms_slope_y);
+        result.rms_curvature = 0.5 * std::sqrt(ratio(sums.laplacian2, sums.laplacian_points));
+        return result;
+    }
+};
 
 /// Root of the mean of squares of defined terms.
 template <class Term>
@@ -157,47 +225,24 @@ double rms_of(Index first, Index last, Term term) {
 }  // namespace
 
 RealSpaceParameters real_space_parameters(const topography::HeightMap& map, parallel::Threads threads) {
-    constexpr Index block_rows = 64;
-    const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const auto [dx, dy] = map.pixel_size();
-    const double origin = origin_of(map.heights);
-    const auto blocks = static_cast<std::size_t>((nx + block_rows - 1) / block_rows);
-    std::vector<Sums> partial(blocks);
-    Array2D lines = Array2D::Zero(static_cast<Index>(blocks) * 3, ny);
-    parallel::for_each_index(blocks, threads, [&](std::size_t b) {
-        const auto first = static_cast<Index>(b) * block_rows;
-        const auto last = std::min(nx, first + block_rows);
-        const auto row = [&](Index i) -> const double* {
-            if (map.periodic) i = (i + nx) % nx;
-            return i < 0 || i >= nx ? nullptr : map.heights.data() + i * ny;
-        };
-        for (Index i = first; i < last; ++i) {
-            const Neighbourhood at{row(i - 1), row(i), row(i + 1), ny, 1.0 / (dx * dx), 1.0 / (dy * dy), origin, map.periodic};
-            const auto line = static_cast<Index>(b) * 3;
-            partial[b] += add_row(at, {lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data()});
-        }
-    });
-    Sums sums;
-    for (const auto& block : partial) sums += block;
-    Array1D line_sum = Array1D::Zero(ny), line_sum2 = line_sum, line_count = line_sum;
-    for (Index b = 0; b < static_cast<Index>(blocks); ++b) {
-        line_sum += lines.row(3 * b).transpose();
-        line_sum2 += lines.row(3 * b + 1).transpose();
-        line_count += lines.row(3 * b + 2).transpose();
-    }
-    double of_lines = 0.0;
-    for (Index j = 0; j < ny; ++j) of_lines += variance(line_sum[j], line_sum2[j], line_count[j]) * line_count[j];
+    MapSums sums{map.pixel_size()};
+    sums.add({map.heights, 0, map.heights.cols(), map.periodic}, threads);
+    return sums.result();
+}
 
-    RealSpaceParameters result;
-    result.defined = static_cast<Index>(sums.points);
-    result.mean_height = origin + sums.h / sums.points;
-    result.rms_height = std::sqrt(variance(sums.h, sums.h2, sums.points));
-    result.rms_height_of_lines = std::sqrt(of_lines / sums.points);
-    result.rms_slope_x = std::sqrt(ratio(sums.dx2, sums.dx_points)) / dx;
-    result.rms_slope_y = std::sqrt(ratio(sums.dy2, sums.dy_points)) / dy;
-    result.rms_slope = std::hypot(result.rms_slope_x, result.rms_slope_y);
-    result.rms_curvature = 0.5 * std::sqrt(ratio(sums.laplacian2, sums.laplacian_points));
-    return result;
+RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together, parallel::Threads threads) {
+    MapSums sums{map.pixel_size()};
+    if (map.periodic) {
+        const Array2D whole = map.lines(0, map.ny);  // differences wrap round
+        sums.add({whole, 0, map.ny, true}, threads);
+        return sums.result();
+    }
+    for (Index first = 0; first < map.ny; first += lines_together) {
+        const auto last = std::min(map.ny, first + lines_together), before = first > 0 ? Index{1} : Index{0};
+        const Array2D band = map.lines(first - before, std::min(map.ny, last + 1) - first + before);
+        sums.add({band, before, last - first + before, false}, threads);
+    }
+    return sums.result();
 }
 
 RealSpaceParameters real_space_parameters(const topography::LineScan& scan) {
@@ -207,7 +252,7 @@ RealSpaceParameters real_space_parameters(const topography::LineScan& scan) {
     const auto at = [&](Index i) { return h[scan.periodic ? (i + n) % n : i]; };
     const auto last_difference = scan.periodic ? n : n - 1;
     const auto defined = (scan.heights == scan.heights).count();
-    if (defined == 0) throw UndefinedDataError("no defined height to take an rms of");
+    if (defined == 0) nothing_defined();
     RealSpaceParameters result;
     result.defined = defined;
     result.mean_height = (scan.heights == scan.heights).select(scan.heights, 0.0).sum() / static_cast<double>(defined);

@@ -24,15 +24,19 @@ Array1D modes(Index count, double length) {
 }
 
 template <class Kind>
-PowerSpectrum1D empty_spectrum(const Kind& measurement, double length, Window window, const SpectrumOptions& options) {
-    PowerSpectrum1D spectrum;
-    const auto reliable = reliable_band(measurement, options.reliability, options.threads);
+void describe(PowerSpectrum1D& spectrum, const Kind& measurement, const ReliableBand& reliable, double length, Window window) {
     spectrum.q_min = reliable.band.lower;
     spectrum.q_max = reliable.band.upper;
     spectrum.alerts = reliable.alerts;
     spectrum.length = length;
     spectrum.window = name(window);
     spectrum.metadata = measurement.metadata;
+}
+
+template <class Kind>
+PowerSpectrum1D empty_spectrum(const Kind& measurement, double length, Window window, const SpectrumOptions& options) {
+    PowerSpectrum1D spectrum;
+    describe(spectrum, measurement, reliable_band(measurement, options.reliability, options.threads), length, window);
     return spectrum;
 }
 
@@ -42,16 +46,22 @@ struct LineSums {
     Array1D squares;
 };
 
-/// Sum of |transform|² and of its square over all lines, in an order that does not depend on threads.
-LineSums sum_over_lines(const ArrayView2D& heights, const Array1D& window, bool remove_mean,
-                        const topography::Metadata& metadata, parallel::Threads threads) {
+/// What is done to every line before its transform.
+struct LinePreparation {
+    Array1D window;
+    bool remove_mean = false;
+};
+
+/// Adds |transform|² and its square over the lines of a band, the first of them `first`, in an order that does not depend on threads.
+void add_lines(LineSums& sums, const ArrayView2D& heights, Index first, const LinePreparation& preparation, const topography::Metadata& metadata,
+               parallel::Threads threads) {
     const Index modes = heights.rows() / 2 + 1, blocks = fourier::block_count(heights.cols());
     Array2D power(blocks, modes), squares(blocks, modes);
     const auto prepare = [&](Index j, double* values) {
         Eigen::Map<Array1D> line(values, heights.rows());
         const double mean = line.mean();
-        if (!std::isfinite(mean)) throw_undefined(metadata, fmt::format("line {} along x", j));
-        line = (line - (remove_mean ? mean : 0.0)) * window;
+        if (!std::isfinite(mean)) throw_undefined(metadata, fmt::format("line {} along x", first + j));
+        line = (line - (preparation.remove_mean ? mean : 0.0)) * preparation.window;
     };
     const auto consume = [&](const fourier::SpectrumBlock& block) {
         double* power_row = power.row(block.index).data();
@@ -68,23 +78,21 @@ LineSums sum_over_lines(const ArrayView2D& heights, const Array1D& window, bool 
         }
     };
     fourier::transform_lines(heights, prepare, consume, threads);
-    LineSums sums{Array1D::Zero(modes), Array1D::Zero(modes)};
     for (Index b = 0; b < blocks; ++b) {
         sums.power += power.row(b).transpose();
         sums.squares += squares.row(b).transpose();
     }
-    return sums;
 }
+
+LineSums no_lines(Index points) { return {Array1D::Zero(points / 2 + 1), Array1D::Zero(points / 2 + 1)}; }
 
 bool needs_fit(topography::Trend trend) {
     return trend == topography::Trend::tilt || trend == topography::Trend::parabola;
 }
 
-/// C1D, its standard error and count from the lines of a map whose trend other than the mean is gone.
-void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window, const SpectrumOptions& options) {
-    const Index n = heights.rows(), lines = heights.cols(), count = n / 2;
-    const auto sums = sum_over_lines(heights, window_values(window, n), options.trend != topography::Trend::none,
-                                     spectrum.metadata, options.threads);
+/// C1D, its standard error and count from sums over so many lines of n points.
+void fill_from_sums(PowerSpectrum1D& spectrum, const LineSums& sums, Index n, Index lines) {
+    const Index count = n / 2;
     const double step = spectrum.length / static_cast<double>(n), factor = step * step / spectrum.length;
     const double number = static_cast<double>(lines);
     spectrum.wavevector = modes(count, spectrum.length);
@@ -97,11 +105,22 @@ void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Wind
     }
 }
 
+/// The same from the lines of a map whose trend other than the mean is gone.
+void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window, const SpectrumOptions& options) {
+    auto sums = no_lines(heights.rows());
+    add_lines(sums, heights, 0, {window_values(window, heights.rows()), options.trend != topography::Trend::none}, spectrum.metadata, options.threads);
+    fill_from_sums(spectrum, sums, heights.rows(), heights.cols());
+}
+
+void require_line_window(Window window) {
+    if (window == Window::radial_hann)
+        throw InvalidArgument("window radial_hann for line scans; expected none, hann or blackman_harris");
+}
+
 template <class Uniform>
 void require_uniform(const Uniform& measurement, Window window) {
     require_shape(measurement);
-    if (window == Window::radial_hann)
-        throw InvalidArgument("window radial_hann for line scans; expected none, hann or blackman_harris");
+    require_line_window(window);
 }
 
 /// Size of the correction of a contour's straight segments, below `end` [1/m].
@@ -149,6 +168,21 @@ PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumO
         fill_from_lines(spectrum, topography::detrended(map, options.trend).heights, window, options);
     else
         fill_from_lines(spectrum, map.heights, window, options);
+    return spectrum;
+}
+
+PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options) {
+    const auto window = resolved(options.window, map.periodic);
+    require_line_window(window);
+    const auto levelled = needs_fit(options.trend) ? topography::detrended(map, options.trend, lines_together, options.threads) : map;
+    PowerSpectrum1D spectrum;
+    describe(spectrum, map, reliable_band(map, lines_together, options.reliability, options.threads), map.size[0], window);
+    spectrum.pitch = map.pixel_size()[1];
+    auto sums = no_lines(map.nx);
+    const LinePreparation preparation{window_values(window, map.nx), options.trend != topography::Trend::none};
+    for (Index first = 0; first < map.ny; first += lines_together)
+        add_lines(sums, levelled.lines(first, std::min(lines_together, map.ny - first)), first, preparation, map.metadata, options.threads);
+    fill_from_sums(spectrum, sums, map.nx, map.ny);
     return spectrum;
 }
 

@@ -117,13 +117,10 @@ void check(const ReliabilityOptions& options) {
     if (options.first_mode < 1) throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
 }
 
-template <class Kind>
-TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<double> standard_error,
-                    const ReliabilityOptions& options, parallel::Threads threads) {
+TipCutoff cutoff_among(const std::vector<Direction>& all, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options) {
     check(options);
     if (!(tip_radius > 0.0) || !std::isfinite(tip_radius))
         throw InvalidArgument(fmt::format("tip radius {} m; expected a positive length", tip_radius));
-    const auto all = directions(measurement, options, threads);
     auto result = worst(all, tip_radius);
     result.percentile = options.percentile;
     if (standard_error) {
@@ -134,6 +131,47 @@ TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<do
         result.interval = Interval{sharp, worst(all, tip_radius + reach).value, 0.95};
     }
     return result;
+}
+
+template <class Kind>
+TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options,
+                    parallel::Threads threads) {
+    return cutoff_among(directions(measurement, options, threads), tip_radius, standard_error, options);
+}
+
+/// A map larger than memory and the scan lines of it that are looked at together.
+struct MapByBands {
+    const topography::TiledMap& map;
+    Index lines_together;
+    const topography::Metadata& metadata;
+};
+
+Sampling sampling(const MapByBands& by_bands) { return {by_bands.map.pixel_size()[0], by_bands.map.size[0]}; }
+
+void keep_worse(TipCutoff& worst, const TipCutoff& other) {
+    if (other.interval) {
+        if (!worst.interval) worst.interval = other.interval;
+        worst.interval->lower = std::max(worst.interval->lower, other.interval->lower);
+        worst.interval->upper = std::max(worst.interval->upper, other.interval->upper);
+    }
+    if (!(other.value > worst.value)) return;
+    worst.value = other.value;
+    worst.status = other.status;
+}
+
+/// The least curvature of a map is the least of its bands, so its cutoff is that of the worst one.
+TipCutoff cutoff_of(const MapByBands& by_bands, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options,
+                    parallel::Threads threads) {
+    const auto& map = by_bands.map;
+    if (options.percentile > 0.0 || options.both_directions)
+        throw InvalidArgument(fmt::format("{}: a tip criterion with a percentile or along both directions needs the map as a whole; read it whole, or use the strict "
+                                          "minimum along x", topography::label(map.metadata)));
+    TipCutoff worst{0.0, CutoffStatus::all_reliable, 0.0, {}};
+    for (Index first = 0; first < map.ny; first += by_bands.lines_together) {
+        const Array2D band = map.lines(first, std::min(by_bands.lines_together, map.ny - first));
+        keep_worse(worst, cutoff_among({direction({band, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)}, tip_radius, standard_error, options));
+    }
+    return worst;
 }
 
 template <class Kind>
@@ -194,6 +232,10 @@ ReliableBand reliable_band(const LineScan& scan, const ReliabilityOptions& optio
 
 ReliableBand reliable_band(const Profile& profile, const ReliabilityOptions& options, parallel::Threads threads) {
     return band_of(profile, options, threads);
+}
+
+ReliableBand reliable_band(const topography::TiledMap& map, Index lines_together, const ReliabilityOptions& options, parallel::Threads threads) {
+    return band_of(MapByBands{map, lines_together, map.metadata}, options, threads);
 }
 
 ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options, parallel::Threads threads) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/topography/detrend.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "map_trend.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::topography {
@@ -66,84 +68,25 @@ bool remove_polynomial(Line&& heights, int order) {
     return true;
 }
 
-/// The six functions 1, u, v, u², v², uv on centred coordinates.
-using MapBasis = Eigen::Matrix<double, 6, 1>;
-
-Index map_terms(Trend trend) { return trend == Trend::parabola ? 6 : trend == Trend::tilt ? 3 : 1; }
-
-double first_defined(const Array2D& heights) {
-    for (Index i = 0; i < heights.size(); ++i)
-        if (heights.data()[i] == heights.data()[i]) return heights.data()[i];
-    return 0.0;
-}
-
-struct LineMoments {
-    std::array<double, 3> height{};  // sum of h v^k
-    std::array<double, 5> power{};   // sum of v^k
-    Index defined = 0;
-};
-
-/// Moments of one line in v; a map's normal equations are sums of them times powers of u.
-LineMoments line_moments(const double* heights, Index n, double origin) {
-    LineMoments moments;
-    for (Index j = 0; j < n; ++j) {
-        const double h = heights[j] - origin;
-        if (h != h) continue;
-        const double v = centred(j, n), v2 = v * v;
-        moments.height[0] += h;
-        moments.height[1] += h * v;
-        moments.height[2] += h * v2;
-        moments.power[0] += 1.0;
-        moments.power[1] += v;
-        moments.power[2] += v2;
-        moments.power[3] += v * v2;
-        moments.power[4] += v2 * v2;
-        ++moments.defined;
-    }
-    return moments;
-}
-
-/// Exponents (of u, of v) of the six basis functions.
-constexpr std::array<std::array<int, 2>, 6> basis_exponents{{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}}};
-
-std::array<double, 5> powers(double u) { return {1.0, u, u * u, u * u * u, u * u * u * u}; }
-
 }  // namespace
 
-HeightMap detrended(HeightMap map, Trend trend) {
+HeightMap detrended(HeightMap map, Trend trend, parallel::Threads threads) {
     if (trend == Trend::none) return map;
-    const auto terms = map_terms(trend);
-    const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const double origin = first_defined(map.heights);
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(terms, terms);
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(terms);
-    Index defined = 0;
-    for (Index i = 0; i < nx; ++i) {
-        const auto line = line_moments(map.heights.row(i).data(), ny, origin);
-        const auto u = powers(centred(i, nx));
-        defined += line.defined;
-        for (Index a = 0; a < terms; ++a) {
-            const auto [ua, va] = basis_exponents[static_cast<std::size_t>(a)];
-            rhs[a] += u[static_cast<std::size_t>(ua)] * line.height[static_cast<std::size_t>(va)];
-            for (Index b = 0; b < terms; ++b) {
-                const auto [ub, vb] = basis_exponents[static_cast<std::size_t>(b)];
-                gram(a, b) += u[static_cast<std::size_t>(ua + ub)] * line.power[static_cast<std::size_t>(va + vb)];
-            }
-        }
-    }
-    if (defined < terms) too_few(defined, terms);
-    MapBasis coefficients = MapBasis::Zero();
-    coefficients.head(terms) = solve(gram, rhs);
-    for (Index i = 0; i < nx; ++i) {
-        const double u = centred(i, nx);
-        const double c0 = coefficients[0] + coefficients[1] * u + coefficients[3] * u * u + origin;
-        const double c1 = coefficients[2] + coefficients[5] * u;
-        double* row = map.heights.row(i).data();
-        for (Index j = 0; j < ny; ++j) {
-            const double v = centred(j, ny);
-            row[j] -= c0 + v * (c1 + v * coefficients[4]);
-        }
-    }
+    MapTrendFit fit(trend, map.heights.rows(), map.heights.cols());
+    fit.add(map.heights, 0, threads);
+    fit.solved().subtract_from(map.heights, 0, threads);
+    return map;
+}
+
+TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads) {
+    if (trend == Trend::none) return map;
+    MapTrendFit fit(trend, map.nx, map.ny);
+    for (Index first = 0; first < map.ny; first += lines_together) fit.add(map.lines(first, std::min(lines_together, map.ny - first)), first, threads);
+    map.lines = [lines = std::move(map.lines), removed = fit.solved(), threads](Index first, Index count) {
+        auto band = lines(first, count);
+        removed.subtract_from(band, first, threads);
+        return band;
+    };
     return map;
 }
 
@@ -190,8 +133,10 @@ Profile detrended(Profile profile, Trend trend) {
     return profile;
 }
 
-Measurement detrended(Measurement measurement, Trend trend) {
-    return std::visit([trend](auto&& m) -> Measurement { return detrended(std::move(m), trend); }, std::move(measurement));
+Measurement detrended(Measurement measurement, Trend trend, parallel::Threads threads) {
+    if (auto* map = std::get_if<HeightMap>(&measurement)) return detrended(std::move(*map), trend, threads);
+    if (auto* scan = std::get_if<LineScan>(&measurement)) return detrended(std::move(*scan), trend);
+    return detrended(std::get<Profile>(std::move(measurement)), trend);
 }
 
 HeightMap flattened_lines(HeightMap map, int order) {

@@ -109,5 +109,28 @@ TEST(RealSpaceParameters, RefuseAMapWithoutAHeight) {
     EXPECT_THROW((void)real_space_parameters(topography::HeightMap{Array2D::Constant(4, 4, undefined), {1.0, 1.0}}), UndefinedDataError);
 }
 
+TEST(RealSpaceParameters, OfAMapByBandsAreThoseOfTheWholeMap) {
+    auto map = waves(130, 61, false);
+    map.heights += 1e4;
+    map.heights(5, 7) = undefined;
+    map.heights.col(0).setConstant(undefined);
+    const auto whole = real_space_parameters(map);
+    for (const Index lines : {1, 2, 20, 61, 100}) {
+        const auto by_bands = real_space_parameters(topography::tiled(map), lines);
+        EXPECT_EQ(by_bands.defined, whole.defined);
+        EXPECT_NEAR(by_bands.rms_height, whole.rms_height, 1e-10 * whole.rms_height);
+        EXPECT_NEAR(by_bands.rms_height_of_lines, whole.rms_height_of_lines, 1e-10 * whole.rms_height);
+        EXPECT_NEAR(by_bands.rms_slope_x, whole.rms_slope_x, 1e-12 * whole.rms_slope_x);
+        EXPECT_NEAR(by_bands.rms_slope_y, whole.rms_slope_y, 1e-12 * whole.rms_slope_y);
+        EXPECT_NEAR(by_bands.rms_curvature, whole.rms_curvature, 1e-12 * whole.rms_curvature);
+        EXPECT_NEAR(by_bands.mean_height, whole.mean_height, 1e-10);
+    }
+}
+
+TEST(RealSpaceParameters, OfAPeriodicMapByBandsWrapRound) {
+    const auto map = waves(24, 30, true);
+    EXPECT_DOUBLE_EQ(real_space_parameters(topography::tiled(map), 4).rms_slope, real_space_parameters(map).rms_slope);
+}
+
 }  // namespace
 }  // namespace setae::roughness

@@ -181,4 +181,31 @@ TEST(PowerSpectrum, OfAnyMeasurementIsThatOfItsKind) {
     EXPECT_TRUE((power_spectrum(topography::Measurement(scan)).C1D == power_spectrum(scan).C1D).all());
 }
 
+TEST(PowerSpectrum, OfAMapByBandsIsThatOfTheWholeMap) {
+    HeightMap map{random_map(61, 45), {2.0, 3.0}, false, {}};
+    map.heights += 1e3;
+    for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola}) {
+        const auto whole = power_spectrum(map, {.trend = trend});
+        for (const Index lines : {1, 16, 17, 45, 90}) {
+            const auto by_bands = power_spectrum(topography::tiled(map), lines, {.trend = trend});
+            EXPECT_LT(((by_bands.C1D - whole.C1D) / whole.C1D).abs().maxCoeff(), 1e-9);
+            EXPECT_LT(((by_bands.standard_error - whole.standard_error) / whole.standard_error).abs().maxCoeff(), 1e-9);
+            EXPECT_DOUBLE_EQ(by_bands.q_max, whole.q_max);
+            EXPECT_DOUBLE_EQ(by_bands.pitch, whole.pitch);
+            EXPECT_EQ(by_bands.window, whole.window);
+        }
+    }
+}
+
+TEST(PowerSpectrum, OfAMapByBandsNamesTheLineWithAnUndefinedHeight) {
+    HeightMap map{random_map(16, 45), {2.0, 3.0}, false, {}};
+    map.heights(3, 40) = undefined;
+    try {
+        (void)power_spectrum(topography::tiled(map), 16, {});
+        FAIL() << "an undefined height passed";
+    } catch (const UndefinedDataError& error) {
+        EXPECT_NE(std::string(error.what()).find("line 40"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace

@@ -149,4 +149,21 @@ TEST(ReliableBand, IsEmptyWhereTheTipHidesEverything) {
     EXPECT_FALSE(reliable_band(cosine()).empty());
 }
 
+TEST(ReliableBand, OfAMapByBandsIsThatOfTheWholeMap) {
+    topography::HeightMap map{tests::random_map(128, 33), {1.0, 0.3}, false, {}};
+    map.heights *= 1e-3;
+    map.metadata.instrument.tip_radius = 0.05;
+    map.metadata.instrument.tip_radius_standard_error = 0.01;
+    const auto whole = reliable_band(map);
+    ASSERT_TRUE(whole.tip);
+    for (const Index lines : {1, 8, 33}) {
+        const auto by_bands = reliable_band(topography::tiled(map), lines);
+        EXPECT_NEAR(by_bands.band.upper, whole.band.upper, 1e-6 * whole.band.upper);
+        EXPECT_NEAR(by_bands.tip->interval->lower, whole.tip->interval->lower, 1e-6);
+        EXPECT_NEAR(by_bands.tip->interval->upper, whole.tip->interval->upper, 1e-6);
+        EXPECT_EQ(by_bands.upper_limit, whole.upper_limit);
+    }
+    EXPECT_THROW((void)reliable_band(topography::tiled(map), 8, {.percentile = 0.01}), InvalidArgument);
+}
+
 }  // namespace

@@ -89,5 +89,32 @@ TEST(TrendNames, GoBothWays) {
     EXPECT_THROW((void)trend_from_name("plane"), InvalidArgument);
 }
 
+TEST(Detrend, OfAMapByBandsIsThatOfTheWholeMap) {
+    auto map = paraboloid(37, 50, 1e3);
+    for (Index i = 0; i < 37; ++i)
+        for (Index j = 0; j < 50; ++j) map.heights(i, j) += 0.01 * std::sin(static_cast<double>(7 * i + 13 * j * j));
+    map.heights(3, 4) = undefined;
+    map.heights.col(20).setConstant(undefined);
+    for (const auto trend : {Trend::mean, Trend::tilt, Trend::parabola}) {
+        const Array2D whole = detrended(map, trend).heights;
+        for (const Index lines : {1, 7, 50}) {
+            const auto by_bands = detrended(tiled(map), trend, lines);
+            const Array2D band = by_bands.lines(11, 25), difference = band - whole.middleCols(11, 25);
+            EXPECT_LT(difference.isNaN().select(0.0, difference.abs()).maxCoeff(), 1e-12);
+            EXPECT_TRUE((band.isNaN() == whole.middleCols(11, 25).isNaN()).all());
+        }
+    }
+}
+
+TEST(Detrend, OfAMapIsTheSameForAnyNumberOfThreads) {
+    const auto map = paraboloid(200, 30, 5.0);
+    EXPECT_TRUE((detrended(map, Trend::parabola, parallel::Threads{1}).heights == detrended(map, Trend::parabola, parallel::Threads{3}).heights).all());
+}
+
+TEST(Detrend, OfAMapWithoutDefinedHeightsIsRefused) {
+    HeightMap map{Array2D::Constant(4, 5, undefined), {1.0, 1.0}};
+    EXPECT_THROW((void)detrended(map, Trend::mean), UndefinedDataError);
+}
+
 }  // namespace
 }  // namespace setae::topography

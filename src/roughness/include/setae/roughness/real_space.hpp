@@ -3,6 +3,7 @@
 
 #include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
+#include "setae/topography/tiled_map.hpp"
 
 namespace setae::roughness {
 
@@ -27,6 +28,9 @@ struct RealSpaceParameters {
 /// One pass over the heights.
 /// @throws UndefinedDataError where no height is defined.
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::HeightMap& map, parallel::Threads threads = {});
+/// Of a map larger than memory, by bands of scan lines: equal to the above up to rounding. lines_together: of a band, > 0. Periodic
+/// maps are read as a whole.
+[[nodiscard]] RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together, parallel::Threads threads = {});
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::LineScan& scan);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Profile& profile);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Measurement& measurement,

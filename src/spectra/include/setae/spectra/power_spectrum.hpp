@@ -7,6 +7,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/spectra/options.hpp"
 #include "setae/topography/measurement.hpp"
+#include "setae/topography/tiled_map.hpp"
 
 namespace setae::spectra {
 
@@ -39,6 +40,11 @@ struct PowerSpectrum1D {
 /// Of a map as line scans along the fast axis x: the mean over the ny lines, ONE measurement.
 /// The trend is removed from the map as a whole, then the mean from every line where `trend` is not none.
 [[nodiscard]] PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options = {});
+
+/// The same of a map larger than memory, by bands of `lines_together` scan lines; equal to the above up to rounding. A trend other than
+/// the mean takes a pass of its own, a tip radius in the metadata another.
+/// @throws as of a map, and as reliable_band of a tiled map.
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options = {});
 
 /// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with the
 /// alert CONTOUR_STEPS that says how large the correction is.

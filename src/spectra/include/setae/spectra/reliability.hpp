@@ -8,6 +8,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
+#include "setae/topography/tiled_map.hpp"
 
 namespace setae::spectra {
 
@@ -76,6 +77,10 @@ struct ReliableBand {
 [[nodiscard]] ReliableBand reliable_band(const topography::LineScan& scan, const ReliabilityOptions& options = {},
                                          parallel::Threads threads = {});
 [[nodiscard]] ReliableBand reliable_band(const topography::Profile& profile, const ReliabilityOptions& options = {},
+                                         parallel::Threads threads = {});
+/// Of a map larger than memory: the cutoff of the worst of its bands of `lines_together` scan lines, which is that of the whole map.
+/// @throws InvalidArgument for a percentile above 0 or both_directions where the tip decides: they need the map as a whole.
+[[nodiscard]] ReliableBand reliable_band(const topography::TiledMap& map, Index lines_together, const ReliabilityOptions& options = {},
                                          parallel::Threads threads = {});
 [[nodiscard]] ReliableBand reliable_band(const topography::Measurement& measurement,
                                          const ReliabilityOptions& options = {}, parallel::Threads threads = {});

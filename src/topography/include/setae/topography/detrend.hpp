@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
+#include "setae/topography/tiled_map.hpp"
 
 namespace setae::topography {
 
@@ -18,10 +20,14 @@ enum class Trend {
 /// Lines and maps: sum over points. Profiles: exact integral over the polyline, so that the result does not depend on
 /// collinear points. Positions are centred and scaled first, so an offset of x costs no digits.
 /// @throws UndefinedDataError where fewer points are defined than the trend has coefficients.
-[[nodiscard]] HeightMap detrended(HeightMap map, Trend trend);
+[[nodiscard]] HeightMap detrended(HeightMap map, Trend trend, parallel::Threads threads = {});
 [[nodiscard]] LineScan detrended(LineScan scan, Trend trend);
 [[nodiscard]] Profile detrended(Profile profile, Trend trend);
-[[nodiscard]] Measurement detrended(Measurement measurement, Trend trend);
+[[nodiscard]] Measurement detrended(Measurement measurement, Trend trend, parallel::Threads threads = {});
+
+/// The same of a map larger than memory: a pass over it finds the trend, which is then taken from every band read. Equal to
+/// detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
+[[nodiscard]] TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads = {});
 
 /// A map with the best polynomial of the given order (0 mean … 3) removed from every line along x by itself.
 /// Lines with too few defined points become undefined.
