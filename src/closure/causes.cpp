@@ -159,7 +159,7 @@ MeasuredSurface measured(const workflow::Study& study, const workflow::StudyResu
     MeasuredSurface surface{&result.surfaces[index], {}};
     if (surface.result->failed()) throw UndefinedDataError(surface.result->error);
     for (const auto& input : study.surfaces[index].measurements)
-        for (const auto& prepare : workflow::prepared_measurements(input)) surface.data.push_back(prepare().measurement);
+        for (const auto& source : workflow::measurement_sources(input)) surface.data.push_back(source.prepare().measurement);
     return surface;
 }
 

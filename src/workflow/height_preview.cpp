@@ -50,40 +50,40 @@ HeightPreview line_preview(const Array1D& positions, const Array1D& heights, dou
     return preview;
 }
 
-double mean_of_defined(const Array2D& heights, Index row, Index rows, Index column, Index columns) {
-    double sum = 0.0;
-    Index count = 0;
-    for (Index i = row; i < row + rows; ++i)
-        for (Index j = column; j < column + columns; ++j)
-            if (!std::isnan(heights(i, j))) {
-                sum += heights(i, j);
-                ++count;
+}  // namespace
+
+MapPreview::MapPreview(Index nx, Index ny, std::array<double, 2> size, Index most_pixels)
+    : nx_(nx), ny_(ny), size_(size), sum_(Array2D::Zero(std::min(nx, most_pixels), std::min(ny, most_pixels))), count_(Array2D::Zero(sum_.rows(), sum_.cols())) {}
+
+void MapPreview::add(const ArrayView2D& band, Index first) {
+    const auto rows = sum_.rows(), columns = sum_.cols();
+    for (Index row = 0; row < rows; ++row)
+        for (Index i = row * nx_ / rows; i < (row + 1) * nx_ / rows; ++i)
+            for (Index column = 0; column < columns; ++column) {
+                const Index begin = std::max(column * ny_ / columns - first, Index{0}), end = std::min((column + 1) * ny_ / columns - first, band.cols());
+                for (Index j = begin; j < end; ++j) {
+                    if (std::isnan(band(i, j))) continue;
+                    sum_(row, column) += band(i, j);
+                    count_(row, column) += 1.0;
+                }
             }
-    return count > 0 ? sum / static_cast<double>(count) : undefined;
 }
 
-HeightPreview map_preview(const topography::HeightMap& map, Index most_pixels) {
-    const auto [nx, ny] = map.shape();
-    const Index rows = std::min(nx, most_pixels), columns = std::min(ny, most_pixels);
+HeightPreview MapPreview::result() const {
     HeightPreview preview;
-    preview.map.resize(rows, columns);
-    for (Index i = 0; i < rows; ++i)
-        for (Index j = 0; j < columns; ++j) {
-            const Index row = i * nx / rows, column = j * ny / columns;
-            preview.map(i, j) = mean_of_defined(map.heights, row, (i + 1) * nx / rows - row, column, (j + 1) * ny / columns - column);
-        }
-    preview.size = map.size;
+    preview.map = (count_ > 0.0).select(sum_ / count_, undefined);
+    preview.size = size_;
     return preview;
 }
-
-}  // namespace
 
 HeightPreview height_preview(const topography::Measurement& measurement, Index most_points, Index most_pixels) {
     return std::visit(
         [&](const auto& m) {
             using Kind = std::decay_t<decltype(m)>;
             if constexpr (std::is_same_v<Kind, topography::HeightMap>) {
-                return map_preview(m, most_pixels);
+                MapPreview preview(m.heights.rows(), m.heights.cols(), m.size, most_pixels);
+                preview.add(m.heights, 0);
+                return preview.result();
             } else if constexpr (std::is_same_v<Kind, topography::LineScan>) {
                 const auto n = m.heights.size();
                 return line_preview(Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * m.pixel_size(), m.heights, m.size, most_points);

@@ -75,6 +75,18 @@ void make_analysable(PreparedMeasurement& prepared) {
     }
 }
 
+topography::Trend trend_of(const io::Channel& channel, const MeasurementInput& input, const topography::Metadata& metadata) {
+    return input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(metadata.instrument.type)));
+}
+
+std::optional<LargeMap> by_bands(const io::Channel& channel, const MeasurementInput& input) {
+    auto map = io::tiled(channel);
+    if (!map) return {};
+    apply_instrument(map->metadata.instrument, input);
+    const auto trend = trend_of(channel, input, map->metadata);
+    return LargeMap{std::move(*map), trend, channel.info.alerts};
+}
+
 PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& input, const io::ReadOptions& options) {
     PreparedMeasurement prepared;
     prepared.alerts = channel.info.alerts;
@@ -88,8 +100,7 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
     make_analysable(prepared);
     add_projection_alert(prepared);
     add_reentrance_alert(prepared);
-    const auto& instrument = topography::metadata(prepared.measurement).instrument.type;
-    prepared.trend = input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(instrument)));
+    prepared.trend = trend_of(channel, input, topography::metadata(prepared.measurement));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
     topography::validate(prepared.measurement);
     return prepared;
@@ -97,14 +108,14 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
 
 }  // namespace
 
-std::vector<std::function<PreparedMeasurement()>> prepared_measurements(const MeasurementInput& input) {
+std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input) {
     const io::ReadOptions options{input.size, input.unit};
     const auto channels = io::open(input.file, options);
     const bool container = io::detect_format(io::file_source(input.file)).identifier == "ce-container";
-    std::vector<std::function<PreparedMeasurement()>> found;
+    std::vector<MeasurementSource> found;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const bool wanted = input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
-        if (wanted) found.push_back([channel = channels[i], input, options] { return prepare(channel, input, options); });
+        if (wanted) found.push_back({[channel = channels[i], input, options] { return prepare(channel, input, options); }, by_bands(channels[i], input)});
     }
     if (found.empty())
         throw InvalidArgument(input.channel ? fmt::format("{}: no channel {}, it has {}", input.file, *input.channel, channels.size())

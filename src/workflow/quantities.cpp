@@ -10,7 +10,7 @@ using roughness::SpectralParameters;
 
 std::vector<Quantity> measurement_quantities(const MeasurementResult& m) {
     const auto& r = m.real_space;
-    const bool map = m.triangulated.has_value();
+    const bool map = !std::isnan(r.rms_slope_y);
     std::vector<Quantity> list;
     const auto add = [&](Quantity q, const char* source) {
         q.source = source;

@@ -77,6 +77,7 @@ std::string measurement_key(const Run& run, const MeasurementInput& input, std::
     relevant.window = options.window;
     relevant.contours = options.contours;
     relevant.tip_percentile = options.tip_percentile;
+    relevant.largest_map = options.largest_map;
     key.add("input", bytes_of(input)).add("ordinal", std::to_string(ordinal)).add("options", bytes_of(relevant));
     return add_content(key, run, files_of(input)) ? key.key() : std::string();
 }

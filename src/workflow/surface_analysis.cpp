@@ -2,7 +2,6 @@
 #include "setae/workflow/surface_analysis.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 #include "average_spectrum.hpp"
@@ -17,32 +16,10 @@ namespace {
 using roughness::SpectralParameters;
 using roughness::SpectrumCurve;
 
-spectra::ReliabilityOptions reliability(const AnalysisOptions& options) {
-    spectra::ReliabilityOptions reliability;
-    reliability.percentile = options.tip_percentile;
-    return reliability;
-}
-
-/// Reliable bands a tip one standard error larger and smaller leaves.
-std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Measurement measurement, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
-    auto& instrument = topography::metadata(measurement).instrument;
-    if (!instrument.tip_radius || !instrument.tip_radius_standard_error) return std::nullopt;
-    const double radius = *instrument.tip_radius, error = *instrument.tip_radius_standard_error;
-    instrument.tip_radius_standard_error.reset();
-    const auto band = [&](double moved) {
-        instrument.tip_radius = moved;
-        auto reliable = spectra::reliable_band(measurement, options, threads).band;
-        reliable.upper = std::max(reliable.lower, reliable.upper);
-        return reliable;
-    };
-    constexpr double least_share = 1e-3;  // a radius stays positive however large its ±
-    return std::array{band(radius + error), band(std::max(radius - error, least_share * radius))};
-}
-
 struct Task {
     std::string file;
     std::string key;  ///< of its result; empty: none
-    std::function<PreparedMeasurement()> prepare;
+    MeasurementSource source;
 };
 
 std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
@@ -50,10 +27,10 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
     for (const auto& measurement : input.measurements) {
         try {
             std::size_t ordinal = 0;
-            for (auto& prepare : prepared_measurements(measurement))
-                tasks.push_back({measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(prepare)});
+            for (auto& source : measurement_sources(measurement))
+                tasks.push_back({measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
         } catch (const Error& error) {
-            tasks.push_back({measurement.file, {}, [message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }});
+            tasks.push_back({measurement.file, {}, {[message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }, {}}});
         }
     }
     return tasks;
@@ -77,8 +54,10 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
         auto found = run.find<MeasurementResult>(task.key);
         try {
             PreparedMeasurement prepared;
-            if (keep || !found) prepared = task.prepare();
-            result = found ? std::move(*found) : analyse_measurement(prepared, options, inside);
+            const bool large = !keep && too_large(task.source, options);
+            if (keep || (!found && !large)) prepared = task.source.prepare();
+            if (found) result = std::move(*found);
+            else result = large ? analyse_large_map(*task.source.by_bands, options, inside) : analyse_measurement(prepared, options, inside);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const Error& error) {
@@ -89,12 +68,6 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
     });
     run.stop_if_cancelled();
     return kept;
-}
-
-/// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than its channel's.
-std::string name_of(const topography::Metadata& metadata) {
-    const bool member = metadata.attributes.contains("member");
-    return member || metadata.file.empty() ? metadata.name : std::filesystem::path(metadata.file).stem().string();
 }
 
 /// The likelihood's spectrum beside the average, where it is wanted and can be had.
@@ -109,33 +82,6 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
 }
 
 }  // namespace
-
-MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options, parallel::Threads threads) {
-    const auto& measurement = prepared.measurement;
-    MeasurementResult result;
-    result.file = topography::metadata(measurement).file;
-    result.name = name_of(topography::metadata(measurement));
-    result.trend = prepared.trend;
-    result.alerts = prepared.alerts;
-    result.preview = height_preview(measurement);
-    result.real_space = roughness::real_space_parameters(measurement, threads);
-    result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) result.triangulated = roughness::triangulated_area(*map, threads);
-    const auto [nx, ny] = topography::shape(measurement);
-    if (nx * ny > 64) {
-        result.slopes = roughness::slope_distribution(measurement);
-        result.alerts.insert(result.alerts.end(), result.slopes->alerts.begin(), result.slopes->alerts.end());
-    }
-    spectra::SpectrumOptions spectrum;
-    spectrum.window = options.window;
-    spectrum.contour = options.contours;
-    spectrum.reliability = reliability(options);
-    spectrum.threads = threads;
-    result.spectrum = spectra::power_spectrum(measurement, spectrum);
-    result.bands_of_uncertain_tip = bands_of_uncertain_tip(measurement, spectrum.reliability, threads);
-    result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
-    return result;
-}
 
 SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads) {
     const double work = surface_work(options, input.measurements.size());
@@ -181,7 +127,7 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const Analysis
     std::vector<PlannedStep> steps;
     for (const auto& measurement : input.measurements) {
         try {
-            for (std::size_t ordinal = 0; ordinal < prepared_measurements(measurement).size(); ++ordinal)
+            for (std::size_t ordinal = 0; ordinal < measurement_sources(measurement).size(); ++ordinal)
                 steps.push_back({"measurement", measurement.file, {}, whole || held(measurement_key(run, measurement, ordinal, options))});
         } catch (const Error& error) {
             steps.push_back({"measurement", measurement.file, error.what(), false});

@@ -62,7 +62,7 @@ void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& 
         add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus, exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
     const auto& p = result.surfaces.front().used().parameters;
     add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope), "E* h_rms h'_rms/4, no spectrum with these two stores more");
-    const auto map = single_map(result.study.surfaces.front());
+    const auto map = single_map(result.study.surfaces.front(), result.study.analysis);
     if (!map) return;
     const auto curve = roughness::limited(isotropic_curve(*map, options, threads), options.limits);
     add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");

@@ -46,7 +46,7 @@ Table spectrum(const workflow::SurfaceResult& surface, const Arguments& argument
 void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Arguments& arguments) {
     const auto options = arguments.surface.analysis();
     const auto& q = table.at("wavevector");
-    if (const auto map = single_map(input)) {
+    if (const auto map = single_map(input, options)) {
         // its values belong to the mean |q| of each bin; the table has the bins' centres
         table.columns.push_back({"C_iso", "m4", roughness::values_at(isotropic_curve(*map, options, arguments.common.workers()), q)});
         table.metadata["C_iso"] = "radial mean of the two-dimensional transform";

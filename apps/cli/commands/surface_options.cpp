@@ -20,6 +20,7 @@ void SurfaceOptions::add_to(CLI::App& verb) {
     verb.add_option("--window", window, "automatic, none, hann, blackman_harris");
     verb.add_option("--contours", contours, "sinc_corrected or segments")->check(CLI::IsMember({"sinc_corrected", "segments"}));
     verb.add_option("--conversion", conversion, "exact or eq11")->check(CLI::IsMember({"exact", "eq11"}));
+    verb.add_option("--memory", memory, "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")->check(CLI::PositiveNumber);
     verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")->check(CLI::Range(0, 1000000));
 }
 
@@ -51,15 +52,16 @@ workflow::AnalysisOptions SurfaceOptions::analysis() const {
     if (!window.empty()) options.window = spectra::window_from_name(window);
     if (contours == "segments") options.contours = spectra::ContourTreatment::segments;
     if (conversion == "eq11") options.conversion = roughness::Conversion::eq11;
+    options.largest_map = static_cast<std::uint64_t>(memory * static_cast<double>(std::uint64_t{1} << 30));
     options.bootstrap_resamples = resamples;
     return options;
 }
 
-std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input) {
+std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input, const workflow::AnalysisOptions& options) {
     if (input.measurements.size() != 1) return std::nullopt;
-    const auto members = workflow::prepared_measurements(input.measurements.front());
-    if (members.size() != 1) return std::nullopt;
-    const auto prepared = members.front()();
+    const auto members = workflow::measurement_sources(input.measurements.front());
+    if (members.size() != 1 || workflow::too_large(members.front(), options)) return std::nullopt;
+    const auto prepared = members.front().prepare();
     const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
     return map ? std::optional(*map) : std::nullopt;
 }

@@ -11,6 +11,7 @@ struct SurfaceOptions {
     FileOptions file;
     std::vector<std::string> files;
     std::string instrument, tip_radius, resolution, trend, longest, shortest, window, contours, conversion;
+    double memory = 2.0;  ///< GiB
     int resamples = 200;
 
     void add_to(CLI::App& verb);
@@ -19,8 +20,8 @@ struct SurfaceOptions {
     [[nodiscard]] workflow::AnalysisOptions analysis() const;
 };
 
-/// The measurement if it is one single map: then C_iso and stored energy come from its transform.
-[[nodiscard]] std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input);
+/// The measurement if it is one single map that may be held in memory: then C_iso and stored energy come from its transform.
+[[nodiscard]] std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input, const workflow::AnalysisOptions& options);
 
 /// C_iso of a map by transform.
 [[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const workflow::AnalysisOptions& options, parallel::Threads threads);

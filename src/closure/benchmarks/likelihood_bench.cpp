@@ -34,8 +34,8 @@ const std::vector<inference::ObservedSurface>& observed() {
         const auto study = workflow::read_study(folder + "/study.toml");
         std::vector<inference::ObservedSurface> all;
         for (const auto& input : study.surfaces[0].measurements)
-            for (const auto& prepare : workflow::prepared_measurements(input)) {
-                auto prepared = prepare();
+            for (const auto& source : workflow::measurement_sources(input)) {
+                auto prepared = source.prepare();
                 all.push_back({std::move(prepared.measurement), prepared.trend});
             }
         std::filesystem::remove_all(folder);

@@ -113,6 +113,7 @@ struct AnalysisOptions {
     int bootstrap_resamples = 200;
     std::uint64_t seed = 1;
     inference::LikelihoodOptions likelihood;  ///< seed and threads are the study's
+    std::uint64_t largest_map = std::uint64_t{2} << 30;  ///< bytes of heights above which a map is read by bands of scan lines
     std::vector<double> cutoff_scan;  ///< shortest wavelengths [m] for W_int against the short cutoff
 };
 

@@ -110,11 +110,31 @@ struct PreparedMeasurement {
     topography::Trend trend = topography::Trend::none;
     std::vector<Alert> alerts;
 };
-[[nodiscard]] std::vector<std::function<PreparedMeasurement()>> prepared_measurements(const MeasurementInput& input);
+
+/// A map by bands of scan lines, as it lies in its file.
+struct LargeMap {
+    topography::TiledMap map;
+    topography::Trend trend = topography::Trend::none;  ///< to be removed
+    std::vector<Alert> alerts;
+};
+
+/// A measurement not yet read.
+struct MeasurementSource {
+    std::function<PreparedMeasurement()> prepare;
+    std::optional<LargeMap> by_bands;  ///< of maps whose format can be read so
+};
+
+/// Whether a map is to be read by bands: its heights take more than options.largest_map bytes.
+[[nodiscard]] bool too_large(const MeasurementSource& source, const AnalysisOptions& options);
+[[nodiscard]] std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input);
 
 /// Spectrum and real-space parameters of a prepared measurement.
 [[nodiscard]] MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
                                                     parallel::Threads threads);
+
+/// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What needs all heights
+/// at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area, arithmetic height.
+[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads);
 
 /// Everything about one surface. Never throws for bad data: the failure stands in the result, of the measurement or of
 /// the surface, and the rest is done.
