@@ -14,7 +14,7 @@ void require_cutoff(double cutoff, std::string_view filter, const topography::Me
 /// The error of a filter that was given a polyline.
 [[noreturn]] void refuse_profile(std::string_view step, const topography::Profile& profile);
 
-/// What a filter tells of itself: its cutoff, and how many pixels that is.
-[[nodiscard]] StepRecord filter_record(std::string_view step, double cutoff, double pixel_size, double size, const topography::Metadata& metadata);
+/// What a filter tells of itself: its cutoff, and where that makes no sense on these points.
+[[nodiscard]] StepRecord filter_record(std::string_view step, double cutoff, const topography::Measurement& measurement);
 
 }  // namespace setae::processing

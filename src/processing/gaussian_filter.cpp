@@ -53,16 +53,10 @@ topography::LineScan filtered(topography::LineScan scan, const GaussianFilter& f
 }
 
 Processed apply(const GaussianFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
-    if (auto* map = std::get_if<topography::HeightMap>(&measurement)) {
-        const auto pixel = map->pixel_size();
-        StepRecord record = filter_record(step_name(filter), filter.cutoff, std::max(pixel[0], pixel[1]), std::min(map->size[0], map->size[1]), map->metadata);
-        return {filtered(std::move(*map), filter, threads), std::move(record)};
-    }
-    if (auto* scan = std::get_if<topography::LineScan>(&measurement)) {
-        StepRecord record = filter_record(step_name(filter), filter.cutoff, scan->pixel_size(), scan->size, scan->metadata);
-        return {filtered(std::move(*scan), filter, threads), std::move(record)};
-    }
-    refuse_profile(step_name(filter), std::get<topography::Profile>(measurement));
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) refuse_profile(step_name(filter), *profile);
+    StepRecord record = filter_record(step_name(filter), filter.cutoff, measurement);
+    if (auto* map = std::get_if<topography::HeightMap>(&measurement)) return {filtered(std::move(*map), filter, threads), std::move(record)};
+    return {filtered(std::get<topography::LineScan>(std::move(measurement)), filter, threads), std::move(record)};
 }
 
 }  // namespace setae::processing
