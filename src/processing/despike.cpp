@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "order_statistic.hpp"
 #include "row_blocks.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 #include "step_record.hpp"
@@ -22,7 +22,6 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Mask;
 
-constexpr double undefined_height = std::numeric_limits<double>::quiet_NaN();
 constexpr Index largest_reach = 10;
 
 /// Rows and columns of heights without a copy; a line is one row.
@@ -45,7 +44,7 @@ double local_median(const Field& field, Index i, Index j, Index reach_i, Index r
             const double h = field.at(a, b);
             if (h == h && !(a == i && b == j) && !(left_out && left_out->data()[a * field.columns + b])) values[static_cast<std::size_t>(n++)] = h;
         }
-    return n > 0 ? median_in_place(values.data(), n) : undefined_height;
+    return n > 0 ? median_in_place(values.data(), n) : undefined;
 }
 
 /// r: heights minus the median of their surroundings; NaN where either is undefined.
@@ -55,7 +54,7 @@ Array2D differences(const Field& field, Index reach, parallel::Threads threads) 
         const Index reach_i = narrowed(reach, i, field.rows);
         for (Index j = 0; j < field.columns; ++j) {
             const double h = field.at(i, j);
-            r(i, j) = h == h ? h - local_median(field, i, j, reach_i, narrowed(reach, j, field.columns), nullptr) : undefined_height;
+            r(i, j) = h == h ? h - local_median(field, i, j, reach_i, narrowed(reach, j, field.columns), nullptr) : undefined;
         }
     });
     return r;
@@ -104,7 +103,7 @@ double replacement(const Field& field, Index i, Index j, Index reach, const Mask
         const double median = local_median(field, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes);
         if (median == median) return median;
     }
-    return undefined_height;
+    return undefined;
 }
 
 /// A despiked map or line: the spikes' new heights are found before any is set.
@@ -114,7 +113,7 @@ void take_out(const Despike& step, const Spikes& spikes, Uniform& uniform) {
     std::vector<std::pair<Index, double>> changes;
     for (Index k = 0; k < spikes.mask.size(); ++k)
         if (spikes.mask.data()[k])
-            changes.emplace_back(k, step.replace_by == SpikeReplacement::undefined ? undefined_height : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
+            changes.emplace_back(k, step.replace_by == SpikeReplacement::undefined ? undefined : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
     for (const auto& [k, height] : changes) uniform.heights.data()[k] = height;
 }
 
