@@ -56,15 +56,17 @@ double rms_difference(const HeightMap& map, parallel::Threads threads) {
 void mark_row(const double* heights, Index n, Index width, double low, double high, double sign, std::uint8_t* marks) {
     for (Index start = 0; start + 2 < n; ++start) {
         const double before = sign * heights[start];
-        double least = sign * heights[start + 1];
+        double least = sign * heights[start + 1], base_of_run = undefined;
+        Index run = 0;  // the longest one that stands out
         for (Index k = 1; k <= width && start + k + 1 < n; ++k) {
             least = std::min(least, sign * heights[start + k]);
             if (!(sign * heights[start + k] - before >= low)) break;  // the run has come down, or is undefined
             const double behind = sign * heights[start + k + 1], base = std::max(before, behind);
             if (behind != behind || !(least - base >= low)) continue;
-            for (Index m = start + 1; m <= start + k; ++m) marks[m] = std::max(marks[m], sign * heights[m] - base >= high ? scar : beside);
-            break;
+            run = k;
+            base_of_run = base;
         }
+        for (Index m = start + 1; m <= start + run; ++m) marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : beside);
     }
 }
 
