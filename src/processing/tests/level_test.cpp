@@ -134,6 +134,19 @@ TEST(LevelPlane, OfAPolylineDoesNotDependOnCollinearPoints) {
     EXPECT_NEAR(number_of(coarse.record, "removed_slope_x"), number_of(fine.record, "removed_slope_x"), 1e-15);
 }
 
+TEST(LevelPolynomial, OfAPolylineDoesNotDependOnCollinearPoints) {
+    Profile profile{Array1D(4), Array1D(4), {}};
+    profile.positions << 0.0, 1.0, 3.0, 4.0;
+    profile.heights << 0.0, 1.0, 0.5, 2.0;
+    Profile finer{Array1D(6), Array1D(6), {}};
+    finer.positions << 0.0, 0.25, 1.0, 2.0, 3.0, 4.0;
+    finer.heights << 0.0, 0.25, 1.0, 0.75, 0.5, 2.0;
+    for (const Index degree : {2, 3}) {
+        const auto coarse = fitted_polynomial(profile, {.total = degree}), fine = fitted_polynomial(finer, {.total = degree});
+        EXPECT_LT((coarse.coefficients - fine.coefficients).abs().maxCoeff(), 1e-14);
+    }
+}
+
 TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
     Profile profile{Array1D(4), Array1D::Random(4), {}};
     profile.positions << 0.0, 1.0, 0.5, 2.0;
