@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/quantity.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::texture {
+
+/// How far and in which direction heights are alike.
+///
+///   f(t) = ⟨z(x) z(x + t)⟩/⟨z²⟩ over the pairs of defined points a lag t apart
+///   Sal = min |t|, f(t) <= s;  Str = Sal/max |t| on the rim of the part around t = 0 where f > s, s = 0.2
+///   Std = angle of the largest angular spectrum A(θ) = ∫ q C2D(q, θ) dq, across which the lay runs
+///
+/// Source: ISO 25178-2:2021, 4.5, 3.1.8, 3.1.17.
+struct SpatialParameters {
+    double Sal = 0.0;   ///< [m]; NaN where f stays above s
+    double Str = 0.0;   ///< [1], 0 … 1; NaN where the part around 0 reaches the largest lags
+    double Std = 0.0;   ///< direction of the lay against x [rad], 0 <= Std < π, that is perpendicular to the strongest waves
+    double longest = 0.0;         ///< max |t| on the rim [m]
+    double directionality = 0.0;  ///< largest over mean angular spectrum; 1 where no direction stands out
+    std::vector<Alert> alerts;    ///< SAL_UNDEFINED, STR_UNDEFINED
+};
+
+struct SpatialOptions {
+    double threshold = 0.2;  ///< s
+};
+
+/// @throws UndefinedDataError for a constant map. Cost: two transforms of the padded map, O(n log n).
+[[nodiscard]] SpatialParameters spatial_parameters(const topography::HeightMap& map, const SpatialOptions& options = {},
+                                                   parallel::Threads threads = {});
+
+}  // namespace setae::texture
