@@ -25,7 +25,7 @@ struct ArealOptions {
 ///
 /// The map is taken as it is, without mean: remove form first. Those that are not defined for it are NaN with an alert.
 /// @throws InvalidArgument for a line; UndefinedDataError for a map without a pixel of four defined corners.
-[[nodiscard]] std::vector<TextureParameter> areal_parameters(const topography::Measurement& measurement, const ArealOptions& options = {},
+[[nodiscard]] std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement, const ArealOptions& options = {},
                                                              parallel::Threads threads = {});
 
 }  // namespace setae::texture

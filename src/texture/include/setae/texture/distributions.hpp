@@ -2,7 +2,7 @@
 #pragma once
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/topography/measurement.hpp"
+#include "setae/texture/measurement_view.hpp"
 
 namespace setae::texture {
 
@@ -34,10 +34,10 @@ struct Distribution {
 /// bins: number over mean ± 5 rms; 0 chooses by the rule of Freedman and Diaconis, at most 512. Values beyond are in the outer bins.
 /// Polylines: heights and slopes weighted by length. Undefined values are left out.
 /// @throws UndefinedDataError for fewer than two defined values; InvalidArgument for slope_y of a line.
-[[nodiscard]] Distribution distribution(const topography::Measurement& measurement, Counted counted, Index bins = 0,
+[[nodiscard]] Distribution distribution(const MeasurementView& measurement, Counted counted, Index bins = 0,
                                         parallel::Threads threads = {});
 
 /// Central moment ⟨(h − ⟨h⟩)^k⟩ [m^k] of heights, k = 1 … 8; polylines exact.
-[[nodiscard]] double central_moment(const topography::Measurement& measurement, int order, parallel::Threads threads = {});
+[[nodiscard]] double central_moment(const MeasurementView& measurement, int order, parallel::Threads threads = {});
 
 }  // namespace setae::texture

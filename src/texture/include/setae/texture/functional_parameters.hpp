@@ -42,7 +42,7 @@ struct FunctionalParameters {
 
 /// Cost: three passes over the heights.
 /// @throws UndefinedDataError as bearing_area. A constant surface has zeros, and Smrk1 = 0, Smrk2 = 1.
-[[nodiscard]] FunctionalParameters functional_parameters(const topography::Measurement& measurement, const MaterialRatios& ratios = {},
+[[nodiscard]] FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios = {},
                                                          Between between = Between::linear, parallel::Threads threads = {});
 
 /// Volumes of material and void at ratios p [m³/m²].
@@ -50,7 +50,7 @@ struct MaterialVolumes {
     Array1D material;  ///< Vm(p)
     Array1D void_volume;  ///< Vv(p)
 };
-[[nodiscard]] MaterialVolumes material_volumes(const topography::Measurement& measurement, const ArrayView1D& ratios,
+[[nodiscard]] MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios,
                                                Between between = Between::linear, parallel::Threads threads = {});
 
 }  // namespace setae::texture

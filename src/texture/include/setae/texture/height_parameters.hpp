@@ -2,7 +2,7 @@
 #pragma once
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/topography/measurement.hpp"
+#include "setae/texture/measurement_view.hpp"
 
 namespace setae::texture {
 
@@ -27,6 +27,6 @@ struct HeightParameters {
 
 /// Two passes: the mean, then everything about it, so that an offset costs no digits.
 /// @throws UndefinedDataError where no height is defined.
-[[nodiscard]] HeightParameters height_parameters(const topography::Measurement& measurement, parallel::Threads threads = {});
+[[nodiscard]] HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads = {});
 
 }  // namespace setae::texture

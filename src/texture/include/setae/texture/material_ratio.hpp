@@ -2,7 +2,7 @@
 #pragma once
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/topography/measurement.hpp"
+#include "setae/texture/measurement_view.hpp"
 
 namespace setae::texture {
 
@@ -23,7 +23,7 @@ enum class Between {
 /// Cost: one pass, and a step for each height inside each triangle. Same bytes for any number of threads.
 /// @throws UndefinedDataError where no triangle, segment or point is defined.
 /// Source: ISO 25178-2:2021, 3.1.19 and 4.4.1; ISO 21920-2:2021, 3.1.19.
-[[nodiscard]] Array1D bearing_area(const topography::Measurement& measurement, const ArrayView1D& heights, Between between = Between::linear,
+[[nodiscard]] Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between = Between::linear,
                                    parallel::Threads threads = {});
 
 /// The curve with the volume above each height.
@@ -38,17 +38,17 @@ struct MaterialRatioCurve {
 
 /// P and its integral at increasing heights.
 /// @throws InvalidArgument for heights that do not increase; as bearing_area.
-[[nodiscard]] MaterialRatioCurve material_ratio_curve(const topography::Measurement& measurement, const ArrayView1D& heights,
+[[nodiscard]] MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, const ArrayView1D& heights,
                                                       Between between = Between::linear, parallel::Threads threads = {});
 
-/// What sorting by whole triangles tells of the bearing area: lower <= P <= upper.
+/// What counting whole triangles tells of the bearing area: lower <= P <= upper.
 struct BearingBounds {
     Array1D lower;  ///< share of triangles or segments that lie at or above the height
     Array1D upper;  ///< share of those that reach it
 };
 
-/// O(n log n) once for any number of heights.
-[[nodiscard]] BearingBounds bearing_area_bounds(const topography::Measurement& measurement, const ArrayView1D& heights,
+/// One pass, cheaper than bearing_area.
+[[nodiscard]] BearingBounds bearing_area_bounds(const MeasurementView& measurement, const ArrayView1D& heights, Between between = Between::linear,
                                                 parallel::Threads threads = {});
 
 /// The greatest heights that have at least the given ratios: H(p) = sup {h : P(h) >= p}; H(0) is the highest point.
@@ -56,11 +56,11 @@ struct BearingBounds {
 /// Two passes for any number of ratios: one finds the brackets on 1024 intervals, one collects what has a corner inside them, where P is
 /// then solved to the last digits.
 /// ratios: 0 … 1. @throws InvalidArgument outside; as bearing_area.
-[[nodiscard]] Array1D heights_at_ratio(const topography::Measurement& measurement, const ArrayView1D& ratios, Between between = Between::linear,
+[[nodiscard]] Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between = Between::linear,
                                        parallel::Threads threads = {});
 
 /// The height that half of the projected area lies above: H(1/2) [m].
-[[nodiscard]] double median_height(const topography::Measurement& measurement, Between between = Between::linear, parallel::Threads threads = {});
+[[nodiscard]] double median_height(const MeasurementView& measurement, Between between = Between::linear, parallel::Threads threads = {});
 
 /// Half the width of the band about the median that holds the given share of the projected area [m].
 ///
@@ -69,7 +69,7 @@ struct BearingBounds {
 /// For Gaussian heights and the default share erf(1/√2) = 68.27 % it is their rms; it is not the median of deviations (that is share 1/2).
 /// @throws InvalidArgument for a share outside (0, 1).
 inline constexpr double share_within_one_sigma = 0.682689492137085897;
-[[nodiscard]] double mad_height(const topography::Measurement& measurement, double share = share_within_one_sigma,
+[[nodiscard]] double mad_height(const MeasurementView& measurement, double share = share_within_one_sigma,
                                 Between between = Between::linear, parallel::Threads threads = {});
 
 }  // namespace setae::texture

@@ -35,7 +35,7 @@ struct ProfileElements {
 };
 
 /// Uniform lines: straight between the points; polylines exact.
-[[nodiscard]] ProfileElements profile_elements(const topography::Measurement& line, double height_discrimination, double length_discrimination);
+[[nodiscard]] ProfileElements profile_elements(const MeasurementView& line, double height_discrimination, double length_discrimination);
 
 /// Heights of sections of equal length, the largest of each and their mean.
 struct SectionHeights {
@@ -48,7 +48,7 @@ struct SectionHeights {
 };
 
 /// As many whole sections as fit. @throws InvalidArgument where none fits.
-[[nodiscard]] SectionHeights section_heights(const topography::Measurement& line, double section_length);
+[[nodiscard]] SectionHeights section_heights(const MeasurementView& line, double section_length);
 
 /// Slopes of a line: uniform ones by the seven-point formula of the standard and by forward differences, polylines by segments.
 struct ProfileSlopes {
@@ -56,11 +56,11 @@ struct ProfileSlopes {
     double Rda = 0.0;          ///< mean of the absolute value [1]
     double Rdq_forward = 0.0;  ///< by differences of neighbours, as spectra have it [1]
 };
-[[nodiscard]] ProfileSlopes profile_slopes(const topography::Measurement& line);
+[[nodiscard]] ProfileSlopes profile_slopes(const MeasurementView& line);
 
 /// All parameters of ISO 21920-2:2021 of a line, its symbols with P, W or R. Filters need equal steps.
 /// @throws InvalidArgument for a map (take line_scans) or a filter on a polyline.
-[[nodiscard]] std::vector<TextureParameter> profile_parameters(const topography::Measurement& line, const ProfileOptions& options = {},
+[[nodiscard]] std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options = {},
                                                                parallel::Threads threads = {});
 
 }  // namespace setae::texture
