@@ -8,20 +8,22 @@ namespace setae::texture {
 
 /// Slope and area of a map.
 ///
-///   Sdq² = ⟨z_x² + z_y²⟩,   Sdr = ⟨sqrt(1 + z_x² + z_y²) − 1⟩
+///   Sdq² = ⟨z_x²⟩ + ⟨z_y²⟩,   Sdr = A/A_projected − 1
 ///
-/// The standard leaves open how slopes come from points, so the two ways in use are both given.
+/// The first two are those of the standard's annex D: slopes over one pixel, each direction averaged over its own pairs of points; area of
+/// the triangles through the points, both diagonals averaged. Other programs put central differences into the integrals
+/// Sdq² = ⟨z_x² + z_y²⟩, Sdr = ⟨sqrt(1 + z_x² + z_y²) − 1⟩; these see waves near two pixels less and come out smaller.
 /// Source: ISO 25178-2:2021, 4.3 and annex D.
 struct HybridParameters {
-    double Sdq = 0.0;               ///< central differences over two pixels, one-sided at edges, as most programs take them [1]
-    double Sdr = 0.0;               ///< the same slopes in the integral [1]
-    double Sdq_forward = 0.0;       ///< forward differences over one pixel, as spectra and roughness::real_space_parameters [1]
-    double Sdr_triangulated = 0.0;  ///< area of the triangles through the points, both diagonals averaged, minus 1 [1]
-    Index defined = 0;              ///< points with both central differences
+    double Sdq = 0.0;            ///< [1]
+    double Sdr = 0.0;            ///< [1]
+    double Sdq_central = 0.0;    ///< central differences, points with four defined neighbours; NaN without one [1]
+    double Sdr_central = 0.0;    ///< the same slopes [1]
+    Index defined = 0;           ///< heights
 };
 
-/// Points with an undefined neighbour are left out of the first two. One pass each.
-/// @throws UndefinedDataError where no point has both slopes, or no pixel four defined corners.
+/// Three passes.
+/// @throws UndefinedDataError where no pixel has four defined corners.
 [[nodiscard]] HybridParameters hybrid_parameters(const topography::HeightMap& map, parallel::Threads threads = {});
 
 }  // namespace setae::texture
