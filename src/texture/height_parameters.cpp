@@ -96,17 +96,17 @@ double first_defined(const Eigen::Ref<const Array1D>& heights, const topography:
 }
 
 template <class Kind>
-HeightParameters parameters_of(const Kind& data, parallel::Threads threads) {
+HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std::optional<double> mean_line) {
     const Eigen::Map<const Array1D> heights(data.heights.data(), data.heights.size());
     const double start = first_defined(heights, data.metadata);
     const auto rough = powers(data, start, threads);
-    const double mean = start + rough.first / rough.weight;
+    const double mean = mean_line.value_or(start + rough.first / rough.weight);
     const auto sums = powers(data, mean, threads);
     HeightParameters result;
-    const double rest = sums.first / sums.weight;  // what rounding of the mean leaves
+    const double rest = mean_line ? 0.0 : sums.first / sums.weight;  // what rounding of the mean leaves
     const double variance = sums.second / sums.weight - rest * rest;
     // heights equal up to the rounding of their mean have no shape
-    const bool constant = !(sums.highest - sums.lowest > 0.0);
+    const bool constant = !mean_line && !(sums.highest - sums.lowest > 0.0);
     result.mean = constant ? start : mean;
     result.Sq = constant ? 0.0 : std::sqrt(std::max(0.0, variance));
     result.Ssk = constant ? undefined : sums.third / sums.weight / (variance * result.Sq);
@@ -121,9 +121,9 @@ HeightParameters parameters_of(const Kind& data, parallel::Threads threads) {
 
 }  // namespace
 
-HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads) {
+HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads, std::optional<double> mean_line) {
     if (const auto* profile = measurement.as<topography::Profile>()) topography::validate(*profile);
-    return measurement.visit([threads](const auto& m) { return parameters_of(m, threads); });
+    return measurement.visit([=](const auto& m) { return parameters_of(m, threads, mean_line); });
 }
 
 }  // namespace setae::texture

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "setae/parallel/for_each.hpp"
 #include "setae/texture/measurement_view.hpp"
 
@@ -26,7 +28,8 @@ struct HeightParameters {
 };
 
 /// Two passes: the mean, then everything about it, so that an offset costs no digits.
+/// mean_line: height [m] that z is counted from instead of the mean, such as the 0 of filtered profiles.
 /// @throws UndefinedDataError where no height is defined.
-[[nodiscard]] HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads = {});
+[[nodiscard]] HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads = {}, std::optional<double> mean_line = {});
 
 }  // namespace setae::texture
