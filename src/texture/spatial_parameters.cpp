@@ -102,6 +102,24 @@ double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
     return fit[0] + 0.5 * fit[1] * top;
 }
 
+/// ∫ f^k over a disc of lags, k = 2, 3, 4.
+std::array<double, 3> correlation_areas(const LagMap& f, double radius, std::array<double, 2> pixel) {
+    std::array<double, 3> sums{};
+    const auto reach_x = std::min(f.reach_x(), static_cast<Index>(radius / pixel[0])), reach_y = std::min(f.reach_y(), static_cast<Index>(radius / pixel[1]));
+    for (Index i = -reach_x; i <= reach_x; ++i)
+        for (Index j = -reach_y; j <= reach_y; ++j) {
+            const double value = f(i, j);
+            if (std::hypot(static_cast<double>(i) * pixel[0], static_cast<double>(j) * pixel[1]) > radius || value != value) continue;
+            double power = value * value;
+            for (auto& sum : sums) {
+                sum += power;
+                power *= value;
+            }
+        }
+    for (auto& sum : sums) sum *= pixel[0] * pixel[1];
+    return sums;
+}
+
 Alert alert(const topography::HeightMap& map, const char* code, std::string message, const char* action) {
     return {code, topography::label(map.metadata), std::move(message), action};
 }
@@ -112,17 +130,22 @@ SpatialParameters spatial_parameters(const topography::HeightMap& map, const Spa
     if (!(options.threshold > 0.0 && options.threshold < 1.0))
         throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", options.threshold));
     const double mean = height_parameters(map, threads).mean;
-    const auto rim = rim_of(LagMap(map, mean, threads), options.threshold, map.pixel_size());
+    const LagMap products(map, mean, threads);
+    const auto rim = rim_of(products, options.threshold, map.pixel_size());
     const auto direction = strongest_direction(map, mean, threads);
     SpatialParameters result;
     result.Sal = result.Str = result.longest = undefined;
+    result.correlation_areas.fill(undefined);
     if (!rim.points.empty()) {
         const auto by_distance = [](const RimPoint& a, const RimPoint& b) { return a.distance < b.distance; };
         const auto [nearest, farthest] = std::minmax_element(rim.points.begin(), rim.points.end(), by_distance);
         const double pixel = std::max(map.pixel_size()[0], map.pixel_size()[1]);
         result.Sal = refined(rim, *nearest, pixel);
         result.longest = refined(rim, *farthest, pixel);
-        if (rim.closed) result.Str = std::min(1.0, result.Sal / result.longest);
+        if (rim.closed) {
+            result.Str = std::min(1.0, result.Sal / result.longest);
+            result.correlation_areas = correlation_areas(products, 2.0 * result.longest, map.pixel_size());
+        }
     } else {
         result.alerts.push_back(alert(map, "SAL_UNDEFINED", fmt::format("the autocorrelation stays above {} at every lag of the map", options.threshold),
                                       "measure a larger map, or take out long waves with an L-filter"));

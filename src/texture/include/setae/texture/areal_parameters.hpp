@@ -19,11 +19,14 @@ struct ArealOptions {
     MaterialRatios ratios;
     Between between = Between::linear;  ///< of the functional parameters
     double threshold = 0.2;             ///< s of Sal and Str
+    double material_height = 0.0;       ///< c of Smr(c), over the mean [m]
+    double material_ratio = 0.5;        ///< p of Smc(p)
 };
 
 /// All parameters of ISO 25178-2:2021 of a map: height, hybrid, spatial, functional, volume.
 ///
-/// The map is taken as it is, without mean: remove form first. Those that are not defined for it are NaN with an alert.
+/// The map is taken as it is, about its mean: remove form first. Parameters without a value are NaN with an alert. Sq, Sa, Ssk and Sku have
+/// standard errors from the map's own autocorrelation, which hold for Gaussian heights. Filters are Gaussian, fitted to a plane at edges.
 /// @throws InvalidArgument for a line; UndefinedDataError for a map without a pixel of four defined corners.
 [[nodiscard]] std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement, const ArealOptions& options = {},
                                                              parallel::Threads threads = {});

@@ -38,6 +38,8 @@ struct ProfileOptions {
     MeanLine mean_line = MeanLine::mean;
     Discrimination discrimination;
     MaterialRatios ratios;
+    double material_height = 0.0;  ///< c of Rmr(c), over the mean line [m]
+    double material_ratio = 0.5;   ///< p of Rmc(p)
 };
 
 /// Elements of a profile, each a hill and the dale behind it, found by crossing the mean line.

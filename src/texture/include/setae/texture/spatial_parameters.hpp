@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "setae/core/quantity.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
@@ -23,6 +26,9 @@ struct SpatialParameters {
     double Std = 0.0;   ///< direction of the lay against x [rad], 0 <= Std < π, that is perpendicular to the strongest waves
     double longest = 0.0;         ///< max |t| on the rim [m]
     double directionality = 0.0;  ///< largest over mean angular spectrum; near 1 where no direction stands out
+    /// ∫ f² d²t, ∫ f³ d²t and ∫ f⁴ d²t over lags up to twice the longest [m²]; NaN where Str is. Of Gaussian heights on an area A they
+    /// give the standard errors Sq sqrt(∫f²/(2A)), Sa sqrt(∫f²/(2A)), Ssk: sqrt(6 ∫f³/A), Sku: sqrt(24 ∫f⁴/A).
+    std::array<double, 3> correlation_areas{};
     std::vector<Alert> alerts;    ///< SAL_UNDEFINED, STR_UNDEFINED, STD_WITHOUT_DIRECTION
 };
 
