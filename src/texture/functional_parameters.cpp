@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/texture/functional_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "curve_interpolant.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::texture {
+namespace {
+
+constexpr double central_share = 0.4;
+
+/// Height differences below this share of the whole count as none.
+constexpr double rounding = 1e-12;
+
+/// The first p with the smallest H(p) − H(p + 0.4).
+double flattest_start(const CurveInterpolant& curve) {
+    const auto fall = [&curve](double p) { return curve.height(p) - curve.height(p + central_share); };
+    constexpr int steps = 600;
+    const double noise = rounding * (curve.highest() - curve.lowest());
+    int best = 0;
+    double least = fall(0.0);
+    for (int k = 1; k <= steps; ++k) {
+        const double value = fall((1.0 - central_share) * k / steps);
+        if (value < least - noise) {
+            least = value;
+            best = k;
+        }
+    }
+    // golden section between the neighbours
+    constexpr double golden = 0.618033988749894848;
+    double lower = (1.0 - central_share) * std::max(0, best - 1) / steps, upper = (1.0 - central_share) * std::min(steps, best + 1) / steps;
+    double best_place = (1.0 - central_share) * best / steps;
+    for (int k = 0; k < 40; ++k) {
+        const double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
+        const double at_left = fall(left), at_right = fall(right);
+        if (std::min(at_left, at_right) < least - noise) {
+            best_place = at_left < at_right ? left : right;
+            least = std::min(at_left, at_right);
+        }
+        (at_left < at_right ? upper : lower) = at_left < at_right ? right : left;
+    }
+    return best_place;
+}
+
+/// The straight line that stands for the core, at ratios 0 and 1.
+struct CoreLine {
+    double upper = 0.0;
+    double lower = 0.0;
+};
+
+CoreLine core_line(const CurveInterpolant& curve) {
+    const double start = flattest_start(curve), end = start + central_share, middle = start + 0.5 * central_share;
+    const double high = curve.height(start), low = curve.height(end);
+    // ∫ H dp and ∫ p H dp over the 40 % by parts
+    const double heights = end * low - start * high + curve.volume(low) - curve.volume(high);
+    const double moments = 0.5 * (end * end * low - start * start * high + curve.square(low) - curve.square(high));
+    const double slope = 12.0 * (moments - middle * heights) / (central_share * central_share * central_share);
+    const double upper = heights / central_share - slope * middle;
+    return {upper, upper + slope};
+}
+
+void require_ratio(double ratio) {
+    if (!(ratio >= 0.0 && ratio <= 1.0)) throw InvalidArgument(fmt::format("material ratio is {}, expected 0 … 1", ratio));
+}
+
+}  // namespace
+
+FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios, Between between, parallel::Threads threads) {
+    for (const double ratio : {ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower}) require_ratio(ratio);
+    const CurveInterpolant curve(measurement, between, threads);
+    FunctionalParameters result;
+    if (curve.highest() == curve.lowest()) {
+        result.Smrk2 = 1.0;
+        return result;
+    }
+    const auto core = core_line(curve);
+    result.Sk = core.upper - core.lower;
+    result.Smrk1 = curve.ratio(core.upper);
+    result.Smrk2 = curve.ratio(core.lower);
+    result.Sak1 = curve.volume(core.upper);
+    result.Sak2 = curve.void_volume(core.lower);
+    result.Spk = result.Smrk1 > rounding ? 2.0 * result.Sak1 / result.Smrk1 : 0.0;
+    result.Svk = 1.0 - result.Smrk2 > rounding ? 2.0 * result.Sak2 / (1.0 - result.Smrk2) : 0.0;
+    result.Spkx = std::max(0.0, curve.highest() - core.upper);
+    result.Svkx = std::max(0.0, core.lower - curve.lowest());
+    const double high = curve.height(ratios.peaks), low = curve.height(ratios.valleys);
+    result.Vmp = curve.volume(high);
+    result.Vmc = curve.volume(low) - result.Vmp;
+    result.Vvv = curve.void_volume(low);
+    result.Vvc = curve.void_volume(high) - result.Vvv;
+    result.Sxp = curve.height(ratios.extreme) - curve.height(ratios.extreme_reference);
+    result.Sdc = curve.height(ratios.upper) - curve.height(ratios.lower);
+    return result;
+}
+
+MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios, Between between, parallel::Threads threads) {
+    const auto heights = heights_at_ratio(measurement, ratios, between, threads);
+    MaterialVolumes volumes{Array1D(ratios.size()), Array1D(ratios.size())};
+    std::vector<double> sorted(heights.begin(), heights.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    if (sorted.empty()) return volumes;
+    const auto curve = material_ratio_curve(measurement, Eigen::Map<const Array1D>(sorted.data(), static_cast<Index>(sorted.size())), between, threads);
+    for (Index k = 0; k < ratios.size(); ++k) {
+        const auto place = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
+        volumes.material[k] = curve.volume[place];
+        volumes.void_volume[k] = std::max(0.0, curve.volume[place] + (heights[k] - curve.mean));
+    }
+    return volumes;
+}
+
+}  // namespace setae::texture

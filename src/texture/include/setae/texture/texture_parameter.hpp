@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <span>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+
+namespace setae::texture {
+
+enum class Standard { iso25178, iso21920 };
+
+/// One row of the table of parameters.
+struct ParameterDefinition {
+    std::string_view symbol;     ///< as the standard writes it, such as "Sq"
+    std::string_view name;       ///< snake_case, such as "root_mean_square_height"
+    std::string_view formula;    ///< in plain text
+    std::string_view unit;       ///< SI
+    Standard standard;
+    std::string_view clause;     ///< of the standard
+    std::string_view validated;  ///< what the number was compared with
+};
+
+/// Every parameter, in the order of the standards.
+[[nodiscard]] std::span<const ParameterDefinition> parameters();
+
+/// @throws InvalidArgument for a symbol that is not in the table, with the nearest one.
+[[nodiscard]] const ParameterDefinition& parameter(std::string_view symbol);
+
+/// A value of a parameter with the filters it stands behind.
+struct TextureParameter {
+    Quantity quantity;   ///< its band is the bandwidth: 2π/(longest wavelength) … 2π/(shortest) [1/m]; its alerts are the warnings
+    std::string filter;  ///< such as "S-filter 2.5 µm, L-filter 0.8 mm (Gaussian)", "none"
+
+    /// Whether there is nothing to warn of.
+    [[nodiscard]] bool ok() const { return quantity.alerts.empty(); }
+};
+
+}  // namespace setae::texture

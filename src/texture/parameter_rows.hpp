@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filtered.hpp"
+
+namespace setae::texture {
+
+/// Values of parameters on their way into a list, each with what the table says of it and what all share.
+class ParameterRows {
+public:
+    ParameterRows(Standard standard, std::string filter, Bandwidth bandwidth, std::vector<Alert> alerts, Index points, char letter = 0);
+
+    /// symbol: as in the table. A row whose value is NaN without an alert of its own gets UNDEFINED.
+    void add(std::string_view symbol, Estimate estimate, std::vector<Alert> alerts = {});
+
+    [[nodiscard]] std::vector<TextureParameter> take() { return std::move(rows_); }
+
+private:
+    Standard standard_;
+    std::string filter_;
+    Bandwidth bandwidth_;
+    std::vector<Alert> alerts_;
+    Index points_;
+    char letter_;  ///< that takes the place of the first one, or 0
+    std::vector<TextureParameter> rows_;
+};
+
+}  // namespace setae::texture

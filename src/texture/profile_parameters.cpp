@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/texture/profile_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "parameter_rows.hpp"
+#include "profile_lines.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/texture/height_parameters.hpp"
+
+namespace setae::texture {
+namespace {
+
+/// Everything that is taken of a stretch of profile.
+struct Stretch {
+    HeightParameters heights;
+    ProfileElements elements;
+    ProfileSlopes slopes;
+};
+
+/// A value of each section.
+Array1D values_of(const std::vector<Stretch>& sections, const std::function<double(const Stretch&)>& value) {
+    Array1D values(static_cast<Index>(sections.size()));
+    for (Index k = 0; k < values.size(); ++k) values[k] = value(sections[static_cast<std::size_t>(k)]);
+    return values;
+}
+
+/// Mean over sections with the standard error that their spread tells.
+Estimate mean_of(const Array1D& values) {
+    const auto n = static_cast<double>(values.size());
+    Estimate estimate{.value = values.mean()};
+    if (values.size() < 2) return estimate;
+    estimate.standard_error = std::sqrt((values - estimate.value).square().sum() / (n * (n - 1.0)));
+    estimate.method = "sections";
+    estimate.degrees_of_freedom = n - 1.0;
+    return estimate;
+}
+
+double line_size(const MeasurementView& line) {
+    const auto* scan = line.as<topography::LineScan>();
+    return scan ? scan->size : line.as<topography::Profile>()->size();
+}
+
+bool has_undefined(const MeasurementView& line) {
+    return line.visit([](const auto& m) { return !(m.heights == m.heights).all(); });
+}
+
+Stretch stretch(const MeasurementView& line, double mean_line, double section_length, double total_height, const Discrimination& discrimination, parallel::Threads threads) {
+    Stretch result{height_parameters(line, threads, mean_line), {undefined, undefined, undefined, undefined, 0}, profile_slopes(line)};
+    if (!has_undefined(line))
+        result.elements = profile_elements(line, discrimination.height * (total_height > 0.0 ? total_height : result.heights.Sz), discrimination.length * section_length, mean_line);
+    return result;
+}
+
+char letter_of(ProfileKind kind) { return kind == ProfileKind::primary ? 'P' : kind == ProfileKind::waviness ? 'W' : 'R'; }
+
+/// Rows of the material ratio curve.
+void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line, parallel::Threads threads) {
+    const auto curve = functional_parameters(line, options.ratios, Between::linear, threads);
+    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), Between::linear, threads)[0]});
+    rows.add("Rmc(p)", {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), Between::linear, threads)[0] - mean_line});
+    rows.add("Rdc", {curve.Sdc});
+    rows.add("Rk", {curve.Sk});
+    rows.add("Rpk", {curve.Spk});
+    rows.add("Rvk", {curve.Svk});
+    rows.add("Rmrk1", {curve.Smrk1});
+    rows.add("Rmrk2", {curve.Smrk2});
+    rows.add("Rak1", {curve.Sak1});
+    rows.add("Rak2", {curve.Sak2});
+}
+
+}  // namespace
+
+std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options, parallel::Threads threads) {
+    require_line(line);
+    const auto own = filtered(line, options.filters, options.kind, threads);
+    const MeasurementView view = own ? MeasurementView(*own) : line;
+    const double size = line_size(view);
+    const double section_length = options.section_length.value_or(options.filters.l_filter.value_or(size));
+    const double mean_line = options.mean_line == MeanLine::zero ? 0.0 : height_parameters(view, threads).mean;
+
+    std::vector<Stretch> parts;
+    for (const auto& section : sections(view, section_length)) parts.push_back(stretch(section, mean_line, section_length, 0.0, options.discrimination, threads));
+    const auto section_heights = values_of(parts, [](const Stretch& s) { return s.heights.Sz; });
+    const auto whole = stretch(view, mean_line, section_length, section_heights.mean(), options.discrimination, threads);
+
+    ParameterRows rows(Standard::iso21920, description(options.filters, options.kind), bandwidth(line, options.filters, options.kind, threads), undefined_alerts(line),
+                       whole.heights.defined, letter_of(options.kind));
+    const auto add = [&](std::string_view symbol, const std::function<double(const Stretch&)>& value) {
+        rows.add(symbol, options.averages == Averages::sections ? mean_of(values_of(parts, value)) : Estimate{value(whole)});
+    };
+    add("Rq", [](const Stretch& s) { return s.heights.Sq; });
+    add("Rsk", [](const Stretch& s) { return s.heights.Ssk; });
+    add("Rku", [](const Stretch& s) { return s.heights.Sku; });
+    add("Ra", [](const Stretch& s) { return s.heights.Sa; });
+    rows.add("Rt", {whole.heights.Sz});
+    rows.add("Rp", mean_of(values_of(parts, [](const Stretch& s) { return s.heights.Sp; })));
+    rows.add("Rv", mean_of(values_of(parts, [](const Stretch& s) { return s.heights.Sv; })));
+    rows.add("Rz", mean_of(section_heights));
+    rows.add("Rzx", {section_heights.maxCoeff()});
+    add("RSm", [](const Stretch& s) { return s.elements.RSm; });
+    add("RSmq", [](const Stretch& s) { return s.elements.RSmq; });
+    add("Rc", [](const Stretch& s) { return s.elements.Rc; });
+    add("Rcq", [](const Stretch& s) { return s.elements.Rcq; });
+    add("Rdq", [](const Stretch& s) { return s.slopes.Rdq; });
+    add("Rda", [](const Stretch& s) { return s.slopes.Rda; });
+    add("Rdq_2", [](const Stretch& s) { return s.slopes.Rdq_2; });
+    add_curve(rows, view, options, mean_line, threads);
+    return rows.take();
+}
+
+}  // namespace setae::texture

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/texture/areal_parameters.hpp"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/texture/profile_parameters.hpp"
+
+namespace setae::texture {
+namespace {
+
+using topography::HeightMap;
+
+std::map<std::string, TextureParameter> by_symbol(const std::vector<TextureParameter>& rows) {
+    std::map<std::string, TextureParameter> map;
+    for (const auto& row : rows) map[row.quantity.symbol] = row;
+    return map;
+}
+
+HeightMap crossed_waves(Index n, double size, double wavelength, double amplitude) {
+    HeightMap map{Array2D(n, n), {size, size}};
+    const Array1D wave = (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (size / static_cast<double>(n) * 2.0 * pi / wavelength)).sin() * amplitude;
+    for (Index i = 0; i < n; ++i) map.heights.row(i) = wave.transpose() + wave[i];
+    return map;
+}
+
+TEST(ArealParameters, CoverTheTableAndEachRowSaysWhatItRestsOn) {
+    const auto map = crossed_waves(128, 1e-4, 1e-5, 1e-7);
+    const auto rows = areal_parameters(map);
+    std::set<std::string_view> symbols;
+    for (const auto& row : rows) {
+        symbols.insert(row.quantity.symbol);
+        EXPECT_FALSE(row.quantity.unit.empty());
+        ASSERT_TRUE(row.quantity.band.has_value()) << row.quantity.symbol;
+        EXPECT_NEAR(row.quantity.band->lower, 2.0 * pi / 1e-4, 1.0);
+        EXPECT_NEAR(row.quantity.band->upper, pi * 128 / 1e-4, 1e2);
+        EXPECT_EQ(*row.quantity.n, 128 * 128);
+        EXPECT_EQ(row.filter, "none");
+        EXPECT_NE(row.quantity.source.find("ISO 25178-2"), std::string::npos);
+    }
+    for (const auto& definition : parameters())
+        if (definition.standard == Standard::iso25178) {
+            EXPECT_TRUE(symbols.contains(definition.symbol)) << definition.symbol;
+        }
+    const auto values = by_symbol(rows);
+    EXPECT_NEAR(values.at("Sq").quantity.estimate.value, 1e-7, 1e-9);
+    EXPECT_NEAR(values.at("Sku").quantity.estimate.value, 2.25, 0.01);
+}
+
+TEST(ArealParameters, ProfileRowsCoverTheirTable) {
+    const topography::LineScan line{tests::random_heights(1000), 1000.0};
+    std::set<std::string_view> symbols;
+    const auto rows = profile_parameters(line);
+    for (const auto& row : rows) symbols.insert(row.quantity.symbol);
+    for (const auto& definition : parameters())
+        if (definition.standard == Standard::iso21920) {
+            EXPECT_TRUE(symbols.contains(definition.symbol)) << definition.symbol;
+        }
+}
+
+TEST(ArealParameters, FiltersLeaveTheWavesBetweenThem) {
+    auto map = crossed_waves(256, 256e-6, 16e-6, 1e-7);
+    map.heights += crossed_waves(256, 256e-6, 256e-6, 1e-6).heights;
+    const auto rows = by_symbol(areal_parameters(map, {.filters = {.s_filter = 2e-6, .l_filter = 50e-6}}));
+    const auto& Sq = rows.at("Sq");
+    EXPECT_NEAR(Sq.quantity.estimate.value, 1e-7, 0.15e-7);
+    EXPECT_EQ(Sq.filter, "Gaussian S-filter 2 µm, Gaussian L-filter 50 µm");
+    EXPECT_NEAR(Sq.quantity.band->lower, 2.0 * pi / 50e-6, 1e-6);
+    EXPECT_NEAR(Sq.quantity.band->upper, 2.0 * pi / 2e-6, 1.0);
+}
+
+TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
+    // white noise smoothed over a few pixels: the error from one map's autocorrelation against the spread over many maps
+    std::vector<double> values;
+    double error = 0.0;
+    constexpr int maps = 60;
+    for (unsigned seed = 1; seed <= maps; ++seed) {
+        HeightMap map{Array2D::Zero(48, 48), {48.0, 48.0}, true, {}};
+        const Array2D noise = tests::random_map(48, 48, seed);
+        for (Index i = 0; i < 48; ++i)
+            for (Index j = 0; j < 48; ++j)
+                for (Index k = -2; k <= 2; ++k)
+                    for (Index m = -2; m <= 2; ++m) map.heights(i, j) += 0.2 * noise((i + k + 48) % 48, (j + m + 48) % 48);
+        const auto Sq = by_symbol(areal_parameters(map)).at("Sq").quantity.estimate;
+        values.push_back(Sq.value);
+        error += Sq.standard_error / maps;
+    }
+    const Eigen::Map<const Array1D> all(values.data(), maps);
+    const double spread = std::sqrt((all - all.mean()).square().sum() / (maps - 1));
+    EXPECT_NEAR(error / spread, 1.0, 0.3);  // the spread of 60 is known to 9 %
+}
+
+TEST(ArealParameters, WarnOfAMapThatHoldsFewPatches) {
+    const auto rows = by_symbol(areal_parameters(crossed_waves(64, 1e-4, 0.8e-4, 1e-7)));
+    ASSERT_FALSE(rows.at("Sq").ok());
+    EXPECT_EQ(rows.at("Sq").quantity.alerts.front().code, "FEW_PATCHES");
+    EXPECT_TRUE(rows.at("Sk").ok());
+}
+
+TEST(ArealParameters, OfAConstantMapSayWhatHasNoValue) {
+    const auto rows = by_symbol(areal_parameters(HeightMap{Array2D::Constant(8, 8, 1e-6), {1.0, 1.0}}));
+    EXPECT_EQ(rows.at("Sq").quantity.estimate.value, 0.0);
+    for (const char* symbol : {"Ssk", "Sal", "Str", "Std"}) {
+        EXPECT_TRUE(std::isnan(rows.at(symbol).quantity.estimate.value)) << symbol;
+        EXPECT_FALSE(rows.at(symbol).ok()) << symbol;
+    }
+}
+
+TEST(ArealParameters, OfTwoByTwoPointsAreDefinedWhereTheyCanBe) {
+    const auto rows = by_symbol(areal_parameters(HeightMap{(Array2D(2, 2) << 0, 1, 2, 4).finished() * 1e-9, {1e-6, 1e-6}}));
+    EXPECT_GT(rows.at("Sq").quantity.estimate.value, 0.0);
+    EXPECT_TRUE(std::isnan(rows.at("Sdq_c").quantity.estimate.value));
+}
+
+TEST(ArealParameters, RefuseALine) {
+    EXPECT_THROW((void)areal_parameters(topography::LineScan{Array1D::Zero(5), 5.0}), InvalidArgument);
+    EXPECT_THROW((void)parameter("Sqq"), InvalidArgument);
+    EXPECT_EQ(parameter("Vmc").unit, "m");
+}
+
+TEST(ArealParameters, AreTheSameForAnyNumberOfThreads) {
+    const HeightMap map{tests::random_map(100, 90), {1.0, 1.0}};
+    const auto one = areal_parameters(map, {}, {1}), three = areal_parameters(map, {}, {3});
+    for (std::size_t k = 0; k < one.size(); ++k)
+        if (!std::isnan(one[k].quantity.estimate.value)) {
+            EXPECT_EQ(one[k].quantity.estimate.value, three[k].quantity.estimate.value) << one[k].quantity.symbol;
+        }
+}
+
+}  // namespace
+}  // namespace setae::texture
