@@ -36,6 +36,12 @@ struct FunctionOfScale {
 /// reliable band. What it means for a distance depends on the quantity: half of it for height differences (the tip's criterion rests
 /// on the curvature, a stencil of two steps), n/2 of it for n-th derivatives over a whole stencil, itself for cells of a bandwidth.
 /// Source: 10.1016/j.apsadv.2021.100190.
+[[nodiscard]] double shortest_reliable_wavelength(const topography::HeightMap& map, const spectra::ReliabilityOptions& options = {},
+                                                  parallel::Threads threads = {});
+[[nodiscard]] double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options = {},
+                                                  parallel::Threads threads = {});
+[[nodiscard]] double shortest_reliable_wavelength(const topography::Profile& profile, const spectra::ReliabilityOptions& options = {},
+                                                  parallel::Threads threads = {});
 [[nodiscard]] double shortest_reliable_wavelength(const topography::Measurement& measurement, const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
 
