@@ -61,6 +61,7 @@ void RadialBins::add(Index k, const double* values, Index y, double weight, Row&
 FunctionOfScale radial_average(const RadialBins::Row& sums, const topography::Metadata& metadata) {
     const auto used = std::count_if(sums.begin(), sums.end(), [](const auto& bin) { return bin.vectors > 0.0; });
     auto result = empty_autocorrelation(used, metadata);
+    result.quantity = "autocorrelation_of_area";
     Index b = 0;
     for (const auto& bin : sums) {
         if (!(bin.vectors > 0.0)) continue;
