@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::scales {
+
+/// Powers of differences about an origin, added up; extremes.
+struct DifferenceSums {
+    double count = 0.0;
+    double powers[4] = {0.0, 0.0, 0.0, 0.0};  ///< Σ (d − origin)^k, k = 1 … 4
+    double minimum, maximum;
+
+    DifferenceSums();
+    void add(const DifferenceSums& other);
+    /// Adds values; undefined ones are left out. In independent lanes, so that it vectorises; a second pass where one is undefined.
+    void add(const double* values, Index n, double origin);
+};
+
+}  // namespace setae::scales

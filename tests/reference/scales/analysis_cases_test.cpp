@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "reference_data.hpp"
+#include "sampled_polyline.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/scales/autocorrelation.hpp"
+#include "setae/scales/half_derivative.hpp"
+#include "setae/scales/scale_dependent.hpp"
+#include "setae/scales/variable_bandwidth.hpp"
+
+namespace {
+
+using namespace setae;
+using namespace setae::scales;
+using nlohmann::json;
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Profile;
+
+Array1D series(const json& values) {
+    Array1D numbers(static_cast<Index>(values.size()));
+    for (Index k = 0; k < numbers.size(); ++k) {
+        const auto& value = values[static_cast<std::size_t>(k)];
+        numbers[k] = value.is_null() ? undefined : value.get<double>();
+    }
+    return numbers;
+}
+
+Array2D matrix(const json& rows) {
+    Array2D values(static_cast<Index>(rows.size()), static_cast<Index>(rows[0].size()));
+    for (Index i = 0; i < values.rows(); ++i) values.row(i) = series(rows[static_cast<std::size_t>(i)]).transpose();
+    return values;
+}
+
+class AnalysisCases : public testing::Test {
+protected:
+    void SetUp() override {
+        SETAE_REQUIRE_REFERENCE_DATA(path, "expected/analysis_cases.json");
+        cases = json::parse(std::ifstream(path));
+    }
+    LineScan line_scan(const char* name) const {
+        const auto& input = cases[name]["input"];
+        return {series(input["heights"]), input["physical_size"], input["periodic"], {}};
+    }
+    HeightMap height_map(const char* name) const {
+        const auto& input = cases[name]["input"];
+        return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
+    }
+    HeightMap masked_map() const {
+        auto map = height_map("map_nonperiodic");
+        for (const auto& place : cases["map_masked"]["mask_true_indices"]) map.heights(place[0].get<Index>(), place[1].get<Index>()) = undefined;
+        return map;
+    }
+    Profile polyline() const {
+        const auto& input = cases["nonuniform"]["input"];
+        return {series(input["x"]), series(input["h"]), {}};
+    }
+    json cases;
+};
+
+/// Values at the same distances, 1e-10.
+void expect_function(const FunctionOfScale& found, const json& expected) {
+    const Array1D distances = series(expected[0]), values = series(expected[1]);
+    ASSERT_GT(distances.size(), 1);
+    for (Index k = 0; k < distances.size(); ++k) {
+        if (distances[k] == 0.0 || values[k] != values[k]) continue;
+        Index at = 0;
+        ASSERT_LT((found.distance - distances[k]).abs().minCoeff(&at), 1e-9 * distances[k]);
+        EXPECT_NEAR(found.value[at] / values[k], 1.0, 1e-10) << "distance " << distances[k];
+    }
+}
+
+TEST_F(AnalysisCases, AutocorrelationsOfLineScansAgree) {
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) expect_function(autocorrelation(line_scan(name)), cases[name]["acf_raw"]);
+}
+
+TEST_F(AnalysisCases, AutocorrelationsOfLinesOfMapsAgree) {
+    for (const char* name : {"map_nonperiodic", "map_periodic"}) expect_function(autocorrelation_of_lines(height_map(name)), cases[name]["acf_profile_raw"]);
+    expect_function(autocorrelation_of_lines(masked_map()), cases["map_masked"]["acf_profile_raw"]);
+}
+
+TEST_F(AnalysisCases, AutocorrelationMapsAgreeInTheQuadrantTheyGive) {
+    const auto expect_quadrant = [](const HeightMap& map, const json& rows) {
+        const Array2D expected = matrix(rows);
+        const auto found = autocorrelation_map(map);
+        Index compared = 0;
+        for (Index k = 0; k < found.value.rows(); ++k)
+            for (Index l = 0; l <= found.y_lags; ++l) {
+                const double value = found.value(k, found.y_lags + l);
+                if (expected(k, l) != expected(k, l)) {
+                    EXPECT_NE(value, value) << k << ", " << l;
+                } else {
+                    EXPECT_NEAR(value, expected(k, l), 1e-10 * expected(k, l) + 1e-16) << k << ", " << l;
+                }
+                ++compared;
+            }
+        EXPECT_GT(compared, 100);
+    };
+    for (const char* name : {"map_nonperiodic", "map_periodic"}) expect_quadrant(height_map(name), cases[name]["acf_area_map"]);
+    expect_quadrant(masked_map(), cases["map_masked"]["acf_area_map"]);
+}
+
+TEST_F(AnalysisCases, AutocorrelationsOfPolylinesAgree) {
+    const auto& expected = cases["nonuniform"]["acf_brute"];
+    expect_function(autocorrelation(polyline(), series(expected[0])), expected);
+}
+
+TEST_F(AnalysisCases, VariableBandwidthsAgree) {
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) expect_function(variable_bandwidth(line_scan(name)), cases[name]["vbw"]);
+    for (const char* name : {"map_nonperiodic", "map_periodic"}) {
+        expect_function(variable_bandwidth_of_lines(height_map(name)), cases[name]["vbw_profile"]);
+        expect_function(variable_bandwidth_of_area(height_map(name)), cases[name]["vbw_area"]);
+    }
+    expect_function(variable_bandwidth_of_area(masked_map()), cases["map_masked"]["vbw_area"]);
+}
+
+TEST_F(AnalysisCases, VariableBandwidthOfPolylinesIsTheRmsOfAllWhereThePackageTakesTheMeanOfRms) {
+    const auto found = variable_bandwidth(polyline());
+    const Array1D sizes = series(cases["nonuniform"]["vbw"][0]), means = series(cases["nonuniform"]["vbw"][1]);
+    ASSERT_EQ(found.value.size(), sizes.size());
+    for (Index k = 0; k < sizes.size(); ++k) {
+        const Index at = sizes.size() - 1 - k;
+        EXPECT_NEAR(found.distance[at] / sizes[k], 1.0, 1e-12);
+        if (k == 0) {
+            EXPECT_NEAR(found.value[at] / means[k], 1.0, 1e-10);  // one cell: the same
+        } else {
+            EXPECT_GT(found.value[at], means[k]);  // a root mean square is never below a mean
+        }
+    }
+}
+
+TEST_F(AnalysisCases, DifferencesOfLineScansAgree) {
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
+        const auto scan = line_scan(name);
+        const auto& first = cases[name]["sdrp_var_dx_n1"];
+        const auto& second = cases[name]["sdrp_rms_n2"];
+        expect_function(function_of(difference_statistics(scan, {.distances = series(first[0])}), Statistic::variance), first);
+        expect_function(function_of(difference_statistics(scan, {.order = 2, .distances = series(second[0])}), Statistic::rms), second);
+    }
+}
+
+TEST_F(AnalysisCases, DerivativesOfLineScansAgreePointByPoint) {
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
+        const auto scan = line_scan(name);
+        for (const int order : {1, 2})
+            for (const char* factor : {"1", "2", "3", "2.5"}) {
+                const Array1D expected = series(cases[name]["derivative" + std::to_string(order) + "_scale" + factor]);
+                Array1D found;
+                for_each_row_of_differences(scan, std::stod(factor) * order * scan.pixel_size(), {.order = order},
+                                            [&](Index, Index, const ArrayView1D& values) { found = values; });
+                ASSERT_EQ(found.size(), expected.size()) << name << ' ' << order << ' ' << factor;
+                EXPECT_LT((found - expected).abs().maxCoeff(), 1e-10 * expected.abs().maxCoeff()) << name << ' ' << order << ' ' << factor;
+            }
+    }
+}
+
+TEST_F(AnalysisCases, GradientsOfMapsAgree) {
+    for (const char* name : {"map_nonperiodic", "map_periodic"}) {
+        const auto& expected = cases[name]["sdrp_rms_gradient"];
+        const auto found = difference_statistics(height_map(name), {.along = Along::both, .distances = series(expected[0])});
+        expect_function(function_of(found, Statistic::rms), expected);
+    }
+}
+
+TEST_F(AnalysisCases, SlopesAlongXAgreeOnThePointsThePackageKeeps) {
+    const auto& periodic = cases["map_periodic"]["sdrp_var_hx"];
+    expect_function(function_of(difference_statistics(height_map("map_periodic"), {.distances = series(periodic[0])}), Statistic::variance), periodic);
+    // of non-periodic maps it leaves out the last lines too, where only differences along y are missing
+    const auto& expected = cases["map_nonperiodic"]["sdrp_var_hx"];
+    const auto map = height_map("map_nonperiodic");
+    const Array1D distances = series(expected[0]), values = series(expected[1]);
+    for (Index k = 0; k < distances.size(); ++k) {
+        const auto lost = static_cast<Index>(std::ceil(distances[k] / map.pixel_size()[1] - 1e-9));
+        const Index kept = map.heights.cols() - lost;
+        const HeightMap part{map.heights.leftCols(kept), {map.size[0], static_cast<double>(kept)}, false, {}};
+        EXPECT_NEAR(difference_statistics(part, {.distances = Array1D(distances.segment(k, 1))}).variance[0] / values[k], 1.0, 1e-10);
+    }
+}
+
+TEST_F(AnalysisCases, DifferencesOfMaskedMapsUseEveryDefinedPair) {
+    const auto map = masked_map();
+    const auto [dx, dy] = map.pixel_size();
+    const auto x = difference_statistics(map, {.distances = Array1D::Constant(1, dx)});
+    const auto y = difference_statistics(map, {.along = Along::y, .distances = Array1D::Constant(1, dy)});
+    const auto pairs = [&](Index k, Index l) {
+        double count = 0.0;
+        for (Index i = 0; i + k < map.heights.rows(); ++i)
+            for (Index j = 0; j + l < map.heights.cols(); ++j) count += std::isnan(map.heights(i + k, j + l) - map.heights(i, j)) ? 0.0 : 1.0;
+        return count;
+    };
+    EXPECT_EQ(x.count[0], pairs(1, 0));
+    EXPECT_EQ(y.count[0], pairs(0, 1));
+    // the package has 319 along x in the 23 x 15 places it keeps, where there are 330, and 0.2906 for the rms gradient in place of 0.2874
+    const HeightMap part{map.heights.leftCols(15), {map.size[0], 3.0}, false, {}};
+    EXPECT_EQ(difference_statistics(part, {.distances = Array1D::Constant(1, dx)}).count[0], 330.0);
+    EXPECT_NEAR(cases["map_masked"]["rms_gradient"].get<double>(), 0.2906, 1e-4);
+    Array2D squares = Array2D::Zero(23, 15);
+    const auto add = [&](Index row, Index, const ArrayView1D& values) {
+        if (row < 23) squares.row(row) += values.head(15).square().transpose();
+    };
+    for_each_row_of_differences(map, dx, {}, add);
+    for_each_row_of_differences(map, dy, {.along = Along::y}, add);
+    double sum = 0.0, count = 0.0;
+    for (const double square : squares.reshaped())
+        if (square == square) {
+            sum += square;
+            count += 1.0;
+        }
+    EXPECT_NEAR(std::sqrt(sum / count), 0.2874, 5e-5);
+}
+
+TEST_F(AnalysisCases, DifferencesOfPolylinesAgreeAtThePlacesThePackageSamples) {
+    const auto& expected = cases["nonuniform"]["sdrp_var"];
+    const Array1D distances = series(expected[0]), values = series(expected[1]);
+    const auto profile = polyline();
+    const auto exact = difference_statistics(profile, {.distances = distances});
+    for (Index k = 0; k < distances.size(); ++k) {
+        const auto sampled = tests::sampled_for_differences(profile, 1, distances[k]);
+        const auto found = difference_statistics(sampled, {.distances = Array1D(distances.segment(k, 1))});
+        EXPECT_NEAR(found.variance[0] / values[k], 1.0, 1e-10);
+        EXPECT_NEAR(exact.variance[k] / values[k], 1.0, 0.12);  // the exact integral against some forty samples
+    }
+}
+
+TEST_F(AnalysisCases, HalfDerivativeAgrees) {
+    const double expected = cases["map_periodic"]["variance_half_derivative"];
+    EXPECT_NEAR(half_derivative_variance(height_map("map_periodic")).variance / expected, 1.0, 1e-10);
+}
+
+}  // namespace
