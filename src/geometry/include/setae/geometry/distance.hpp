@@ -20,6 +20,6 @@ namespace setae::geometry {
 
 /// Number of the patch that lies closest to every point; of equally close ones any, the same for any number of threads; 0
 /// where there is no patch.
-[[nodiscard]] PatchNumbers closest_patch_map(const Patches& patches, const PointGrid& grid, parallel::Threads threads = {});
+[[nodiscard]] PatchNumbers closest_patch_map(const Patches& patches, std::array<double, 2> pixel_size = {1.0, 1.0}, parallel::Threads threads = {});
 
 }  // namespace setae::geometry

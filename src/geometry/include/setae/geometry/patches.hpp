@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,8 @@ using PatchNumbers = Eigen::Array<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, 
 struct Patches {
     PatchNumbers numbers;    ///< in the order in which storage order (x, then y) first meets them
     std::int32_t count = 0;
+    Neighbours neighbours = Neighbours::edges_and_corners;  ///< how they were found
+    bool periodic = false;
 };
 
 /// Finds the patches of a mask; points that differ from 0 are chosen.
@@ -36,8 +39,8 @@ struct PatchShape {
     bool spans_period = false; ///< it meets its own periodic image: it is endless
 };
 
-/// Shapes of patch 1 … count. One pass over the numbers.
+/// Shapes of patch 1 … count. pixel_size: Δx, Δy [m]. One pass over the numbers; of periodic ones they are found once more, cut at the borders.
 /// @throws InvalidArgument for a pixel size that is not positive or numbers outside 0 … count.
-[[nodiscard]] std::vector<PatchShape> patch_shapes(const Patches& patches, const PointGrid& grid);
+[[nodiscard]] std::vector<PatchShape> patch_shapes(const Patches& patches, std::array<double, 2> pixel_size = {1.0, 1.0});
 
 }  // namespace setae::geometry
