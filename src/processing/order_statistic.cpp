@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "order_statistic.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace setae::processing {
+namespace {
+
+constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
+constexpr int digit_bits = 16;
+constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
+
+/// The number a key was made of.
+double value_of(std::uint64_t key) { return std::bit_cast<double>(key & sign_bit ? key & ~sign_bit : ~key); }
+
+}  // namespace
+
+OrderStatistics::OrderStatistics(const double* values, Index n, bool absolute) : values_(values), n_(n), absolute_(absolute) {
+    for (Index i = 0; i < n; ++i) defined_ += values[i] == values[i];
+}
+
+/// Bits that are ordered as the numbers are.
+std::uint64_t OrderStatistics::key(double value) const {
+    const auto bits = std::bit_cast<std::uint64_t>(absolute_ ? std::fabs(value) : value);
+    return bits & sign_bit ? ~bits : bits | sign_bit;
+}
+
+double OrderStatistics::at(Index rank) const {
+    std::uint64_t prefix = 0;
+    std::vector<Index> counts(digit_mask + 1);
+    for (int shift = 64 - digit_bits; shift >= 0; shift -= digit_bits) {
+        std::fill(counts.begin(), counts.end(), 0);
+        // of 64 bits, those above the current digit must agree with what was found before
+        const bool first = shift + digit_bits == 64;
+        for (Index i = 0; i < n_; ++i) {
+            if (values_[i] != values_[i]) continue;
+            const auto bits = key(values_[i]);
+            if (first || bits >> (shift + digit_bits) == prefix) ++counts[(bits >> shift) & digit_mask];
+        }
+        std::uint64_t digit = 0;
+        while (rank >= counts[digit]) rank -= counts[digit++];
+        prefix = prefix << digit_bits | digit;
+    }
+    return value_of(prefix);
+}
+
+double OrderStatistics::quantile(double probability) const {
+    const double order = static_cast<double>(defined_ - 1) * probability;
+    const auto below = static_cast<Index>(std::floor(order));
+    const double share = order - static_cast<double>(below), lower = at(below);
+    if (!(share > 0.0) || below + 1 >= defined_) return lower;
+    return lower + share * (at(below + 1) - lower);
+}
+
+double median_in_place(double* values, Index n) {
+    double* const middle = values + n / 2;
+    std::nth_element(values, middle, values + n);
+    if (n % 2 == 1) return *middle;
+    const double below = *std::max_element(values, middle);
+    return below + 0.5 * (*middle - below);
+}
+
+}  // namespace setae::processing
