@@ -24,9 +24,9 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
     const Array1D x = spectrum.wavevector.segment(first - 1, count) / nyquist, power = spectrum.C1D.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
     const double share = map.periodic ? 1.0 : spectra::share_under_hann;
-    const auto floor = white_floor(x, power, share * static_cast<double>(lines));
     // the surface's own lines are alike over a few pixels; those of the noise are independent
-    const double cautious = share * std::max(1.0, static_cast<double>(lines) / 4.0);
+    const double cautious = share * std::max(1.0, 0.5 * static_cast<double>(lines));
+    const auto floor = white_floor(x, power, share * static_cast<double>(lines), cautious);
     if (!(floor.level > floor.surface_at_end) || !(floor.gain > 0.0) || chi_squared_exceedance(2.0 * cautious * floor.gain, 1.0) > options.false_alarm) return {};
     const double sigma = std::sqrt(floor.level / step), sigma_error = 0.5 * sigma * floor.level_error / floor.level;
     const double slope = rms_slope_along_x(map.heights, step), noise_slope2 = 2.0 * sigma * sigma / (step * step);

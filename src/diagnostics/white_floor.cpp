@@ -2,6 +2,7 @@
 #include "white_floor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -110,17 +111,24 @@ double standard_error(const ArrayView1D& x, const Candidate& fit, bool aliased, 
 
 }  // namespace
 
-WhiteFloor white_floor(const ArrayView1D& x, const ArrayView1D& power, double freedom) {
-    const auto bare = fitted(x, power, false), folded = fitted(x, power, true);
-    const bool aliased = folded.levels.loss < bare.levels.loss;
-    const auto& best = aliased ? folded : bare;
+WhiteFloor white_floor(const ArrayView1D& x, const ArrayView1D& power, double freedom, double cautious_freedom) {
+    const std::array<Candidate, 2> candidates{fitted(x, power, false), fitted(x, power, true)};
+    const double folded = 1.0 / (1.0 + std::exp(cautious_freedom * (candidates[1].levels.loss - candidates[0].levels.loss)));
+    const std::array<double, 2> weights{1.0 - folded, folded};
     WhiteFloor result;
-    result.amplitude = best.levels.amplitude;
-    result.exponent = best.exponent;
-    result.level = best.levels.level;
-    result.surface_at_end = best.levels.amplitude * (1.0 + (aliased ? aliases(1.0, best.exponent) : 0.0));
-    result.gain = std::min(bare.gain, folded.gain);
-    if (result.level > 0.0) result.level_error = standard_error(x, best, aliased, freedom);
+    std::array<double, 2> errors{};
+    for (std::size_t c = 0; c < 2; ++c) {
+        const auto& fit = candidates[c];
+        result.amplitude += weights[c] * fit.levels.amplitude;
+        result.exponent += weights[c] * fit.exponent;
+        result.level += weights[c] * fit.levels.level;
+        result.surface_at_end += weights[c] * fit.levels.amplitude * (1.0 + (c == 1 ? aliases(1.0, fit.exponent) : 0.0));
+        if (fit.levels.level > 0.0) errors[c] = standard_error(x, fit, c == 1, freedom);
+    }
+    double variance = 0.0;
+    for (std::size_t c = 0; c < 2; ++c) variance += weights[c] * (errors[c] * errors[c] + std::pow(candidates[c].levels.level - result.level, 2));
+    result.level_error = std::sqrt(variance);
+    result.gain = std::min(candidates[0].gain, candidates[1].gain);
     return result;
 }
 
