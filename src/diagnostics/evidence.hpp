@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/diagnostics/diagnose.hpp"
+#include "setae/processing/despike.hpp"
+
+namespace setae::diagnostics {
+
+/// What the tests look at: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has one column.
+struct Evidence {
+    std::string subject;
+    topography::HeightMap map;      ///< as measured, NaN = undefined
+    topography::HeightMap level;    ///< without its tilt
+    topography::HeightMap clean;    ///< without tilt and spikes, undefined points filled along x
+    std::optional<processing::Spikes> spikes;  ///< nothing where there are too few points to look for them
+    bool is_line = false;
+    bool flat = false;              ///< all defined heights are equal
+    Index defined = 0;
+};
+
+/// @throws UndefinedDataError where no height is defined.
+[[nodiscard]] Evidence evidence_of(const topography::HeightMap& map, parallel::Threads threads);
+[[nodiscard]] Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads);
+
+/// Root of the mean squared distance of the defined heights from their mean [m].
+[[nodiscard]] double rms_height(const Array2D& heights);
+
+/// Root mean square of the forward differences along x over their step [1].
+[[nodiscard]] double rms_slope_along_x(const Array2D& heights, double step);
+
+/// A number of a finding.
+[[nodiscard]] Quantity effect(std::string name, std::string symbol, double value, std::string unit, double standard_error = undefined);
+[[nodiscard]] Quantity effect_count(std::string name, Index count);
+
+/// A length for a reader: "12.3 nm".
+[[nodiscard]] std::string length_text(double length);
+
+using Found = std::optional<Finding>;
+
+[[nodiscard]] Found undefined_heights(const Evidence& evidence);
+[[nodiscard]] Found large_tilt(const Evidence& evidence);
+[[nodiscard]] Found curvature_left(const Evidence& evidence);
+[[nodiscard]] Found quantised(const Evidence& evidence);
+[[nodiscard]] std::vector<Finding> clipped(const Evidence& evidence);
+[[nodiscard]] Found spikes(const Evidence& evidence, parallel::Threads threads);
+[[nodiscard]] Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options);
+[[nodiscard]] Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads threads);
+[[nodiscard]] Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options);
+/// SCAN_DIRECTION, and ANISOTROPIC of the map without the offsets of its lines.
+[[nodiscard]] std::vector<Finding> directions(const Evidence& evidence, const DiagnosisOptions& options);
+
+}  // namespace setae::diagnostics

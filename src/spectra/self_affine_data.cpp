@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the fit of a self-affine surface sees of combined spectra and of single measurements.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "self_affine_model.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/spectra/parametric_noise.hpp"
+#include "setae/spectra/self_affine_fit.hpp"
+
+namespace setae::spectra {
+namespace {
+
+/// n · (SE/C)² of every bin: the relative variance of one measurement, with those of the two bins on either side where few share one.
+Array1D relative_variances(const CombinedSpectrum& spectrum) {
+    const Index bins = spectrum.wavevector.size();
+    Array1D result = Array1D::Constant(bins, undefined);
+    for (Index b = 0; b < bins; ++b) {
+        double sum = 0.0, freedom = 0.0;
+        constexpr Index reach = 2;
+        for (Index k = std::max<Index>(0, b - reach); k <= std::min(bins - 1, b + reach); ++k) {
+            const double n = spectrum.count[k], relative = spectrum.standard_error[k] / spectrum.C1D[k];
+            if (!(relative > 0.0)) continue;
+            sum += (n - 1.0) * n * relative * relative;
+            freedom += n - 1.0;
+        }
+        if (freedom > 0.0) result[b] = sum / freedom;
+    }
+    return result;
+}
+
+/// Modes of one measurement in groups: each by itself up to 16, then about 32 a decade.
+struct ModeGroup {
+    Index first, last;  ///< of the spectrum's wavevectors
+};
+
+std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum) {
+    std::vector<ModeGroup> groups;
+    const double fundamental = 2.0 * pi / spectrum.length, ratio = std::pow(10.0, 1.0 / 32.0);
+    for (Index k = 0; k < spectrum.wavevector.size();) {
+        if (!in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max)) {
+            ++k;
+            continue;
+        }
+        const double end = std::max(spectrum.wavevector[k] + 0.5 * fundamental, spectrum.wavevector[k] > 16.0 * fundamental ? spectrum.wavevector[k] * ratio : 0.0);
+        Index last = k;
+        while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end && in_band(spectrum.wavevector[last + 1], spectrum.q_min, spectrum.q_max)) ++last;
+        groups.push_back({k, last});
+        k = last + 1;
+    }
+    return groups;
+}
+
+/// Expectation of modes: what the window mixes in of their neighbours, and what sampling folds back.
+class ModeExpectation {
+public:
+    ModeExpectation(const PowerSpectrum1D& spectrum, std::vector<ModeGroup> groups)
+        : groups_(std::move(groups)), wavevector_(spectrum.wavevector), fundamental_(2.0 * pi / spectrum.length), hann_(spectrum.window == "hann") {
+        // modes up to n/2 of a scan; others' Nyquist wavevector is not known
+        const Index modes = wavevector_.size();
+        if (std::abs(wavevector_[modes - 1] / (static_cast<double>(modes) * fundamental_) - 1.0) < 1e-6 && modes >= 4) sampling_ = 2.0 * wavevector_[modes - 1];
+    }
+
+    [[nodiscard]] Array1D operator()(const synthesis::SelfAffine& model) const {
+        const SelfAffineLines lines(model, 0.4 * fundamental_, (sampling_ > 0.0 ? (aliases + 0.6) * sampling_ : 1.2 * wavevector_[wavevector_.size() - 1]) + fundamental_);
+        Array1D result(static_cast<Index>(groups_.size()));
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const double first = wavevector_[groups_[g].first], last = wavevector_[groups_[g].last], middle = 0.5 * (first + last);
+            result[static_cast<Index>(g)] = groups_[g].first == groups_[g].last ? mode(lines, model, first)
+                                                                                 : (mode(lines, model, first) + 4.0 * mode(lines, model, middle) + mode(lines, model, last)) / 6.0;
+        }
+        return result;
+    }
+
+private:
+    static constexpr int aliases = 4;
+
+    [[nodiscard]] double mode(const SelfAffineLines& lines, const synthesis::SelfAffine& model, double q) const {
+        // |1 at k, −½ beside it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of it
+        double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) + lines(q + fundamental_))) : lines(q);
+        if (sampling_ == 0.0) return sum;
+        for (int m = 1; m <= aliases; ++m) sum += lines(m * sampling_ - q) + lines(m * sampling_ + q);
+        const double rest = (aliases + 0.5) * sampling_;
+        return sum + 2.0 * lines(rest) * rest / (sampling_ * 2.0 * model.hurst_exponent);
+    }
+
+    std::vector<ModeGroup> groups_;
+    Array1D wavevector_;
+    double fundamental_, sampling_ = 0.0;
+    bool hann_;
+};
+
+}  // namespace
+
+SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options) {
+    const Array1D variance = relative_variances(spectrum);
+    FittedValues data{spectrum.wavevector, spectrum.C1D, Array1D::Zero(variance.size()), {}};
+    for (Index b = 0; b < variance.size(); ++b)
+        if (variance[b] > 0.0) data.freedom[b] = spectrum.count[b] / variance[b];
+    if (!(data.freedom > 0.0).any())
+        throw UndefinedDataError("no bin of the combined spectrum has a standard error: fit the one measurement's own spectrum, or combine at least two");
+    data.expected = [q = spectrum.wavevector](const synthesis::SelfAffine& model) { return synthesis::profile_power_spectrum(model, q); };
+    return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
+}
+
+SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options) {
+    auto groups = groups_of(spectrum);
+    if (groups.empty()) throw InvalidArgument(fmt::format("{}: no wavevector lies inside its reliable band", topography::label(spectrum.metadata)));
+    const auto count = static_cast<Index>(groups.size());
+    FittedValues data{Array1D(count), Array1D(count), Array1D(count), {}};
+    const double own = spectrum.window == "none" ? 1.0 : share_under_hann;
+    for (Index g = 0; g < count; ++g) {
+        const auto [first, last] = groups[static_cast<std::size_t>(g)];
+        const auto modes = static_cast<double>(last - first + 1);
+        data.wavevector[g] = 0.5 * (spectrum.wavevector[first] + spectrum.wavevector[last]);
+        data.values[g] = spectrum.C1D.segment(first, last - first + 1).mean();
+        // ∫ρ² dy of lines through a self-affine surface is about 2.5/q
+        const double lines = std::clamp(data.wavevector[g] * spectrum.count[first] * spectrum.pitch / 2.5, 1.0, std::max(1.0, spectrum.count[first]));
+        data.freedom[g] = data.values[g] > 0.0 ? own * modes * lines : 0.0;
+        if (!(data.values[g] > 0.0)) data.values[g] = 1.0;  // left out
+    }
+    data.expected = ModeExpectation(spectrum, std::move(groups));
+    return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
+}
+
+}  // namespace setae::spectra

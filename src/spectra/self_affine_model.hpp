@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+#include "setae/synthesis/self_affine.hpp"
+
+namespace setae::spectra {
+
+/// C1D [m³] of lines through a self-affine surface, tabulated: 40 nodes a decade, ln(C1D/√(1 − (q/q_s)²)) linear in ln q between them.
+/// Within 5e-4; 0 from q_s on.
+class SelfAffineLines {
+public:
+    SelfAffineLines(const synthesis::SelfAffine& model, double lowest, double highest);
+
+    [[nodiscard]] double operator()(double wavevector) const;
+
+private:
+    double end_, first_, spacing_;
+    Array1D log_values_;
+};
+
+}  // namespace setae::spectra

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The survey of docs/diagnostics.md, shortened: what stands there is its 100 surfaces of each kind.
+#include "survey.hpp"
+
+#include <gtest/gtest.h>
+
+namespace setae::reference {
+namespace {
+
+TEST(DiagnosticsSurvey, FindsNoFaultInMapsWithoutAndTheirPlantedSpikes) {
+    const auto survey = survey_maps(12);
+    EXPECT_LE(survey.alarmed, 1);
+    EXPECT_GE(survey.found_share(), 0.95);
+}
+
+TEST(DiagnosticsSurvey, FindsNoFaultInLinesWithoutAndTheirPlantedSpikes) {
+    const auto survey = survey_lines(24);
+    EXPECT_LE(survey.alarmed, 2);
+    EXPECT_GE(survey.found_share(), 0.95);
+}
+
+}  // namespace
+}  // namespace setae::reference
