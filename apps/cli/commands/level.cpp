@@ -10,7 +10,6 @@
 #include "pipeline_option.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/whole_file.hpp"
-#include "setae/processing/step_text.hpp"
 #include "setae/workflow/pipeline_file.hpp"
 #include "verbs.hpp"
 
@@ -49,12 +48,6 @@ const io::Channel& chosen_channel(const Arguments& arguments, const std::string&
     throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
 }
 
-workflow::Json as_json(const processing::StepRecord& record) {
-    workflow::Json json{{"step", record.step}, {"numbers", workflow::Json::array()}, {"alerts", workflow::to_json(record.alerts)}};
-    for (const auto& number : record.numbers) json["numbers"].push_back(workflow::to_json(number));
-    return json;
-}
-
 /// Processes and writes one file; what was done, and that it was printed for a reader.
 workflow::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
     const auto options = arguments.file.read_options();
@@ -63,15 +56,13 @@ workflow::Json level_file(const Arguments& arguments, const processing::Pipeline
     const auto result = processing::apply(pipeline, channel.read(), workflow::measurement_loader(options), arguments.common.workers());
     if (!job.output.empty()) write_heights(job.output, result.measurement);
     show(channel.info.alerts);
-    workflow::Json steps = workflow::Json::array();
     std::string lines = fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
     for (const auto& record : result.records) {
-        steps.push_back(as_json(record));
         lines += as_line(record);
         show(record.alerts);
     }
     if (!arguments.common.json) print(lines);
-    return {{"input", job.input}, {"output", job.output.empty() ? workflow::Json(nullptr) : workflow::Json(job.output)}, {"channel", channel.info.name}, {"steps", steps}};
+    return {{"input", job.input}, {"output", job.output.empty() ? workflow::Json(nullptr) : workflow::Json(job.output)}, {"channel", channel.info.name}, {"steps", workflow::to_json(result.records)}};
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -94,12 +85,7 @@ ExitCode run(const Arguments& arguments) {
         if (!jobs[current].output.empty()) require_own_output(jobs, current);
         files.push_back(level_file(arguments, pipeline, jobs[current]));
     });
-    if (arguments.common.json) {
-        workflow::Json steps = workflow::Json::array();
-        for (const auto& entry : pipeline.entries)
-            if (entry.on) steps.push_back(processing::text(entry.step));
-        print_json({{"pipeline", steps}, {"files", files}});
-    }
+    if (arguments.common.json) print_json({{"pipeline", workflow::step_lines(pipeline)}, {"files", files}});
     return code;
 }
 
