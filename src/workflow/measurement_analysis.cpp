@@ -77,6 +77,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
     describe(result, topography::metadata(measurement), prepared.trend, prepared.alerts);
+    result.processing = prepared.processing;
     result.preview = height_preview(measurement);
     result.real_space = roughness::real_space_parameters(measurement, threads);
     result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);

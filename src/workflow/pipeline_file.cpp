@@ -264,9 +264,22 @@ processing::LoadMeasurement measurement_loader(io::ReadOptions options) {
     };
 }
 
-std::vector<std::string> files_of(const Pipeline& pipeline) {
-    std::vector<std::string> files;
+std::vector<std::string> step_lines(const Pipeline& pipeline) {
+    std::vector<std::string> lines;
     for (const auto& entry : pipeline.entries)
+        if (entry.on) lines.push_back(processing::text(entry.step));
+    return lines;
+}
+
+Pipeline pipeline_of_lines(const std::vector<std::string>& lines) {
+    Pipeline pipeline;
+    for (const auto& line : lines) pipeline.entries.push_back({processing::step_from_text(line)});
+    return pipeline;
+}
+
+std::vector<std::string> files_of_steps(const std::vector<std::string>& lines) {
+    std::vector<std::string> files;
+    for (const auto& entry : pipeline_of_lines(lines).entries)
         for (const auto& parameter : processing::changed_parameters(entry.step))
             if (parameter.name == file_parameter) files.push_back(parameter.value);
     return files;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "foil_alert.hpp"
@@ -9,6 +12,7 @@
 #include "setae/topography/artefact.hpp"
 #include "setae/topography/contour.hpp"
 #include "setae/topography/line_scans.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 #include "setae/workflow/surface_analysis.hpp"
 
 namespace setae::workflow {
@@ -80,11 +84,27 @@ topography::Trend trend_of(const io::Channel& channel, const MeasurementInput& i
 }
 
 std::optional<LargeMap> by_bands(const io::Channel& channel, const MeasurementInput& input) {
+    if (!input.steps.empty()) return {};  // steps look at the whole map
     auto map = io::tiled(channel);
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
     const auto trend = trend_of(channel, input, map->metadata);
     return LargeMap{std::move(*map), trend, channel.info.alerts};
+}
+
+/// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
+bool levels(const processing::Pipeline& pipeline) {
+    return std::any_of(pipeline.entries.begin(), pipeline.entries.end(), [](const processing::Entry& entry) {
+        const auto name = processing::name(entry.step);
+        return entry.on && name.starts_with("level_") && name != "level_mean";
+    });
+}
+
+void process(PreparedMeasurement& prepared, const processing::Pipeline& pipeline, const io::ReadOptions& options) {
+    auto result = processing::apply(pipeline, std::move(prepared.measurement), measurement_loader(options));
+    prepared.measurement = std::move(result.measurement);
+    for (const auto& record : result.records) prepared.alerts.insert(prepared.alerts.end(), record.alerts.begin(), record.alerts.end());
+    prepared.processing = std::move(result.records);
 }
 
 PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& input, const io::ReadOptions& options) {
@@ -97,10 +117,12 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
         if (!scan) throw InvalidArgument(fmt::format("{}: references are subtracted from line scans with equal steps only", input.file));
         prepared.measurement = subtract_references(*scan, input, options);
     }
+    const auto pipeline = pipeline_of_lines(input.steps);
+    process(prepared, pipeline, options);
     make_analysable(prepared);
     add_projection_alert(prepared);
     add_reentrance_alert(prepared);
-    prepared.trend = trend_of(channel, input, topography::metadata(prepared.measurement));
+    prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none) : trend_of(channel, input, topography::metadata(prepared.measurement));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
     topography::validate(prepared.measurement);
     return prepared;

@@ -8,6 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/io/digest.hpp"
 #include "setae/io/source.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 extern const char* const setae_source_digest;  // cmake/source_digest.cmake
 
@@ -24,6 +25,8 @@ std::vector<std::string> named_files(const Study& study) {
         for (const auto& measurement : surface.measurements) {
             add(measurement.file);
             for (const auto& reference : measurement.references) add(reference);
+            if (measurement.pipeline) add(*measurement.pipeline);
+            for (const auto& file : files_of_steps(measurement.steps)) add(file);
         }
     }
     for (const auto& experiment : study.experiments)

@@ -3,6 +3,7 @@
 
 #include "setae/cache/key.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -20,6 +21,8 @@ bool add_content(cache::KeyBuilder& key, const Run& run, const std::vector<std::
 std::vector<std::string> files_of(const MeasurementInput& input) {
     auto files = input.references;
     files.push_back(input.file);
+    const auto named = files_of_steps(input.steps);
+    files.insert(files.end(), named.begin(), named.end());
     return files;
 }
 

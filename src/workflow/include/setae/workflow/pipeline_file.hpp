@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "setae/io/channel.hpp"
 #include "setae/processing/pipeline.hpp"
@@ -35,7 +36,11 @@ void write_pipeline(const std::string& path, const processing::Pipeline& pipelin
 /// The loader throws what reading throws, and InvalidArgument for a channel that is not there.
 [[nodiscard]] processing::LoadMeasurement measurement_loader(io::ReadOptions options = {});
 
-/// Files that the steps of a pipeline name, in order.
-[[nodiscard]] std::vector<std::string> files_of(const processing::Pipeline& pipeline);
+/// The steps of a pipeline that are on, each as one line, and a pipeline of such lines. @throws InvalidArgument as step_from_text() does.
+[[nodiscard]] std::vector<std::string> step_lines(const processing::Pipeline& pipeline);
+[[nodiscard]] processing::Pipeline pipeline_of_lines(const std::vector<std::string>& lines);
+
+/// Files that steps, each as one line, name, in order.
+[[nodiscard]] std::vector<std::string> files_of_steps(const std::vector<std::string>& lines);
 
 }  // namespace setae::workflow
