@@ -58,9 +58,9 @@ char letter_of(ProfileKind kind) { return kind == ProfileKind::primary ? 'P' : k
 
 /// Rows of the material ratio curve.
 void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line, parallel::Threads threads) {
-    const auto curve = functional_parameters(line, options.ratios, Between::linear, threads);
-    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), Between::linear, threads)[0]});
-    rows.add("Rmc(p)", {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), Between::linear, threads)[0] - mean_line});
+    const auto curve = functional_parameters(line, options.ratios, options.between, threads);
+    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), options.between, threads)[0]});
+    rows.add("Rmc(p)", {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] - mean_line});
     rows.add("Rdc", {curve.Sdc});
     rows.add("Rk", {curve.Sk});
     rows.add("Rpk", {curve.Spk});

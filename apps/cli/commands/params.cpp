@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
+#include "parameter_text.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/io/whole_file.hpp"
 #include "surface_options.hpp"
+#include "texture_options.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -16,11 +22,14 @@ constexpr const char* explanation =
     "h'_rms^2    = (2/pi) int q^2 C1D dq, isotropic surfaces                                    exact\n"
     "h''_rms^2   = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian                             exact\n"
     "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                                    [D19] (9)\n"
-    "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n";
+    "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n"
+    "--standard   parameters of ISO 25178-2 or ISO 21920-2: formulas in docs/parameters.md\n";
 
 struct Arguments {
     Common common;
     SurfaceOptions surface;
+    TextureOptions texture;
+    std::string documentation;
 };
 
 /// Spectral parameters by the conversion asked for, and by the other one.
@@ -42,7 +51,46 @@ std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface
     return list;
 }
 
+/// Parameters of a standard, measurement by measurement.
+ExitCode run_standard(const Arguments& arguments) {
+    std::vector<MeasuredTexture> list;
+    std::vector<Alert> alerts;
+    std::size_t failed = 0;
+    for (const auto& input : arguments.surface.surface().measurements) {
+        try {
+            for (const auto& source : workflow::measurement_sources(input)) {
+                const auto prepared = source.prepare();
+                list.push_back({input.file, topography::metadata(prepared.measurement).name, arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
+                alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
+            }
+        } catch (const Error& error) {
+            complain(error.what());
+            ++failed;
+        }
+    }
+    if (list.empty()) return ExitCode::nothing_done;
+    if (arguments.common.json || arguments.texture.format == "json")
+        print_json(parameter_json(list));
+    else
+        print(parameter_text(list, arguments.texture.format));
+    for (const auto& measured : list)
+        for (const auto& row : measured.parameters)
+            for (const auto& alert : row.quantity.alerts)
+                if (std::find(alerts.begin(), alerts.end(), alert) == alerts.end()) alerts.push_back(alert);
+    show(alerts);
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+ExitCode write_page(const std::string& path) {
+    const auto existing = std::filesystem::exists(path) ? io::read_file(path) : std::string();
+    io::write_whole_file(path, parameter_page(existing));
+    print(path + "\n");
+    return ExitCode::done;
+}
+
 ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) return write_page(arguments.documentation);
+    if (arguments.texture.asked()) return run_standard(arguments);
     const auto options = arguments.surface.analysis();
     const auto surface = workflow::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
     const auto code = report_failures(surface);
@@ -75,6 +123,8 @@ void add_params(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("params", "roughness parameters of files, from heights and from their combined spectrum");
     arguments->surface.add_to(*verb);
+    arguments->texture.add_to(*verb);
+    verb->add_option("--documentation", arguments->documentation, "write the page on the standards' parameters to this file");
     on_named(*verb, action, arguments, explanation, run);
 }
 

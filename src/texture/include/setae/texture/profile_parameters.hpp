@@ -38,6 +38,7 @@ struct ProfileOptions {
     MeanLine mean_line = MeanLine::mean;
     Discrimination discrimination;
     MaterialRatios ratios;
+    Between between = Between::linear;
     double material_height = 0.0;  ///< c of Rmr(c), over the mean line [m]
     double material_ratio = 0.5;   ///< p of Rmc(p)
 };

@@ -3,7 +3,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "setae/texture/material_ratio.hpp"
+#include "setae/texture/areal_parameters.hpp"
+#include "setae/texture/distributions.hpp"
+#include "setae/texture/height_parameters.hpp"
+#include "setae/texture/hybrid_parameters.hpp"
+#include "setae/texture/spatial_parameters.hpp"
 
 namespace setae::texture {
 namespace {
@@ -36,7 +40,8 @@ parallel::Threads threads_of(const benchmark::State& state) { return {static_cas
 
 /// The yardstick: every height read once.
 void read_once(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(rough_map().heights.sum());
+    const auto& heights = rough_map().heights;
+    for (auto _ : state) benchmark::DoNotOptimize(heights.sum());
 }
 
 void bearing_area_of_a_rough_map(benchmark::State& state) {
@@ -53,10 +58,40 @@ void median_and_deviation(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(mad_height(rough_map(), share_within_one_sigma, Between::linear, threads_of(state)));
 }
 
+void heights(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(height_parameters(rough_map(), threads_of(state)));
+}
+
+void slopes_and_area(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(hybrid_parameters(rough_map(), threads_of(state)));
+}
+
+void core_and_volumes(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(functional_parameters(rough_map(), {}, Between::linear, threads_of(state)));
+}
+
+void autocorrelation_and_direction(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(spatial_parameters(rough_map(), {}, threads_of(state)));
+}
+
+void all_areal_parameters(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(areal_parameters(rough_map(), {}, threads_of(state)));
+}
+
+void distribution_of_heights(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(distribution(rough_map(), Counted::height));
+}
+
 BENCHMARK(read_once)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bearing_area_of_a_rough_map)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bearing_area_of_white_noise)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(median_and_deviation)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(heights)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(slopes_and_area)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(core_and_volumes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(autocorrelation_and_direction)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(all_areal_parameters)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(distribution_of_heights)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace setae::texture

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/texture/texture_parameter.hpp"
+#include "setae/workflow/json.hpp"
+
+namespace setae::cli {
+
+/// Parameters of one measurement.
+struct MeasuredTexture {
+    std::string file;
+    std::string measurement;
+    std::vector<texture::TextureParameter> parameters;
+};
+
+/// "md", "tsv", "latex" or "text". TSV holds SI numbers, the others numbers with prefixes for readers.
+[[nodiscard]] std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format);
+
+[[nodiscard]] workflow::Json parameter_json(const std::vector<MeasuredTexture>& list);
+
+/// The page docs/parameters.md from the table of parameters, up to its marker.
+[[nodiscard]] std::string parameter_page();
+
+/// The page with what stands behind its marker in `existing`.
+[[nodiscard]] std::string parameter_page(const std::string& existing);
+
+}  // namespace setae::cli

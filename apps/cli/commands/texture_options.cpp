@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "texture_options.hpp"
+
+#include <cmath>
+
+#include "setae/core/errors.hpp"
+#include "setae/topography/line_scans.hpp"
+
+namespace setae::cli {
+
+using texture::ProfileKind;
+using texture::TextureParameter;
+
+void TextureOptions::add_to(CLI::App& verb) {
+    verb.add_option("--standard", standard, "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
+        ->check(CLI::IsMember({"iso25178", "iso21920"}));
+    verb.add_option("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um");
+    verb.add_option("--l-filter", l_filter, "nesting index of the Gaussian L-filter (λc), such as 0.8mm");
+    verb.add_option("--section-length", section_length, "iso21920: length of a section; default the L-filter's nesting index, else all");
+    verb.add_option("--profile", kind, "iso21920: primary, waviness or roughness (default)")->check(CLI::IsMember({"primary", "waviness", "roughness"}));
+    verb.add_option("--averages", averages, "iso21920: over the evaluation length (2021, default) or over sections (ISO 4287:1997)")
+        ->check(CLI::IsMember({"evaluation_length", "sections"}));
+    verb.add_option("--mean-line", mean_line, "iso21920: heights from their mean (default) or from zero, for profiles an instrument filtered")
+        ->check(CLI::IsMember({"mean", "zero"}));
+    verb.add_option("--between", between, "material ratio of triangles between points (linear, default) or of points (nothing)")->check(CLI::IsMember({"linear", "nothing"}));
+    verb.add_option("--material-height", material_height, "c of Smr(c), Rmr(c) over the mean, such as 0.2um; default 0");
+    verb.add_option("--material-ratio", material_ratio, "p of Smc(p), Rmc(p), 0 … 1; default 0.5, the median")->check(CLI::Range(0.0, 1.0));
+    verb.add_option("--format", format, "how a standard's parameters are written: text (default), md, tsv, latex, json")
+        ->check(CLI::IsMember({"text", "md", "tsv", "latex", "json"}));
+}
+
+bool TextureOptions::asked() const {
+    if (!standard.empty()) return true;
+    for (const auto& option : {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height})
+        if (!option.empty() || material_ratio)
+            throw InvalidArgument("--s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, --material-height and "
+                                  "--material-ratio are of a standard's parameters; "
+                                  "give --standard iso25178 or --standard iso21920");
+    return false;
+}
+
+texture::Filters TextureOptions::filters() const {
+    texture::Filters filters;
+    if (!s_filter.empty()) filters.s_filter = parse_quantity(s_filter, dimension::length);
+    if (!l_filter.empty()) filters.l_filter = parse_quantity(l_filter, dimension::length);
+    return filters;
+}
+
+texture::ProfileOptions TextureOptions::profile() const {
+    texture::ProfileOptions options;
+    options.filters = filters();
+    options.kind = kind == "primary" ? ProfileKind::primary : kind == "waviness" ? ProfileKind::waviness : ProfileKind::roughness;
+    if (!section_length.empty()) options.section_length = parse_quantity(section_length, dimension::length);
+    if (averages == "sections") options.averages = texture::Averages::sections;
+    if (mean_line == "zero") options.mean_line = texture::MeanLine::zero;
+    if (!material_height.empty()) options.material_height = parse_quantity(material_height, dimension::length);
+    options.material_ratio = material_ratio.value_or(0.5);
+    options.between = between == "nothing" ? texture::Between::nothing : texture::Between::linear;
+    return options;
+}
+
+namespace {
+
+/// Rows of many lines as one: means over the lines where each has a value, and the standard error of these means.
+std::vector<TextureParameter> mean_over_lines(const std::vector<std::vector<TextureParameter>>& lines) {
+    auto rows = lines.front();
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        auto& quantity = rows[r].quantity;
+        std::vector<double> values;
+        quantity.n = 0;
+        for (const auto& line : lines) {
+            *quantity.n += line[r].quantity.n.value_or(0);
+            if (std::isnan(line[r].quantity.estimate.value)) continue;
+            if (values.empty()) quantity.alerts = line[r].quantity.alerts;
+            values.push_back(line[r].quantity.estimate.value);
+        }
+        if (values.empty()) continue;
+        const auto count = static_cast<double>(values.size());
+        const Eigen::Map<const Array1D> all(values.data(), static_cast<Index>(values.size()));
+        quantity.estimate = {.value = all.mean()};
+        if (values.size() < 2) continue;
+        quantity.estimate.standard_error = std::sqrt((all - all.mean()).square().sum() / (count * (count - 1.0)));
+        quantity.estimate.method = "scan lines";
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Measurement& measurement, parallel::Threads threads) const {
+    const auto of_lines = profile();
+    if (standard == "iso25178") return texture::areal_parameters(measurement, {.filters = of_lines.filters,
+                                                      .between = of_lines.between,
+                                                      .material_height = of_lines.material_height,
+                                                      .material_ratio = of_lines.material_ratio}, threads);
+    const auto* map = std::get_if<topography::HeightMap>(&measurement);
+    if (!map) return texture::profile_parameters(measurement, of_lines, threads);
+    std::vector<std::vector<TextureParameter>> lines;
+    for (const auto& line : topography::line_scans(*map))
+        if ((line.heights == line.heights).count() > 1) lines.push_back(texture::profile_parameters(line, of_lines, threads));
+    if (lines.empty()) throw UndefinedDataError(topography::label(map->metadata) + ": no scan line has two defined heights");
+    return mean_over_lines(lines);
+}
+
+}  // namespace setae::cli
