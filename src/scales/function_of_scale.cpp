@@ -116,6 +116,8 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
         if (function.quantity != functions[0].quantity || function.unit != functions[0].unit)
             throw InvalidArgument(fmt::format("{} [{}] cannot be combined with {} [{}]; combine one quantity at a time", function.quantity, function.unit,
                                               functions[0].quantity, functions[0].unit));
+        if (options.weighting == Weighting::by_count && function.count_unit != functions[0].count_unit)
+            throw InvalidArgument("a length of a polyline is no number of pairs; weigh lines and polylines equally or per instrument");
         instruments.push_back(instrument_of(function.metadata));
         for (const auto& [bin, share] : shares_of(within_limit(function), options.grid, static_cast<Index>(i))) bins[bin].push_back(share);
     }

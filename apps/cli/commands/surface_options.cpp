@@ -8,13 +8,17 @@
 
 namespace setae::cli {
 
-void SurfaceOptions::add_to(CLI::App& verb) {
+void SurfaceOptions::add_measurements_to(CLI::App& verb) {
     verb.add_option("files", files, "measurements of one surface: files or containers");
     file.add_to(verb);
     verb.add_option("--instrument", instrument, "stylus, afm, tem or optical")->check(CLI::IsMember({"stylus", "afm", "tem", "optical"}));
     verb.add_option("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
     verb.add_option("--resolution", resolution, "shortest wavelength the instrument shows");
     verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default by instrument");
+}
+
+void SurfaceOptions::add_to(CLI::App& verb) {
+    add_measurements_to(verb);
     verb.add_option("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
     verb.add_option("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
     verb.add_option("--window", window, "automatic, none, hann, blackman_harris");

@@ -187,6 +187,16 @@ TEST(AutocorrelationArea, DoesNotDependOnTheSignOfADiagonal) {
     EXPECT_NEAR(vectors.value(1, vectors.y_lags + 1), 0.5 * (1.0 - std::cos(0.4 * pi)), 0.01);
 }
 
+TEST(AutocorrelationArea, OfADiagonalGratingIsTheAngularMean) {
+    HeightMap map{Array2D(16, 16), {16.0, 16.0}, true, {}};
+    for (Index i = 0; i < 16; ++i)
+        for (Index j = 0; j < 16; ++j) map.heights(i, j) = std::cos(pi / 8.0 * static_cast<double>(i + j));
+    const auto result = autocorrelation_of_area(map);
+    ASSERT_NEAR(result.distance[1], std::sqrt(2.0), 1e-14);  // the four diagonal neighbours: 0.1464 along, 0 across the waves
+    EXPECT_EQ(result.count[1], 4.0);
+    EXPECT_NEAR(result.value[1], 0.25 * (1.0 - std::cos(0.25 * pi)), 1e-14);
+}
+
 TEST(AutocorrelationArea, OfAMirroredOrTurnedMapIsTheSame) {
     const Array2D heights = random_map(30, 30);
     const auto as_is = autocorrelation_of_area({heights, {3.0, 3.0}, false, {}});

@@ -146,6 +146,12 @@ TEST(Combination, ScalesWithTheUnit) {
     EXPECT_LT((micrometres.distance / metres.distance * 1e6 - 1.0).abs().maxCoeff(), 1e-12);
 }
 
+TEST(Combination, DoesNotWeighLengthsAgainstPairs) {
+    const std::vector mixed{autocorrelation(line(1, 300, 1.0)), autocorrelation(random_profile(100))};
+    EXPECT_NO_THROW((void)combine(mixed));
+    EXPECT_THROW((void)combine(mixed, {.weighting = Weighting::by_count}), InvalidArgument);
+}
+
 TEST(Weighting, HasNames) {
     EXPECT_EQ(weighting_from_name("per_instrument"), Weighting::per_instrument);
     EXPECT_THROW((void)weighting_from_name("none"), InvalidArgument);
