@@ -86,6 +86,7 @@ scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, co
 struct Found {
     std::vector<scales::FunctionOfScale> functions;
     std::vector<Alert> alerts;
+    std::vector<std::vector<Index>> contributors;  ///< of each combined bin, measurements by number
     bool some_failed = false;
 };
 
@@ -127,6 +128,7 @@ Table table_of(Found& found, const ScaleArguments& arguments) {
         return table;
     }
     table.metadata["weighting"] = arguments.weighting;
+    found.contributors = combined.contributors;
     table.columns = {{"distance", "m", combined.distance}, {combined.quantity, combined.unit, combined.value}, {"standard_error", combined.unit, combined.standard_error},
                      {"count", "1", combined.count},       {"instrument_count", "1", combined.instrument_count}};
     return table;
@@ -142,6 +144,7 @@ workflow::Json as_json(const Table& table, const Found& found) {
     json["measurements"] = workflow::Json::array();
     for (const auto& function : found.functions)
         json["measurements"].push_back({{"file", function.metadata.file}, {"name", function.metadata.name}, {"reliable_from", workflow::number(function.reliable_from)}});
+    if (!found.contributors.empty()) json["contributors"] = found.contributors;
     json["alerts"] = workflow::to_json(found.alerts);
     return json;
 }

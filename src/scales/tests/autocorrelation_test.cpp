@@ -120,6 +120,8 @@ TEST(Autocorrelation, OfAConstantIsZero) {
 TEST(Autocorrelation, OfNothingDefinedIsAnError) {
     EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Constant(5, undefined), 1.0, false, {}}), UndefinedDataError);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Constant(5, 5, undefined), {1.0, 1.0}, false, {}}), UndefinedDataError);
+    EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Zero(1), 1.0, false, {}}), InvalidArgument);
+    EXPECT_THROW((void)autocorrelation_of_lines({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
 }
 

@@ -124,6 +124,18 @@ TEST(Combination, WithoutReliableDataIsAnError) {
     EXPECT_THROW((void)combine(std::vector{autocorrelation(line(1)), variable_bandwidth(line(1))}), InvalidArgument);
 }
 
+TEST(Combination, WithoutReliableDataIsAnErrorForMapsAndPolylinesToo) {
+    topography::HeightMap map{random_map(20, 20), {1.0, 1.0}, false, {}};
+    auto profile = random_profile(30);
+    map.metadata.instrument.resolution = 10.0;
+    profile.metadata.instrument.resolution = 1e3;
+    for (const auto& function : {autocorrelation_of_lines(map), autocorrelation_of_area(map), autocorrelation(profile), variable_bandwidth_of_area(map),
+                                 variable_bandwidth(profile), function_of(difference_statistics(map), Statistic::rms), function_of(difference_statistics(profile), Statistic::rms)}) {
+        EXPECT_EQ(within_limit(function).distance.size(), 0) << function.quantity;
+        EXPECT_THROW((void)combine(std::vector{function}), InvalidArgument) << function.quantity;
+    }
+}
+
 TEST(Combination, NamesTheGapBetweenMembers) {
     const std::vector members{autocorrelation(line(1, 100, 1e-3)), autocorrelation(line(2, 100, 1.0))};
     const auto combined = combine(members);
