@@ -141,6 +141,9 @@ TEST(Combination, NamesTheGapBetweenMembers) {
     const auto combined = combine(members);
     ASSERT_EQ(combined.alerts.size(), 1u);
     EXPECT_EQ(combined.alerts[0].code, "COVERAGE_GAP");
+    // distances that were not asked for are no gap
+    const auto asked = difference_statistics(line(1), {.distances = log_spaced(3, 0.01, 1.0)});
+    EXPECT_TRUE(combine(std::vector{function_of(asked, Statistic::rms)}).alerts.empty());
 }
 
 TEST(Combination, TwiceBinnedIsOnceBinned) {

@@ -68,7 +68,7 @@ struct CombinedFunction {
     Array1D count;             ///< measurements in the bin
     Array1D instrument_count;  ///< different instruments in the bin
     std::vector<std::vector<Index>> contributors;  ///< of each bin, the measurements in it
-    std::vector<Alert> alerts; ///< COVERAGE_GAP
+    std::vector<Alert> alerts; ///< COVERAGE_GAP: distances between measurements that none spans
 };
 
 /// Mean over measurements of each bin, of the distances each can be trusted at.
