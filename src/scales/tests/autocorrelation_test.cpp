@@ -125,6 +125,13 @@ TEST(Autocorrelation, OfNothingDefinedIsAnError) {
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
 }
 
+TEST(Autocorrelation, OfAnInfiniteHeightIsAnError) {
+    HeightMap map{random_map(8, 8), {1.0, 1.0}, false, {}};
+    map.heights(3, 3) = std::numeric_limits<double>::infinity();
+    EXPECT_THROW((void)autocorrelation_of_lines(map), InvalidArgument);
+    EXPECT_THROW((void)autocorrelation_of_area(map), InvalidArgument);
+}
+
 TEST(AutocorrelationMap, AgreesWithDoubleLoopsInTheWholeHalfPlane) {
     for (const bool periodic : {false, true})
         for (const bool holes : {false, true})
