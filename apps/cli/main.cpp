@@ -39,6 +39,9 @@ int main(int argc, char** argv) {
     add_container(program, action);
     add_contour(program, action);
     add_psd(program, action);
+    add_sdrp(program, action);
+    add_acf(program, action);
+    add_vbw(program, action);
     add_params(program, action);
     add_adhesion(program, action);
     add_jkr(program, action);

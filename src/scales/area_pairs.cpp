@@ -48,6 +48,7 @@ public:
         });
         whole_ = counts.sum() == static_cast<double>(heights_.size());
         mean_ = sums.sum() / counts.sum();
+        if (!std::isfinite(mean_)) throw InvalidArgument(fmt::format("{}: an infinite height; mark it as undefined", topography::label(map.metadata)));
     }
 
     [[nodiscard]] Index rows() const { return heights_.rows(); }

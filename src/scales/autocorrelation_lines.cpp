@@ -30,10 +30,16 @@ FunctionOfScale result_of(const LinePairs& lines, double step, const topography:
     return result;
 }
 
+/// Pairs of lines of so many points.
+LinePairs pairs_of(Index points, bool periodic, const topography::Metadata& metadata) {
+    if (points < 2) throw InvalidArgument(fmt::format("{}: {} points along x have no pair; expected at least 2", topography::label(metadata), points));
+    return {points, periodic};
+}
+
 }  // namespace
 
 FunctionOfScale autocorrelation(const topography::LineScan& scan, const AutocorrelationOptions& options) {
-    LinePairs lines(scan.heights.size(), scan.periodic);
+    auto lines = pairs_of(scan.heights.size(), scan.periodic, scan.metadata);
     lines.add(Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), options.threads);
     auto result = result_of(lines, scan.pixel_size(), scan.metadata);
     result.reliable_from = 0.5 * shortest_reliable_wavelength(scan, options.reliability, options.threads);
@@ -41,7 +47,7 @@ FunctionOfScale autocorrelation(const topography::LineScan& scan, const Autocorr
 }
 
 FunctionOfScale autocorrelation_of_lines(const topography::HeightMap& map, const AutocorrelationOptions& options) {
-    LinePairs lines(map.heights.rows(), map.periodic);
+    auto lines = pairs_of(map.heights.rows(), map.periodic, map.metadata);
     lines.add(map.heights, options.threads);
     auto result = result_of(lines, map.pixel_size()[0], map.metadata);
     result.reliable_from = 0.5 * shortest_reliable_wavelength(map, options.reliability, options.threads);
@@ -49,7 +55,7 @@ FunctionOfScale autocorrelation_of_lines(const topography::HeightMap& map, const
 }
 
 FunctionOfScale autocorrelation_of_lines(const topography::TiledMap& map, std::size_t band_bytes, const AutocorrelationOptions& options) {
-    LinePairs lines(map.nx, map.periodic);
+    auto lines = pairs_of(map.nx, map.periodic, map.metadata);
     const Index band = topography::lines_in(map, band_bytes);
     for (Index first = 0; first < map.ny; first += band) lines.add(map.lines(first, std::min(band, map.ny - first)), options.threads);
     auto result = result_of(lines, map.pixel_size()[0], map.metadata);

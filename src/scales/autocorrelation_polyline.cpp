@@ -17,6 +17,7 @@ FunctionOfScale autocorrelation(const topography::Profile& profile, const std::o
     const Array1D wanted = distances ? *distances : distances_on_grid(10, step, length);
     auto result = empty_autocorrelation(wanted.size(), profile.metadata);
     result.distance = wanted;
+    result.count_unit = "m";
     for (Index k = 0; k < wanted.size(); ++k) {
         if (!(wanted[k] > 0.0 && wanted[k] < length))
             throw InvalidArgument(fmt::format("{}: distance {} m in an autocorrelation; expected more than 0 and less than the length {} m",

@@ -75,6 +75,7 @@ FunctionOfScale function_of(const DifferenceStatistics& of, Statistic statistic)
     FunctionOfScale result;
     result.distance = of.distance;
     result.count = of.count;
+    result.count_unit = of.count_unit;
     result.standard_error = Array1D::Constant(of.distance.size(), undefined);
     result.reliable_from = of.reliable_from;
     result.metadata = of.metadata;

@@ -54,13 +54,18 @@ double weight_of(const Share& share, const std::vector<Share>& bin, const std::v
     return 1.0 / static_cast<double>(same);
 }
 
-/// Bins between the first and the last that no measurement speaks of.
-std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, const spectra::LogGrid& grid, const std::string& quantity) {
+/// Stretches between filled bins that no measurement spans.
+std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const FunctionOfScale> cut, const spectra::LogGrid& grid) {
     std::vector<Alert> alerts;
-    for (std::size_t b = 1; b < bins.size(); ++b)
-        if (bins[b] - bins[b - 1] > grid.bins_per_decade / 2)
-            alerts.push_back({"COVERAGE_GAP", quantity, fmt::format("no measurement between {:.4g} m and {:.4g} m", grid.edge(bins[b - 1] + 1), grid.edge(bins[b])),
+    for (std::size_t b = 1; b < bins.size(); ++b) {
+        const double from = grid.edge(bins[b - 1] + 1), to = grid.edge(bins[b]);
+        const bool spanned = std::any_of(cut.begin(), cut.end(), [&](const auto& function) {
+            return function.distance.size() > 0 && function.distance.minCoeff() < from && function.distance.maxCoeff() >= to * (1.0 - 1e-9);
+        });
+        if (bins[b] - bins[b - 1] > 1 && !spanned)
+            alerts.push_back({"COVERAGE_GAP", cut[0].quantity, fmt::format("no measurement between {:.4g} m and {:.4g} m", from, to),
                               "measure these distances or read both sides by themselves"});
+    }
     return alerts;
 }
 
@@ -110,14 +115,18 @@ double shortest_reliable_wavelength(const topography::Measurement& measurement, 
 CombinedFunction combine(std::span<const FunctionOfScale> functions, const CombinationOptions& options) {
     if (functions.empty()) throw InvalidArgument("no function of scale to combine; expected at least one measurement");
     std::vector<std::string> instruments;
+    std::vector<FunctionOfScale> cut;
     std::map<Index, std::vector<Share>> bins;
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const auto& function = functions[i];
         if (function.quantity != functions[0].quantity || function.unit != functions[0].unit)
             throw InvalidArgument(fmt::format("{} [{}] cannot be combined with {} [{}]; combine one quantity at a time", function.quantity, function.unit,
                                               functions[0].quantity, functions[0].unit));
+        if (options.weighting == Weighting::by_count && function.count_unit != functions[0].count_unit)
+            throw InvalidArgument("a length of a polyline is no number of pairs; weigh lines and polylines equally or per instrument");
         instruments.push_back(instrument_of(function.metadata));
-        for (const auto& [bin, share] : shares_of(within_limit(function), options.grid, static_cast<Index>(i))) bins[bin].push_back(share);
+        cut.push_back(within_limit(function));
+        for (const auto& [bin, share] : shares_of(cut.back(), options.grid, static_cast<Index>(i))) bins[bin].push_back(share);
     }
     if (bins.empty())
         throw InvalidArgument(fmt::format("no reliable {} in {} measurements: every distance is shorter than what tip, resolution and sampling let through",
@@ -155,7 +164,7 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
         numbers.push_back(bin);
         ++k;
     }
-    result.alerts = coverage_gaps(numbers, options.grid, result.quantity);
+    result.alerts = coverage_gaps(numbers, cut, options.grid);
     return result;
 }
 

@@ -29,7 +29,7 @@ struct PieceMoments {
 /// The breakpoints of all shifted copies are merged: O(points · shifts). Length 0 where the stencil is longer than the polyline.
 [[nodiscard]] PieceMoments difference_moments(const topography::Profile& profile, std::span<const Shift> shifts);
 
-/// 10^(b/n) m from the mean step up to below `longest` [m].
+/// The 10^(b/n) m from `shortest` to below `longest` [m].
 [[nodiscard]] Array1D distances_on_grid(int per_decade, double shortest, double longest);
 
 }  // namespace setae::scales

@@ -26,6 +26,7 @@ DifferenceStatistics difference_statistics(const topography::Profile& profile, c
         moments.push_back({distance, pieces.length, pieces.origin, {pieces.moments[0], pieces.moments[1], pieces.moments[2], pieces.moments[3]}, pieces.minimum, pieces.maximum});
     }
     auto result = statistics_of(moments, options, profile.metadata);
+    result.count_unit = "m";
     result.reliable_from = 0.5 * options.order * shortest_reliable_wavelength(profile, options.reliability, options.threads);
     return result;
 }

@@ -237,7 +237,9 @@ FunctionOfScale variable_bandwidth(const topography::Profile& profile, const Var
     LevelSums sums(levels);
     Pieces pieces(profile);
     visit(pieces, profile.size(), levels, 0, 0, sums);
-    return result_of(sums, profile.size(), shortest_reliable_wavelength(profile, options.reliability, options.threads), profile.metadata);
+    auto result = result_of(sums, profile.size(), shortest_reliable_wavelength(profile, options.reliability, options.threads), profile.metadata);
+    result.count_unit = "m";
+    return result;
 }
 
 FunctionOfScale variable_bandwidth_along_lines(const topography::Measurement& measurement, const VariableBandwidthOptions& options) {

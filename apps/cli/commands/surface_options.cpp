@@ -9,7 +9,7 @@
 
 namespace setae::cli {
 
-void SurfaceOptions::add_to(CLI::App& verb) {
+void SurfaceOptions::add_measurements_to(CLI::App& verb) {
     verb.add_option("files", files, "measurements of one surface: files or containers");
     file.add_to(verb);
     processing.add_to(verb);
@@ -17,12 +17,16 @@ void SurfaceOptions::add_to(CLI::App& verb) {
     verb.add_option("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
     verb.add_option("--resolution", resolution, "shortest wavelength the instrument shows");
     verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
+    verb.add_option("--memory", memory, "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")->check(CLI::PositiveNumber);
+}
+
+void SurfaceOptions::add_to(CLI::App& verb) {
+    add_measurements_to(verb);
     verb.add_option("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
     verb.add_option("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
     verb.add_option("--window", window, "automatic, none, hann, blackman_harris");
     verb.add_option("--contours", contours, "sinc_corrected or segments")->check(CLI::IsMember({"sinc_corrected", "segments"}));
     verb.add_option("--conversion", conversion, "exact or eq11")->check(CLI::IsMember({"exact", "eq11"}));
-    verb.add_option("--memory", memory, "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")->check(CLI::PositiveNumber);
     verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")->check(CLI::Range(0, 1000000));
 }
 

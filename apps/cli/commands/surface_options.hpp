@@ -17,6 +17,8 @@ struct SurfaceOptions {
     int resamples = 200;
 
     void add_to(CLI::App& verb);
+    /// Only what says which measurements there are and how each is prepared.
+    void add_measurements_to(CLI::App& verb);
     /// @throws InvalidArgument for a malformed option.
     [[nodiscard]] workflow::SurfaceInput surface() const;
     [[nodiscard]] workflow::AnalysisOptions analysis() const;

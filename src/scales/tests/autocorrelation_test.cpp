@@ -120,7 +120,16 @@ TEST(Autocorrelation, OfAConstantIsZero) {
 TEST(Autocorrelation, OfNothingDefinedIsAnError) {
     EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Constant(5, undefined), 1.0, false, {}}), UndefinedDataError);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Constant(5, 5, undefined), {1.0, 1.0}, false, {}}), UndefinedDataError);
+    EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Zero(1), 1.0, false, {}}), InvalidArgument);
+    EXPECT_THROW((void)autocorrelation_of_lines({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
+}
+
+TEST(Autocorrelation, OfAnInfiniteHeightIsAnError) {
+    HeightMap map{random_map(8, 8), {1.0, 1.0}, false, {}};
+    map.heights(3, 3) = std::numeric_limits<double>::infinity();
+    EXPECT_THROW((void)autocorrelation_of_lines(map), InvalidArgument);
+    EXPECT_THROW((void)autocorrelation_of_area(map), InvalidArgument);
 }
 
 TEST(AutocorrelationMap, AgreesWithDoubleLoopsInTheWholeHalfPlane) {
@@ -185,6 +194,16 @@ TEST(AutocorrelationArea, DoesNotDependOnTheSignOfADiagonal) {
     const auto vectors = autocorrelation_map(diagonal_grating(1.0));
     EXPECT_NEAR(vectors.value(1, vectors.y_lags - 1), 0.0, 1e-13);
     EXPECT_NEAR(vectors.value(1, vectors.y_lags + 1), 0.5 * (1.0 - std::cos(0.4 * pi)), 0.01);
+}
+
+TEST(AutocorrelationArea, OfADiagonalGratingIsTheAngularMean) {
+    HeightMap map{Array2D(16, 16), {16.0, 16.0}, true, {}};
+    for (Index i = 0; i < 16; ++i)
+        for (Index j = 0; j < 16; ++j) map.heights(i, j) = std::cos(pi / 8.0 * static_cast<double>(i + j));
+    const auto result = autocorrelation_of_area(map);
+    ASSERT_NEAR(result.distance[1], std::sqrt(2.0), 1e-14);  // the four diagonal neighbours: 0.1464 along, 0 across the waves
+    EXPECT_EQ(result.count[1], 4.0);
+    EXPECT_NEAR(result.value[1], 0.25 * (1.0 - std::cos(0.25 * pi)), 1e-14);
 }
 
 TEST(AutocorrelationArea, OfAMirroredOrTurnedMapIsTheSame) {

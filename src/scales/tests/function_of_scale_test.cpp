@@ -124,11 +124,26 @@ TEST(Combination, WithoutReliableDataIsAnError) {
     EXPECT_THROW((void)combine(std::vector{autocorrelation(line(1)), variable_bandwidth(line(1))}), InvalidArgument);
 }
 
+TEST(Combination, WithoutReliableDataIsAnErrorForMapsAndPolylinesToo) {
+    topography::HeightMap map{random_map(20, 20), {1.0, 1.0}, false, {}};
+    auto profile = random_profile(30);
+    map.metadata.instrument.resolution = 10.0;
+    profile.metadata.instrument.resolution = 1e3;
+    for (const auto& function : {autocorrelation_of_lines(map), autocorrelation_of_area(map), autocorrelation(profile), variable_bandwidth_of_area(map),
+                                 variable_bandwidth(profile), function_of(difference_statistics(map), Statistic::rms), function_of(difference_statistics(profile), Statistic::rms)}) {
+        EXPECT_EQ(within_limit(function).distance.size(), 0) << function.quantity;
+        EXPECT_THROW((void)combine(std::vector{function}), InvalidArgument) << function.quantity;
+    }
+}
+
 TEST(Combination, NamesTheGapBetweenMembers) {
     const std::vector members{autocorrelation(line(1, 100, 1e-3)), autocorrelation(line(2, 100, 1.0))};
     const auto combined = combine(members);
     ASSERT_EQ(combined.alerts.size(), 1u);
     EXPECT_EQ(combined.alerts[0].code, "COVERAGE_GAP");
+    // distances that were not asked for are no gap
+    const auto asked = difference_statistics(line(1), {.distances = log_spaced(3, 0.01, 1.0)});
+    EXPECT_TRUE(combine(std::vector{function_of(asked, Statistic::rms)}).alerts.empty());
 }
 
 TEST(Combination, TwiceBinnedIsOnceBinned) {
@@ -144,6 +159,12 @@ TEST(Combination, ScalesWithTheUnit) {
     const auto metres = combine(std::vector{autocorrelation(scan)}), micrometres = combine(std::vector{autocorrelation(small)});
     EXPECT_LT((micrometres.value / metres.value * 1e12 - 1.0).abs().maxCoeff(), 1e-12);
     EXPECT_LT((micrometres.distance / metres.distance * 1e6 - 1.0).abs().maxCoeff(), 1e-12);
+}
+
+TEST(Combination, DoesNotWeighLengthsAgainstPairs) {
+    const std::vector mixed{autocorrelation(line(1, 300, 1.0)), autocorrelation(random_profile(100))};
+    EXPECT_NO_THROW((void)combine(mixed));
+    EXPECT_THROW((void)combine(mixed, {.weighting = Weighting::by_count}), InvalidArgument);
 }
 
 TEST(Weighting, HasNames) {

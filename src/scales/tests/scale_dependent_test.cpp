@@ -339,6 +339,15 @@ TEST(Differences, RefuseWhatHasNoMeaning) {
     EXPECT_THROW((void)difference_statistics(reentrant), InvalidArgument);
 }
 
+TEST(Differences, OfATransposedMapChangePlaces) {
+    const HeightMap map = with_holes({random_map(30, 21), {3.0, 4.2}, false, {}}), turned{map.heights.transpose(), {4.2, 3.0}, false, {}};
+    for (const auto& [here, there] : {std::pair{Along::x, Along::y}, {Along::y, Along::x}, {Along::both, Along::both}}) {
+        const auto a = difference_statistics(map, {.along = here, .distances = list({0.6})}), b = difference_statistics(turned, {.along = there, .distances = list({0.6})});
+        EXPECT_NEAR(a.rms[0], b.rms[0], 1e-12);
+        EXPECT_EQ(a.count[0], b.count[0]);
+    }
+}
+
 TEST(Differences, OfConstantHeightsAreZeroWithoutAShape) {
     const auto found = difference_statistics(LineScan{Array1D::Constant(20, 4.0), 2.0, false, {}}, {.distances = list({0.5})});
     EXPECT_EQ(found.rms[0], 0.0);

@@ -180,6 +180,13 @@ TEST(VariableBandwidth, RefusesDataWithoutACell) {
     EXPECT_THROW((void)variable_bandwidth(reentrant), InvalidArgument);
 }
 
+TEST(VariableBandwidth, OfATransposedMapIsTheSame) {
+    const Array2D heights = random_map(48, 20);
+    const auto as_is = variable_bandwidth_of_area({heights, {4.8, 2.0}, false, {}});
+    const auto turned = variable_bandwidth_of_area({heights.transpose(), {2.0, 4.8}, false, {}});
+    EXPECT_LT((as_is.value / turned.value - 1.0).abs().maxCoeff(), 1e-12);
+}
+
 TEST(VariableBandwidth, IsTheSameToTheByteForAnyNumberOfThreads) {
     const HeightMap map = with_holes({random_map(70, 90), {1.0, 1.0}, false, {}});
     EXPECT_TRUE((variable_bandwidth_of_area(map, {.threads = {1}}).value == variable_bandwidth_of_area(map, {.threads = {3}}).value).all());

@@ -20,7 +20,7 @@ struct AutocorrelationOptions {
 };
 
 /// Of a line scan. O(n log n), masked or not.
-/// @throws UndefinedDataError where no height is defined.
+/// @throws UndefinedDataError where no height is defined, InvalidArgument for fewer than two points along x (all of lines).
 [[nodiscard]] FunctionOfScale autocorrelation(const topography::LineScan& scan, const AutocorrelationOptions& options = {});
 
 /// Of a map along its scan lines: the mean over pairs of all lines. One transform a line, one inverse transform for all.

@@ -19,7 +19,8 @@ struct FunctionOfScale {
     Array1D distance;        ///< increasing, > 0 [m]
     Array1D value;           ///< [unit]
     Array1D standard_error;  ///< between measurements [unit]; NaN for one measurement
-    Array1D count;           ///< what each value rests on: pairs of points, residuals, differences, vectors; of polylines a length [m]
+    Array1D count;           ///< what each value rests on: pairs of points, residuals, differences, vectors; of polylines a length
+    std::string count_unit = "1";  ///< "m" for the length of a polyline
     double reliable_from = 0.0;  ///< shorter distances show sampling, tip or resolution [m]
     std::vector<Alert> alerts;
     topography::Metadata metadata;
@@ -49,7 +50,7 @@ struct FunctionOfScale {
 enum class Weighting {
     equal,           ///< arithmetic mean over measurements
     per_instrument,  ///< arithmetic mean over instruments of their measurements' means
-    by_count,        ///< by `count`: the number of pairs, residuals or differences. Do not mix lines with polylines
+    by_count,        ///< by `count`: the number of pairs, residuals or differences; lines and polylines cannot be weighed against each other so
 };
 
 struct CombinationOptions {
@@ -67,7 +68,7 @@ struct CombinedFunction {
     Array1D count;             ///< measurements in the bin
     Array1D instrument_count;  ///< different instruments in the bin
     std::vector<std::vector<Index>> contributors;  ///< of each bin, the measurements in it
-    std::vector<Alert> alerts; ///< COVERAGE_GAP
+    std::vector<Alert> alerts; ///< COVERAGE_GAP: distances between measurements that none spans
 };
 
 /// Mean over measurements of each bin, of the distances each can be trusted at.
@@ -75,7 +76,8 @@ struct CombinedFunction {
 ///   v = Σ w_i v_i/Σ w_i;   SE² = n/(n−1) Σ w_i² (v_i − v)²/(Σ w_i)²
 ///
 /// Values that are not finite are passed over. Neither order nor other measurements move a bin's edges.
-/// @throws InvalidArgument for none, for different quantities, or where no distance of any is reliable.
+/// @throws InvalidArgument for none, for different quantities, for counts of different units as weights, or where no distance of any is
+/// reliable.
 [[nodiscard]] CombinedFunction combine(std::span<const FunctionOfScale> functions, const CombinationOptions& options = {});
 
 /// "equal", "per_instrument", "by_count". @throws InvalidArgument that lists them.

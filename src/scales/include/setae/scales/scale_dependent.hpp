@@ -46,7 +46,8 @@ struct DifferenceStatistics {
     int order = 1;
     Along along = Along::x;
     Array1D distance;  ///< [m]
-    Array1D count;     ///< differences; of polylines the length they are integrated over [m]
+    Array1D count;     ///< differences; of polylines the length they are integrated over
+    std::string count_unit = "1";  ///< "m" for a length
     Array1D mean;
     Array1D rms;       ///< about zero
     Array1D variance;  ///< about the mean, over `count`
