@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
     add_convert(program, action);
     add_container(program, action);
     add_contour(program, action);
+    add_check(program, action);
     add_psd(program, action);
     add_params(program, action);
     add_adhesion(program, action);

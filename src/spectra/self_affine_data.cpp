@@ -97,6 +97,14 @@ private:
 
 }  // namespace
 
+PowerSpectrum1D undistorted(PowerSpectrum1D spectrum) {
+    constexpr double first_mode = 8.0, highest = 0.25;
+    if (spectrum.wavevector.size() == 0) return spectrum;
+    spectrum.q_min = std::max(spectrum.q_min, first_mode * 2.0 * pi / spectrum.length);
+    spectrum.q_max = std::min(spectrum.q_max, highest * spectrum.wavevector[spectrum.wavevector.size() - 1]);
+    return spectrum;
+}
+
 SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options) {
     const Array1D variance = relative_variances(spectrum);
     FittedValues data{spectrum.wavevector, spectrum.C1D, Array1D::Zero(variance.size()), {}};
