@@ -85,7 +85,7 @@ struct SelfAffineFit {
 /// @throws as above; UndefinedDataError where no bin has a standard error.
 [[nodiscard]] SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
-/// Of one measurement's modes inside its reliable band: ν is modes × the share of a mode that is its own × independent lines, 2.5/q
+/// Of one measurement's modes inside its reliable band, without a range up to a quarter of the highest wavevector: ν is modes × the share of a mode that is its own × independent lines, 2.5/q
 /// apart (∫ρ² of neighbouring lines of a self-affine surface). The expectation knows the Hann window's main lobe and, where the modes
 /// go up to the Nyquist wavevector, its aliases.
 [[nodiscard]] SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options = {});
