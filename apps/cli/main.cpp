@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     add_info(program, action);
     add_formats(program, action);
     add_convert(program, action);
+    add_level(program, action);
     add_container(program, action);
     add_contour(program, action);
     add_check(program, action);

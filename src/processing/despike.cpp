@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "order_statistic.hpp"
 #include "row_blocks.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 #include "step_record.hpp"
@@ -22,7 +23,6 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Mask;
 
-constexpr double undefined_height = std::numeric_limits<double>::quiet_NaN();
 constexpr Index largest_reach = 10;
 
 /// Rows and columns of heights without a copy; a line is one row.
@@ -36,29 +36,80 @@ struct Field {
 /// Points from one on each side, cut off on both sides alike where the field ends.
 Index narrowed(Index reach, Index place, Index count) { return std::min({reach, place, count - 1 - place}); }
 
-/// Median of the defined points around (i, j), without it and without those `left_out` marks; NaN where there is none.
-double local_median(const Field& field, Index i, Index j, Index reach_i, Index reach_j, const Mask* left_out) {
+/// How heights rise from a point to the next, down the rows and along the columns.
+struct Tilt {
+    double down = 0.0, along = 0.0;
+};
+
+/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN where there is none. Points that `left_out` marks do not
+/// count, and with `symmetric` nor do those that lie opposite to them.
+double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j, const Mask* left_out, bool symmetric) {
     std::array<double, (2 * largest_reach + 1) * (2 * largest_reach + 1)> values;
     Index n = 0;
+    const double here = field.at(i, j);
+    const auto out = [&](Index a, Index b) { return left_out && left_out->data()[a * field.columns + b]; };
     for (Index a = i - reach_i; a <= i + reach_i; ++a)
         for (Index b = j - reach_j; b <= j + reach_j; ++b) {
-            const double h = field.at(a, b);
-            if (h == h && !(a == i && b == j) && !(left_out && left_out->data()[a * field.columns + b])) values[static_cast<std::size_t>(n++)] = h;
+            const double rise = field.at(a, b) - here;
+            if (rise != rise || (a == i && b == j) || out(a, b) || (symmetric && out(2 * i - a, 2 * j - b))) continue;
+            values[static_cast<std::size_t>(n++)] = rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along;
         }
-    return n > 0 ? median_in_place(values.data(), n) : undefined_height;
+    return n > 0 ? median_in_place(values.data(), n) : undefined;
+}
+
+/// Medians of the differences of neighbours; `scratch` has the field's shape.
+Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads) {
+    const auto median = [&](Index down, Index along) {
+        for_each_row(field.rows, field.columns, threads, [&](Index i) {
+            for (Index j = 0; j < field.columns; ++j)
+                scratch(i, j) = i + down < field.rows && j + along < field.columns ? field.at(i + down, j + along) - field.at(i, j) : undefined;
+        });
+        const OrderStatistics differences(scratch.data(), scratch.size(), false);
+        return differences.defined() > 0 ? differences.quantile(0.5) : 0.0;
+    };
+    return {median(1, 0), median(0, 1)};
 }
 
 /// r: heights minus the median of their surroundings; NaN where either is undefined.
-Array2D differences(const Field& field, Index reach, parallel::Threads threads) {
-    Array2D r(field.rows, field.columns);
+void find_differences(const Field& field, const Tilt& tilt, Index reach, parallel::Threads threads, Array2D& r) {
     for_each_row(field.rows, field.columns * (2 * reach + 1), threads, [&](Index i) {
         const Index reach_i = narrowed(reach, i, field.rows);
-        for (Index j = 0; j < field.columns; ++j) {
-            const double h = field.at(i, j);
-            r(i, j) = h == h ? h - local_median(field, i, j, reach_i, narrowed(reach, j, field.columns), nullptr) : undefined_height;
-        }
+        for (Index j = 0; j < field.columns; ++j) r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
     });
-    return r;
+}
+
+/// Whether a third of the points around (i, j) lie at its own height, to within `width`: the edge of a step, the corner of an island.
+bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index reach, double width) {
+    const Index reach_i = narrowed(reach, i, field.rows), reach_j = narrowed(reach, j, field.columns);
+    Index around = 0, level = 0;
+    for (Index a = i - reach_i; a <= i + reach_i; ++a)
+        for (Index b = j - reach_j; b <= j + reach_j; ++b) {
+            const double rise = field.at(a, b) - field.at(i, j);
+            if (rise != rise || (a == i && b == j)) continue;
+            ++around;
+            level += std::fabs(rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along) <= width;
+        }
+    return 3 * level >= around;
+}
+
+/// Marks the points with |r| > threshold, the largest first: a point counts only if it stands out of those around it that are no spikes
+/// (and of none that lies opposite to one: the median on a slope stays).
+void mark_spikes(const Field& field, const Tilt& tilt, const Array2D& r, Index reach, Spikes& spikes) {
+    // where surroundings agree to the last bit, what differs by rounding alone is no spike
+    constexpr double rounding = 1e-14;
+    const auto stands_out = [&](double difference, Index k) { return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(field.heights[k])); };
+    std::vector<Index> candidates;
+    for (Index k = 0; k < r.size(); ++k)
+        if (stands_out(r.data()[k], k)) candidates.push_back(k);
+    std::stable_sort(candidates.begin(), candidates.end(), [&](Index a, Index b) { return std::fabs(r.data()[a]) > std::fabs(r.data()[b]); });
+    for (const Index k : candidates) {
+        const Index i = k / field.columns, j = k % field.columns;
+        if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(r.data()[k]))) continue;
+        const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes.mask, true);
+        if (median == median && !stands_out(median, k)) continue;
+        spikes.mask.data()[k] = 1;
+        ++spikes.count;
+    }
 }
 
 /// Robust standard deviation of numbers about 0, from the first quantile of their absolute values that is not 0.
@@ -80,18 +131,14 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
     const Index points = field.rows * field.columns;
     if (!std::any_of(field.heights, field.heights + points, [](double h) { return h == h; }))
         throw UndefinedDataError(fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
-    const auto r = differences(field, options.reach, threads);
+    Array2D r(field.rows, field.columns);
+    const auto tilt = median_tilt(field, r, threads);
+    find_differences(field, tilt, options.reach, threads, r);
     Spikes spikes;
     spikes.deviation = robust_deviation(r);
     spikes.threshold = options.threshold * spikes.deviation;
-    // where surroundings agree to the last bit, what differs by rounding alone is no spike
-    constexpr double rounding = 1e-14;
     spikes.mask = Mask::Zero(field.rows, field.columns);
-    for (Index k = 0; k < points; ++k)
-        if (std::fabs(r.data()[k]) > std::max(spikes.threshold, rounding * std::fabs(field.heights[k]))) {
-            spikes.mask.data()[k] = 1;
-            ++spikes.count;
-        }
+    mark_spikes(field, tilt, r, options.reach, spikes);
     return spikes;
 }
 
@@ -101,10 +148,10 @@ Field field_of(const LineScan& scan) { return {scan.heights.data(), 1, scan.heig
 /// Median of the points around a spike that are none, from as far as it takes to find some.
 double replacement(const Field& field, Index i, Index j, Index reach, const Mask& spikes) {
     for (; reach <= largest_reach; ++reach) {
-        const double median = local_median(field, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes);
-        if (median == median) return median;
+        const double rise = local_median(field, {}, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes, false);
+        if (rise == rise) return field.at(i, j) + rise;
     }
-    return undefined_height;
+    return undefined;
 }
 
 /// A despiked map or line: the spikes' new heights are found before any is set.
@@ -114,7 +161,7 @@ void take_out(const Despike& step, const Spikes& spikes, Uniform& uniform) {
     std::vector<std::pair<Index, double>> changes;
     for (Index k = 0; k < spikes.mask.size(); ++k)
         if (spikes.mask.data()[k])
-            changes.emplace_back(k, step.replace_by == SpikeReplacement::undefined ? undefined_height : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
+            changes.emplace_back(k, step.replace_by == SpikeReplacement::undefined ? undefined : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
     for (const auto& [k, height] : changes) uniform.heights.data()[k] = height;
 }
 

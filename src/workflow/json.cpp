@@ -24,6 +24,16 @@ Json to_json(const std::vector<Alert>& alerts) {
     return list;
 }
 
+Json to_json(const std::vector<processing::StepRecord>& records) {
+    Json list = Json::array();
+    for (const auto& record : records) {
+        Json numbers = Json::array();
+        for (const auto& number : record.numbers) numbers.push_back(to_json(number));
+        list.push_back({{"step", record.step}, {"numbers", numbers}, {"alerts", to_json(record.alerts)}});
+    }
+    return list;
+}
+
 Json to_json(const Quantity& q) {
     const auto& e = q.estimate;
     Json json{{"quantity", q.quantity}, {"symbol", q.symbol}, {"value", number(e.value)}, {"unit", q.unit}};

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "foil_alert.hpp"
@@ -9,6 +12,7 @@
 #include "setae/topography/artefact.hpp"
 #include "setae/topography/contour.hpp"
 #include "setae/topography/line_scans.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 #include "setae/workflow/surface_analysis.hpp"
 
 namespace setae::workflow {
@@ -75,6 +79,21 @@ void make_analysable(PreparedMeasurement& prepared) {
     }
 }
 
+/// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
+bool levels(const processing::Pipeline& pipeline) {
+    return std::any_of(pipeline.entries.begin(), pipeline.entries.end(), [](const processing::Entry& entry) {
+        const auto name = processing::name(entry.step);
+        return entry.on && name.starts_with("level_") && name != "level_mean";
+    });
+}
+
+void process(PreparedMeasurement& prepared, const processing::Pipeline& pipeline, const io::ReadOptions& options) {
+    auto result = processing::apply(pipeline, std::move(prepared.measurement), measurement_loader(options));
+    prepared.measurement = std::move(result.measurement);
+    for (const auto& record : result.records) prepared.alerts.insert(prepared.alerts.end(), record.alerts.begin(), record.alerts.end());
+    prepared.processing = std::move(result.records);
+}
+
 PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& input, const io::ReadOptions& options) {
     PreparedMeasurement prepared;
     prepared.alerts = channel.info.alerts;
@@ -85,11 +104,13 @@ PreparedMeasurement prepare(const io::Channel& channel, const MeasurementInput& 
         if (!scan) throw InvalidArgument(fmt::format("{}: references are subtracted from line scans with equal steps only", input.file));
         prepared.measurement = subtract_references(*scan, input, options);
     }
+    const auto pipeline = pipeline_of_lines(input.steps);
+    process(prepared, pipeline, options);
     make_analysable(prepared);
     add_projection_alert(prepared);
     add_reentrance_alert(prepared);
     const auto& instrument = topography::metadata(prepared.measurement).instrument.type;
-    prepared.trend = input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(instrument)));
+    prepared.trend = input.trend.value_or(levels(pipeline) ? topography::Trend::none : channel.info.recommended_trend.value_or(usual_trend(instrument)));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
     topography::validate(prepared.measurement);
     return prepared;

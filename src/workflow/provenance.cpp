@@ -24,6 +24,8 @@ std::vector<std::string> named_files(const Study& study) {
         for (const auto& measurement : surface.measurements) {
             add(measurement.file);
             for (const auto& reference : measurement.references) add(reference);
+            if (measurement.pipeline) add(*measurement.pipeline);
+            for (const auto& file : files_of_steps(measurement.steps)) add(file);
         }
     }
     for (const auto& experiment : study.experiments)

@@ -20,6 +20,8 @@ bool add_content(cache::KeyBuilder& key, const Run& run, const std::vector<std::
 std::vector<std::string> files_of(const MeasurementInput& input) {
     auto files = input.references;
     files.push_back(input.file);
+    const auto named = files_of_steps(input.steps);
+    files.insert(files.end(), named.begin(), named.end());
     return files;
 }
 

@@ -61,8 +61,15 @@ SETAE_KEEP(Interval, lower, upper, level)
 SETAE_KEEP(Estimate, value, standard_error, method, interval, degrees_of_freedom, seed)
 SETAE_KEEP(Alert, code, subject, message, action)
 SETAE_KEEP(Band, lower, upper)
+SETAE_KEEP(Quantity, quantity, symbol, estimate, unit, band, n, source, alerts)
 
 }  // namespace setae
+
+namespace setae::processing {
+
+SETAE_KEEP(StepRecord, step, numbers, alerts)
+
+}  // namespace setae::processing
 
 namespace setae::topography {
 
@@ -168,12 +175,12 @@ namespace setae::workflow {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
-SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size)
+SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size, pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)
 SETAE_KEEP(AnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile, bootstrap_resamples, seed, likelihood, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
-SETAE_KEEP(MeasurementResult, file, name, error, trend, spectrum, real_space, arithmetic_height, bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
+SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height, bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
 SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
 SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/io/toml_reader.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 namespace setae::workflow {
 namespace {
@@ -26,6 +28,12 @@ std::string beside(const std::string& study_path, const std::string& file) {
 std::optional<std::string> file_beside(TomlReader& reader, const char* key, const std::string& study_path) {
     const auto file = reader.text(key);
     return file ? std::optional(beside(study_path, *file)) : std::nullopt;
+}
+
+/// The steps of a pipeline, read with the study, so that what is wrong in them is said before anything is computed.
+void read_pipeline_of(TomlReader& reader, MeasurementInput& input, const std::string& study_path) {
+    input.pipeline = file_beside(reader, "pipeline", study_path);
+    if (input.pipeline) input.steps = step_lines(read_pipeline(*input.pipeline));
 }
 
 MeasurementInput read_measurement(TomlReader reader, const std::string& study_path) {
@@ -48,6 +56,7 @@ MeasurementInput read_measurement(TomlReader reader, const std::string& study_pa
     for (const auto& file : reader.texts("references")) input.references.push_back(beside(study_path, file));
     input.unit = reader.text("unit");
     if (const auto size = reader.quantities("size", dimension::length); !size.empty()) input.size = size;
+    read_pipeline_of(reader, input, study_path);
     reader.finish();
     return input;
 }
@@ -58,6 +67,10 @@ SurfaceInput read_surface(const std::string& name, TomlReader reader, const std:
     surface.description = reader.text("description").value_or("");
     reader.each_table("measurements", [&](TomlReader inner) { surface.measurements.push_back(read_measurement(std::move(inner), study_path)); });
     surface.power_spectrum = file_beside(reader, "power_spectrum", study_path);
+    MeasurementInput of_all;
+    read_pipeline_of(reader, of_all, study_path);
+    for (auto& measurement : surface.measurements)
+        if (!measurement.pipeline) std::tie(measurement.pipeline, measurement.steps) = std::tie(of_all.pipeline, of_all.steps);
     reader.table("moments", [&](TomlReader inner) {
         PublishedMoments moments;
         moments.rms_height = inner.required_uncertain("rms_height", dimension::length);

@@ -104,6 +104,7 @@ Json measurement_json(const MeasurementResult& m) {
     const auto& instrument = m.spectrum.metadata.instrument;
     json["instrument"] = instrument.type.empty() ? instrument.name : instrument.type;
     json["format"] = m.spectrum.metadata.format;
+    if (!m.processing.empty()) json["processing"] = to_json(m.processing);
     json["trend_removed"] = topography::name(m.trend);
     json["window"] = m.spectrum.window;
     json["band"] = {{"lower", number(m.spectrum.q_min)}, {"upper", number(m.spectrum.q_max)}, {"unit", "1/m"}};

@@ -116,6 +116,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     result.file = topography::metadata(measurement).file;
     result.name = name_of(topography::metadata(measurement));
     result.trend = prepared.trend;
+    result.processing = prepared.processing;
     result.alerts = prepared.alerts;
     result.preview = height_preview(measurement);
     result.real_space = roughness::real_space_parameters(measurement, threads);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "heights_output.hpp"
+#include "output_jobs.hpp"
 #include "setae/core/errors.hpp"
 #include "verbs.hpp"
 
@@ -24,10 +25,6 @@ struct Arguments {
     [[nodiscard]] bool into_folder() const { return !folder.empty() || !to.empty(); }
 };
 
-struct Job {
-    std::string input, output;
-};
-
 /// One file to another, or each to its name with another ending in a folder.
 std::vector<Job> jobs_of(const Arguments& arguments) {
     if (arguments.all_channels && arguments.file.channel) throw InvalidArgument("--channel and --all-channels exclude each other");
@@ -38,23 +35,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
         return {{arguments.paths[0], arguments.paths[1]}};
     }
     if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty()) throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
-    const auto ending = arguments.to.starts_with('.') ? arguments.to : "." + arguments.to;
-    require_heights_ending("--to " + ending);
-    std::vector<Job> jobs;
-    for (const auto& input : arguments.paths) jobs.push_back({input, (fs::path(arguments.folder) / fs::path(input).stem()).string() + ending});
-    std::error_code error;
-    fs::create_directories(arguments.folder, error);
-    if (error) throw FileError(fmt::format("{}: cannot be made a folder; check that nothing else has its name", arguments.folder));
-    return jobs;
-}
-
-/// A file is neither written over itself nor over what another was written to.
-void require_own_output(const std::vector<Job>& jobs, std::size_t index) {
-    const auto& job = jobs[index];
-    std::error_code missing;
-    if (fs::equivalent(job.input, job.output, missing)) throw InvalidArgument(fmt::format("{}: would be written over itself; choose another folder", job.input));
-    for (std::size_t k = 0; k < index; ++k)
-        if (jobs[k].output == job.output) throw InvalidArgument(fmt::format("{}: {} is what {} was written to; convert it by itself", job.input, job.output, jobs[k].input));
+    return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
 }
 
 /// The channel named, all of heights, or the first of these.

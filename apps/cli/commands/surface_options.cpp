@@ -5,16 +5,18 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/spectra/isotropic.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 namespace setae::cli {
 
 void SurfaceOptions::add_to(CLI::App& verb) {
     verb.add_option("files", files, "measurements of one surface: files or containers");
     file.add_to(verb);
+    processing.add_to(verb);
     verb.add_option("--instrument", instrument, "stylus, afm, tem or optical")->check(CLI::IsMember({"stylus", "afm", "tem", "optical"}));
     verb.add_option("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
     verb.add_option("--resolution", resolution, "shortest wavelength the instrument shows");
-    verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default by instrument");
+    verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
     verb.add_option("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
     verb.add_option("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
     verb.add_option("--window", window, "automatic, none, hann, blackman_harris");
@@ -26,6 +28,7 @@ void SurfaceOptions::add_to(CLI::App& verb) {
 workflow::SurfaceInput SurfaceOptions::surface() const {
     if (files.empty()) throw InvalidArgument("no file; expected at least one measurement");
     const auto read = file.read_options();
+    const auto steps = workflow::step_lines(processing.pipeline());
     workflow::SurfaceInput surface;
     surface.name = "surface";
     for (const auto& path : files) {
@@ -38,6 +41,8 @@ workflow::SurfaceInput SurfaceOptions::surface() const {
         if (!trend.empty()) input.trend = topography::trend_from_name(trend);
         input.unit = read.unit;
         input.size = read.size;
+        if (!processing.file.empty()) input.pipeline = processing.file;
+        input.steps = steps;
         surface.measurements.push_back(std::move(input));
     }
     return surface;

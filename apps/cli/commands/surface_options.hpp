@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "pipeline_option.hpp"
 #include "session.hpp"
 #include "setae/workflow/surface_analysis.hpp"
 
@@ -9,6 +10,7 @@ namespace setae::cli {
 /// Options of the verbs that analyse files as measurements of one surface.
 struct SurfaceOptions {
     FileOptions file;
+    PipelineOption processing;
     std::vector<std::string> files;
     std::string instrument, tip_radius, resolution, trend, longest, shortest, window, contours, conversion;
     int resamples = 200;

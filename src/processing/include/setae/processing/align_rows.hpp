@@ -30,8 +30,8 @@ inline constexpr std::array<Choice<RowAlignment>, 4> row_alignment_names{{{"mean
 /// This takes structure along the slow axis with it: whatever is constant along a line is gone, real waves and the tilt along y too.
 /// The median keeps islands that cover less than half of each line, the median of differences those that cover more as well, as long as
 /// neighbouring lines agree in most points.
-/// Points outside the region and undefined points do not count but are moved with their line. A line without a point that counts moves
-/// with the line before it (median_of_differences: by the same sum; the others: as its nearest aligned neighbour).
+/// Points outside the region do not count but are moved with their line. A line without a point that counts moves with the line before
+/// it (the first ones with the next that has some); with `polynomial` it becomes undefined.
 struct AlignRows {
     RowAlignment method = RowAlignment::median;
     Index degree = 1;                    ///< of `polynomial`, 0 … 12

@@ -29,10 +29,12 @@ struct Spikes {
 ///
 ///   r = h − median of the defined neighbours,   s = 1.4826 · median |r|,   spike: |r| > threshold · s
 ///
-/// Neighbours: the square (of lines: the stretch) of 2 reach + 1 points without its centre; at borders it is narrowed on both sides
-/// alike, so that a tilt gives no difference; the corners of a map and the ends of a line have no surroundings and are never spikes.
-/// Where more than half of the r vanish (digitised heights), s is the quantile of |r| at 0.9, else 0.99, over that of a normal
-/// distribution. A step of the surface is no spike: most neighbours lie on the point's own side. Undefined points are no spikes.
+/// Neighbours: the square (of lines: the stretch) of 2 reach + 1 points without its centre, the map's median tilt taken off; at borders it is
+/// narrowed on both sides alike, so that a slope gives no difference. The corners of a map and the ends of a line have no surroundings and are
+/// never spikes. The largest |r| come first; a smaller one counts only if it stays above the threshold without the spikes found
+/// around it. Where more than half of the r vanish (digitised heights), s is the quantile of |r| at 0.9, else 0.99, over that of a normal
+/// distribution. A point at whose own height, to within |r|/2, a third of its neighbours lie is the edge of a step and no spike.
+/// Undefined points are none either.
 /// @throws InvalidArgument for options outside their domain; UndefinedDataError where no point is defined.
 /// Source: Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median, MAD); Tukey, Exploratory Data Analysis (1977) (running medians).
 /// Cost: linear in points times (2 reach + 1)²; holds one array of the map's size.

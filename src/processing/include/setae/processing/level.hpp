@@ -32,7 +32,7 @@ struct LevelPolynomial {
 ///   b −> Σ v w/Σ w,  w = exp(−20 |v − b|²/β²),  β² = mean |v − b|²
 ///
 /// v: gradients of cells of four points (lines: of neighbouring points); b: slope of the plane, from the mean of v, until it changes by less
-/// than 1e-6 β, at most 100 times; what did not settle is an alert.
+/// than 1e-6 β, at most 100 times; what did not settle is an alert. The mean height of the region is 0 afterwards.
 /// Source: facet levelling of Gwyddion's user guide, "Levelling"; Nečas and Klapetek, Cent. Eur. J. Phys. 10 (2012) 181.
 struct LevelFacet {
     Region region;

@@ -20,6 +20,9 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json to_json(const Quantity& quantity);
 [[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
 
+/// {"step", "numbers", "alerts"} for each step of a pipeline that was done.
+[[nodiscard]] Json to_json(const std::vector<processing::StepRecord>& records);
+
 /// NaN to null, infinity to text.
 [[nodiscard]] Json number(double value);
 [[nodiscard]] Json numbers(const ArrayView1D& values);

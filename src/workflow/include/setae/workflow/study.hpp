@@ -26,10 +26,12 @@ struct MeasurementInput {
     std::string instrument;                          ///< type: "stylus", "afm", "tem", "optical"
     std::optional<Estimate> tip_radius;              ///< [m]
     std::optional<double> resolution;                ///< [m]
-    std::optional<topography::Trend> trend;          ///< default: what the container says, else by instrument
+    std::optional<topography::Trend> trend;          ///< default: none where `steps` level, else what the container says, else by instrument
     std::vector<std::string> references;             ///< scans of a smooth standard: the instrument's artefact
     std::optional<std::string> unit;                 ///< where the file leaves it open
     std::optional<std::vector<double>> size;         ///< [m], where the file leaves it open
+    std::optional<std::string> pipeline;             ///< file that `steps` come from
+    std::vector<std::string> steps;                  ///< processing before analysis, each as step_from_text() reads it
 };
 
 /// Published moments in place of measurements.

@@ -10,6 +10,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/inference/likelihood_spectrum.hpp"
+#include "setae/processing/processed.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
 #include "setae/roughness/spectral_moments.hpp"
@@ -27,6 +28,7 @@ struct MeasurementResult {
     std::string name;
     std::string error;  ///< empty where the measurement was analysed
     topography::Trend trend = topography::Trend::none;
+    std::vector<processing::StepRecord> processing;  ///< what each step of the pipeline did before the trend was removed
     spectra::PowerSpectrum1D spectrum;
     roughness::RealSpaceParameters real_space;
     double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
@@ -103,12 +105,14 @@ struct NamedSpectrum {
 /// All spectra of a surface that did not fail, the one used first.
 [[nodiscard]] std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface);
 
-/// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, contour cleaned, trend removed.
+/// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, steps of its pipeline, contour cleaned, trend
+/// removed.
 /// @throws what reading and preparing throw.
 struct PreparedMeasurement {
     topography::Measurement measurement;
     topography::Trend trend = topography::Trend::none;
-    std::vector<Alert> alerts;
+    std::vector<processing::StepRecord> processing = {};
+    std::vector<Alert> alerts = {};
 };
 [[nodiscard]] std::vector<std::function<PreparedMeasurement()>> prepared_measurements(const MeasurementInput& input);
 

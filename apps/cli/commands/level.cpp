@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "heights_output.hpp"
+#include "output_jobs.hpp"
+#include "pipeline_option.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/io/whole_file.hpp"
+#include "setae/workflow/pipeline_file.hpp"
+#include "verbs.hpp"
+
+namespace setae::cli {
+namespace {
+
+struct Arguments {
+    Common common;
+    FileOptions file;
+    PipelineOption processing;
+    std::vector<std::string> paths;
+    std::string output, folder, to = "x3p", written_pipeline, documentation;
+};
+
+/// Each file and what it is written to; without an output nothing is.
+std::vector<Job> jobs_of(const Arguments& arguments) {
+    if (!arguments.output.empty() && !arguments.folder.empty()) throw InvalidArgument("--output and --output-folder exclude each other");
+    if (!arguments.folder.empty()) return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
+    if (!arguments.output.empty()) {
+        if (arguments.paths.size() != 1) throw InvalidArgument(fmt::format("{} files for the one output {}; write several to a folder with --output-folder", arguments.paths.size(), arguments.output));
+        require_heights_ending(arguments.output);
+    }
+    std::vector<Job> jobs;
+    for (const auto& path : arguments.paths) jobs.push_back({path, arguments.output});
+    return jobs;
+}
+
+/// The channel named, or the first of heights.
+const io::Channel& chosen_channel(const Arguments& arguments, const std::string& path, const std::vector<io::Channel>& channels) {
+    if (arguments.file.channel) {
+        if (*arguments.file.channel < channels.size()) return channels[*arguments.file.channel];
+        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *arguments.file.channel, channels.size()));
+    }
+    for (const auto& channel : channels)
+        if (channel.info.is_height) return channel;
+    throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
+}
+
+/// Processes and writes one file; what was done, and that it was printed for a reader.
+workflow::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
+    const auto options = arguments.file.read_options();
+    const auto channels = io::open(job.input, options);
+    const auto& channel = chosen_channel(arguments, job.input, channels);
+    const auto result = processing::apply(pipeline, channel.read(), workflow::measurement_loader(options), arguments.common.workers());
+    if (!job.output.empty()) write_heights(job.output, result.measurement);
+    show(channel.info.alerts);
+    std::string lines = fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
+    for (const auto& record : result.records) {
+        lines += as_line(record);
+        show(record.alerts);
+    }
+    if (!arguments.common.json) print(lines);
+    return {{"input", job.input}, {"output", job.output.empty() ? workflow::Json(nullptr) : workflow::Json(job.output)}, {"channel", channel.info.name}, {"steps", workflow::to_json(result.records)}};
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        io::write_whole_file(arguments.documentation, step_page());
+        return ExitCode::done;
+    }
+    const auto pipeline = arguments.processing.pipeline();
+    if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
+    if (!arguments.written_pipeline.empty()) workflow::write_pipeline(arguments.written_pipeline, pipeline);
+    if (arguments.paths.empty()) {
+        if (!arguments.written_pipeline.empty()) return ExitCode::done;
+        throw InvalidArgument("no file; expected at least one measurement");
+    }
+    const auto jobs = jobs_of(arguments);
+    workflow::Json files = workflow::Json::array();
+    std::size_t index = 0;
+    const auto code = for_each_item(arguments.paths, [&](const std::string&) {
+        const auto current = index++;
+        if (!jobs[current].output.empty()) require_own_output(jobs, current);
+        files.push_back(level_file(arguments, pipeline, jobs[current]));
+    });
+    if (arguments.common.json) print_json({{"pipeline", workflow::step_lines(pipeline)}, {"files", files}});
+    return code;
+}
+
+}  // namespace
+
+void add_level(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<Arguments>();
+    auto* verb = program.add_subcommand("level", "levels, aligns, despikes, filters, crops: processing steps, recorded, on any number of files");
+    verb->add_option("files", arguments->paths, "measurements");
+    arguments->processing.add_to(*verb);
+    verb->add_option("-o,--output", arguments->output, "what the one file is written to, by its ending");
+    verb->add_option("--output-folder", arguments->folder, "folder that gets each file under its name");
+    verb->add_option("--to", arguments->to, "ending of files in that folder, x3p without it");
+    verb->add_option("--write-pipeline", arguments->written_pipeline, "write the steps as p.yml or p.toml");
+    verb->add_option("--documentation", arguments->documentation, "write the page on all steps");
+    arguments->file.add_to(*verb);
+    add_common(*verb, arguments->common);
+    verb->callback([&action, arguments] {
+        action = [arguments] {
+            if (!arguments->common.explain) return run(*arguments);
+            print(step_list());
+            return ExitCode::done;
+        };
+    });
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/processing/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "patch_multigrid.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::processing {
+namespace {
+
+using topography::HeightMap;
+using topography::LineScan;
+
+/// Wider bands cost more than a multigrid solution.
+constexpr Index widest_band = 40;
+/// Patches solved by one task: many are of a few points.
+constexpr std::size_t patches_per_task = 32;
+
+/// Banded Cholesky of the patch's equations, row by row.
+Array1D solve_by_band(const PatchGraph& graph, const PatchBoundary& boundary) {
+    const Index n = graph.points, band = graph.bandwidth;
+    Array2D factor = Array2D::Zero(n, band + 1);  // column band − (a − b) of row a: entry (a, b)
+    factor.col(band) = boundary.leak_x + boundary.leak_y;
+    for (const auto& edge : graph.edges) {
+        factor(edge.a, band) += edge.coupling;
+        factor(edge.b, band) += edge.coupling;
+        factor(edge.b, band - (edge.b - edge.a)) -= edge.coupling;
+    }
+    Array1D values = boundary.right;
+    for (Index a = 0; a < n; ++a) {
+        const Index first = std::max<Index>(0, a - band);
+        double* row = &factor(a, band - a + first);  // entries (a, first …)
+        for (Index b = first; b < a; ++b) {
+            const Index start = std::max<Index>(first, b - band);
+            const double* other = &factor(b, band - b + start);
+            double sum = row[b - first];
+            for (Index k = start; k < b; ++k) sum -= row[k - first] * other[k - start];
+            row[b - first] = sum / factor(b, band);
+        }
+        double pivot = factor(a, band), sum = values[a];
+        for (Index k = first; k < a; ++k) {
+            pivot -= row[k - first] * row[k - first];
+            sum -= row[k - first] * values[k];
+        }
+        factor(a, band) = std::sqrt(pivot);
+        values[a] = sum / factor(a, band);
+    }
+    for (Index a = n - 1; a >= 0; --a) {
+        values[a] /= factor(a, band);
+        for (Index b = std::max<Index>(0, a - band); b < a; ++b) values[b] -= factor(a, band - (a - b)) * values[a];
+    }
+    return values;
+}
+
+void fill_patch(const Patch& patch, Array2D& heights, bool periodic, const Couplings& couplings) {
+    const std::array<Index, 2> shape{heights.rows(), heights.cols()};
+    const PatchGraph graph = patch_graph(patch, shape, periodic, couplings);
+    const PatchBoundary boundary = patch_boundary(graph, heights, periodic, couplings);
+    const Array1D values = boundary.range == 0.0              ? Array1D(Array1D::Zero(graph.points))
+                           : graph.bandwidth <= widest_band ? solve_by_band(graph, boundary)
+                                                            : solve_by_multigrid(graph, boundary, couplings);
+    for (std::size_t r = 0; r < graph.runs.size(); ++r) {
+        const Index i = (graph.runs[r].i + graph.box.origin[0]) % shape[0];
+        for (Index k = 0; k < graph.runs[r].count; ++k)
+            heights(i, (graph.runs[r].first + k + graph.box.origin[1]) % shape[1]) = boundary.centre + values[graph.run_first[r] + k];
+    }
+}
+
+struct Filling {
+    Index points = 0;
+    Index patches = 0;
+};
+
+[[noreturn]] void refuse_empty(const topography::Metadata& metadata) {
+    throw UndefinedDataError(fmt::format("{}: no height is defined, so there is nothing to fill from", topography::label(metadata)));
+}
+
+Filling fill_in_place(HeightMap& map, parallel::Threads threads) {
+    const std::vector<Patch> patches = undefined_patches(map.heights, map.periodic);
+    Filling filling{0, static_cast<Index>(patches.size())};
+    for (const Patch& patch : patches) filling.points += patch.points;
+    if (filling.points == map.heights.size()) refuse_empty(map.metadata);
+    const auto pixel = map.pixel_size();
+    // up to a factor, so that square pixels have 1
+    const Couplings couplings{std::max(1.0, (pixel[1] * pixel[1]) / (pixel[0] * pixel[0])), std::max(1.0, (pixel[0] * pixel[0]) / (pixel[1] * pixel[1]))};
+    parallel::for_each_index((patches.size() + patches_per_task - 1) / patches_per_task, threads, [&](std::size_t task) {
+        const std::size_t end = std::min(patches.size(), (task + 1) * patches_per_task);
+        for (std::size_t p = task * patches_per_task; p < end; ++p) fill_patch(patches[p], map.heights, map.periodic, couplings);
+    });
+    return filling;
+}
+
+Filling fill_in_place(LineScan& scan) {
+    Array1D& heights = scan.heights;
+    const Index n = heights.size();
+    std::vector<Index> defined;
+    for (Index i = 0; i < n; ++i)
+        if (!std::isnan(heights[i])) defined.push_back(i);
+    if (defined.empty()) refuse_empty(scan.metadata);
+    Filling filling{n - static_cast<Index>(defined.size()), 0};
+    const auto bridge = [&](Index from, Index to) {  // to > from; beyond n: wrapped
+        if (to - from < 2) return;
+        ++filling.patches;
+        const double lower = heights[from], upper = heights[to % n];
+        for (Index i = from + 1; i < to; ++i) {
+            const double t = static_cast<double>(i - from) / static_cast<double>(to - from);
+            heights[i % n] = (1.0 - t) * lower + t * upper;
+        }
+    };
+    for (std::size_t k = 1; k < defined.size(); ++k) bridge(defined[k - 1], defined[k]);
+    const Index first = defined.front(), last = defined.back();
+    if (scan.periodic) {
+        bridge(last, first + n);
+    } else {
+        filling.patches += (first > 0) + (last + 1 < n);
+        heights.head(first).setConstant(heights[first]);
+        heights.tail(n - 1 - last).setConstant(heights[last]);
+    }
+    return filling;
+}
+
+StepRecord record_of(const Filling& filling, Index points) {
+    StepRecord record{.step = std::string(step_name(FillUndefined{}))};
+    const auto share = static_cast<double>(filling.points) / static_cast<double>(points);
+    record.numbers.push_back({.quantity = "filled_points", .symbol = "n", .estimate = {.value = static_cast<double>(filling.points), .standard_error = 0.0}, .unit = "1"});
+    record.numbers.push_back({.quantity = "filled_share", .symbol = "n/N", .estimate = {.value = share, .standard_error = 0.0}, .unit = "1"});
+    record.numbers.push_back({.quantity = "filled_patches", .symbol = "n_p", .estimate = {.value = static_cast<double>(filling.patches), .standard_error = 0.0}, .unit = "1"});
+    return record;
+}
+
+}  // namespace
+
+HeightMap filled(HeightMap map, parallel::Threads threads) {
+    fill_in_place(map, threads);
+    return map;
+}
+
+LineScan filled(LineScan scan) {
+    fill_in_place(scan);
+    return scan;
+}
+
+Processed apply(const FillUndefined&, topography::Measurement measurement, parallel::Threads threads) {
+    if (auto* map = std::get_if<HeightMap>(&measurement)) {
+        StepRecord record = record_of(fill_in_place(*map, threads), map->heights.size());
+        return {std::move(measurement), std::move(record)};
+    }
+    if (auto* scan = std::get_if<LineScan>(&measurement)) {
+        StepRecord record = record_of(fill_in_place(*scan), scan->heights.size());
+        return {std::move(measurement), std::move(record)};
+    }
+    const Index points = std::get<topography::Profile>(measurement).positions.size();
+    return {std::move(measurement), record_of({}, points)};
+}
+
+}  // namespace setae::processing

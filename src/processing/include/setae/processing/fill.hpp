@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "setae/parallel/for_each.hpp"
+#include "setae/processing/parameters.hpp"
+#include "setae/processing/processed.hpp"
+
+namespace setae::processing {
+
+enum class FillMethod { harmonic };
+inline constexpr std::array<Choice<FillMethod>, 1> fill_method_names{{{"harmonic", FillMethod::harmonic}}};
+
+/// Undefined heights from those around: the harmonic surface, a soap film without tension at its outer rim.
+///
+///   sum over the four neighbours n of an undefined point of k_n (h_n − h) = 0,  k = 1/Δx² along x, 1/Δy² along y
+///
+/// Neighbours beyond the border of a map that is not periodic are left out; periodic maps wrap. Exact for planes and for x² − y² [m]
+/// whatever the pixels' aspect (free border excepted). Lines: straight between the ends of a gap, constant beyond the last defined point.
+/// Patches that do not touch are solved apart: small ones directly (banded Cholesky), large ones by conjugate gradients with a multigrid
+/// preconditioner until the residual is 1e-13 of the largest difference of heights around a patch; the error, measured on planes, stays below 1e-12
+/// of that. O(n) for the map, O(undefined points) for the rest.
+/// For square pixels this is SurfaceTopography's interpolate_undefined_data; for others that package takes k = 1 in both directions.
+struct FillUndefined {
+    FillMethod method = FillMethod::harmonic;
+};
+
+/// @throws UndefinedDataError for a map or line without a defined height.
+[[nodiscard]] topography::HeightMap filled(topography::HeightMap map, parallel::Threads threads = {});
+[[nodiscard]] topography::LineScan filled(topography::LineScan scan);
+
+/// Profiles hold no undefined heights and stay as they are. The record says how many points were filled in how many patches.
+[[nodiscard]] Processed apply(const FillUndefined& step, topography::Measurement measurement, parallel::Threads threads = {});
+
+inline constexpr std::string_view step_name(const FillUndefined&) { return "fill_undefined"; }
+template <class Visitor>
+void visit_parameters(FillUndefined& step, Visitor& visitor) {
+    visitor.choice("method", step.method, fill_method_names, "how undefined heights are found");
+}
+
+}  // namespace setae::processing

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fill_patches.hpp"
+
+namespace setae::processing {
+
+/// What couples neighbours along x and y: 1/Δx², 1/Δy² up to a factor.
+struct Couplings {
+    double x = 1.0;
+    double y = 1.0;
+};
+
+/// Where a patch lies in its own box: origin, size, and whether the box goes all the way round a periodic map.
+struct PatchBox {
+    std::array<Index, 2> origin{}, shape{};
+    std::array<bool, 2> wraps{};
+    /// Whether points beyond the box's lower and upper side along x and y do not exist: the map ends there.
+    std::array<std::array<bool, 2>, 2> ends{};
+};
+
+/// Points of a patch in the order of rows of its box, with what joins them.
+struct PatchGraph {
+    struct Edge {
+        Index a, b;  ///< points, a < b
+        double coupling;
+    };
+    PatchBox box;
+    std::vector<Run> runs;         ///< in coordinates of the box, sorted, none touching another of its row
+    std::vector<Index> run_first;  ///< number of the first point of a run
+    std::vector<Edge> edges;
+    Index points = 0;
+    Index bandwidth = 0;           ///< largest b − a
+};
+
+[[nodiscard]] PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic, const Couplings& couplings);
+
+/// What defined neighbours do to the points of a patch, in its order.
+struct PatchBoundary {
+    Array1D leak_x, leak_y;  ///< sum of couplings to defined neighbours along x and y
+    Array1D right;           ///< sum of couplings times (their heights − centre)
+    double centre = 0.0;     ///< middle of their heights
+    double range = 0.0;      ///< largest difference of their heights
+};
+
+[[nodiscard]] PatchBoundary patch_boundary(const PatchGraph& graph, const ArrayView2D& heights, bool periodic, const Couplings& couplings);
+
+}  // namespace setae::processing

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "filter_arguments.hpp"
+#include "gaussian_deviation.hpp"
+#include "local_regression.hpp"
+#include "robust_weights.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/processing/iso_filter.hpp"
+
+namespace setae::processing {
+namespace {
+
+void require_valid(const RobustGaussianFilter& filter, const topography::Metadata& metadata) {
+    require_cutoff(filter.cutoff, "robust Gaussian filter", metadata);
+    if (filter.order < 0 || filter.order > 2)
+        throw InvalidArgument(fmt::format("{}: robust Gaussian filter with a local polynomial of order {}; expected 0, 1 or 2", topography::label(metadata), filter.order));
+}
+
+/// @returns how often the weights were found.
+int filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
+    Array2D smooth(heights.rows(), heights.cols()), weights;
+    RobustScale scale;
+    do local_regression(heights, weights, near, Regression::value, smooth, threads);
+    while (scale.update(heights, smooth, weights));
+    heights = keep == Kept::short_waves ? Array2D(heights - smooth) : Array2D(heights.isNaN().select(std::numeric_limits<double>::quiet_NaN(), smooth));
+    return scale.updates();
+}
+
+struct Result {
+    topography::Measurement measurement;
+    int updates;
+};
+
+Result filter_map(topography::HeightMap map, const RobustGaussianFilter& filter, parallel::Threads threads) {
+    require_valid(filter, map.metadata);
+    const auto pixel = map.pixel_size();
+    const double deviation = gaussian_deviation(filter.cutoff, filter.order);
+    const int updates = filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order}, filter.keep, threads);
+    return {std::move(map), updates};
+}
+
+Result filter_scan(topography::LineScan scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
+    require_valid(filter, scan.metadata);
+    Eigen::Map<Array2D> row(scan.heights.data(), 1, scan.heights.size());
+    const int updates = filter_in_place(row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order}, filter.keep, threads);
+    return {std::move(scan), updates};
+}
+
+}  // namespace
+
+topography::HeightMap filtered(topography::HeightMap map, const RobustGaussianFilter& filter, parallel::Threads threads) {
+    return std::get<topography::HeightMap>(filter_map(std::move(map), filter, threads).measurement);
+}
+
+topography::LineScan filtered(topography::LineScan scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
+    return std::get<topography::LineScan>(filter_scan(std::move(scan), filter, threads).measurement);
+}
+
+Processed apply(const RobustGaussianFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) refuse_profile(step_name(filter), *profile);
+    StepRecord record = filter_record(step_name(filter), filter.cutoff, measurement);
+    Result result = std::holds_alternative<topography::HeightMap>(measurement) ? filter_map(std::get<topography::HeightMap>(std::move(measurement)), filter, threads)
+                                                                               : filter_scan(std::get<topography::LineScan>(std::move(measurement)), filter, threads);
+    record.numbers.push_back({.quantity = "weightings", .symbol = "n", .estimate = {.value = static_cast<double>(result.updates), .standard_error = 0.0}, .unit = "1"});
+    return {std::move(result.measurement), std::move(record)};
+}
+
+}  // namespace setae::processing

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robust_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace setae::processing {
+namespace {
+
+constexpr double scales_per_median = 4.4478;
+constexpr double settled = 1e-4;
+constexpr int most_updates = 50;
+
+double median_size(const Array2D& residuals) {
+    std::vector<double> sizes;
+    sizes.reserve(static_cast<std::size_t>(residuals.size()));
+    for (const double residual : residuals.reshaped<Eigen::RowMajor>())
+        if (!std::isnan(residual)) sizes.push_back(std::abs(residual));
+    if (sizes.empty()) return 0.0;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return sizes.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(sizes.begin(), middle));
+}
+
+}  // namespace
+
+bool RobustScale::update(const ArrayView2D& heights, const ArrayView2D& smooth, Array2D& weights) {
+    if (updates_ == most_updates) return false;
+    weights = heights - smooth;
+    const double before = scale_;
+    scale_ = scales_per_median * median_size(weights);
+    if (!(scale_ > 0.0) || std::abs(scale_ - before) < settled * scale_) return false;
+    ++updates_;
+    weights = (weights.abs() < scale_).select((1.0 - (weights / scale_).square()).square(), 0.0);
+    return true;
+}
+
+}  // namespace setae::processing
