@@ -15,17 +15,17 @@ enum class Resampling {
     linear,   ///< LinearInterpolator at the new points
     bicubic,  ///< BicubicInterpolator at the new points
     fourier,  ///< fourier_interpolated: periodic data alone
-    average,  ///< mean of the old pixels that a new pixel covers, weighted by the area covered; conserves the mean
+    average,  ///< mean of the old pixels that a new pixel covers, weighted by the area covered; keeps the mean
 };
 inline constexpr std::array<Choice<Resampling>, 4> resampling_names{
     {{"linear", Resampling::linear}, {"bicubic", Resampling::bicubic}, {"fourier", Resampling::fourier}, {"average", Resampling::average}}};
 
 /// Other points for the same area.
 ///
-/// Give nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size). Points of linear, bicubic and fourier lie at i · size/n; those beyond
-/// the last old point of data that are not periodic are undefined, unless the new grid ends before. A new pixel of `average` covers [i, i+1) · size/n of old
-/// pixels [j, j+1) · size/n_old; its height counts for the pixel's centre as the old ones do, and is undefined where more than half of it is. Polylines: linear alone,
-/// on n points of equal steps from first to last.
+/// Give nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size) and the exact step size/n. Periodic data: points at i · size/n. Others,
+/// linear and bicubic: n points from the first to the last old one, so that none is undefined; with pixel_size the step is exact and what is left over at the far end
+/// is lost. A new pixel of `average` covers [i, i+1) · size/n of old pixels [j, j+1) · size/n_old, and is undefined where more than half of it is; its height
+/// stands for the pixel as the old ones do, so the first point lies (new − old step)/2 further in. Polylines: linear, from first to last point.
 struct Resample {
     Index nx = 0;                            ///< points along x; 0: from pixel_size
     Index ny = 0;                            ///< points along y of maps; 0: from pixel_size, else in proportion to nx

@@ -18,8 +18,8 @@ inline constexpr std::array<Choice<Rotation>, 2> rotation_names{{{"linear", Rota
 ///   h'(x) = h(R(−angle) (x − c) + c),  c: the middle between the first and the last point, R: from x towards y
 ///
 /// A turn from x towards y is clockwise in a picture whose y runs down. Points outside the map are undefined; with `crop` the largest rectangle with
-/// the map's centre that lies within the turned map is left, on the same pixels. Not periodic afterwards, unless the angle is 0.
-/// Turns by whole quarters move points of square pixels without interpolation and exchange the sides.
+/// the map's centre that lies within the turned map is left, on the same pixels. Otherwise not periodic afterwards; a periodic map ends at its sides.
+/// Turns by whole quarters move points without interpolation, exchange the sides and keep periodic maps periodic.
 struct Rotate {
     double angle = 0.0;  ///< [rad]
     Rotation method = Rotation::linear;

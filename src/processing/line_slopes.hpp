@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "setae/fourier/transform.hpp"
+
+namespace setae::processing {
+
+/// Slopes per step at the points of lines of n heights, NaN = undefined.
+///
+/// Periodic complete lines: the Fourier derivative without the Nyquist mode. Others: central differences; at ends and next to undefined points from the
+/// two neighbours on the other side (exact for parabolas), the one there is, or 0.
+class LineSlopes {
+public:
+    LineSlopes(Index points, bool periodic);
+    /// Any number of threads may call it at once.
+    void find(const double* heights, double* slopes) const;
+
+private:
+    Index points_;
+    bool periodic_;
+    std::optional<fourier::RealTransform> forward_;
+    std::optional<fourier::InverseRealTransform> back_;
+};
+
+}  // namespace setae::processing
