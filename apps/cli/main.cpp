@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
     add_level(program, action);
     add_container(program, action);
     add_contour(program, action);
+    add_check(program, action);
     add_psd(program, action);
     add_sdrp(program, action);
     add_acf(program, action);

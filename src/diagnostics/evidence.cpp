@@ -79,6 +79,12 @@ Evidence evidence(HeightMap map, bool is_line, parallel::Threads threads) {
             else result.clean = std::get<HeightMap>(processing::apply(despike, result.level, threads).measurement);
         }
     }
+    // what does not lower the slopes when it is taken out belongs to the surface, such as steps and grains
+    const double step = map.pixel_size()[0];
+    if (result.spikes && !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(result.level.heights, step))) {
+        result.spikes.reset();
+        result.clean = result.level;
+    }
     fill_along_lines(result.clean.heights);
     result.map = std::move(map);
     return result;

@@ -16,7 +16,7 @@ struct Evidence {
     topography::HeightMap map;      ///< as measured, NaN = undefined
     topography::HeightMap level;    ///< without its tilt
     topography::HeightMap clean;    ///< without tilt and spikes, undefined points filled along x
-    std::optional<processing::Spikes> spikes;  ///< nothing where there are too few points to look for them
+    std::optional<processing::Spikes> spikes;  ///< nothing where there are none, or too few points to look for them
     bool is_line = false;
     bool flat = false;              ///< all defined heights are equal
     Index defined = 0;

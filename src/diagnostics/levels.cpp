@@ -95,7 +95,8 @@ Found quantised(const Evidence& evidence) {
     const auto levels = levels_of(sorted);
     const double share = plateau_share(evidence.map.heights);
     constexpr double many_plateaus = 0.05;
-    if (levels.size() < 3 || !(share > many_plateaus) || 2 * levels.size() > sorted.size()) return {};
+    constexpr std::size_t fewest_heights = 64;
+    if (sorted.size() < fewest_heights || levels.size() < 3 || !(share > many_plateaus) || 2 * levels.size() > sorted.size()) return {};
     const auto step = common_step(levels);
     if (!step) return {};
     const double rms = rms_height(evidence.level.heights), error = *step / std::sqrt(12.0);

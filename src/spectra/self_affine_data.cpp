@@ -39,17 +39,17 @@ struct ModeGroup {
     Index first, last;  ///< of the spectrum's wavevectors
 };
 
-std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum) {
+std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) {
     std::vector<ModeGroup> groups;
     const double fundamental = 2.0 * pi / spectrum.length, ratio = std::pow(10.0, 1.0 / 32.0);
     for (Index k = 0; k < spectrum.wavevector.size();) {
-        if (!in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max)) {
+        if (!in_band(spectrum.wavevector[k], spectrum.q_min, q_max)) {
             ++k;
             continue;
         }
         const double end = std::max(spectrum.wavevector[k] + 0.5 * fundamental, spectrum.wavevector[k] > 16.0 * fundamental ? spectrum.wavevector[k] * ratio : 0.0);
         Index last = k;
-        while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end && in_band(spectrum.wavevector[last + 1], spectrum.q_min, spectrum.q_max)) ++last;
+        while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end && in_band(spectrum.wavevector[last + 1], spectrum.q_min, q_max)) ++last;
         groups.push_back({k, last});
         k = last + 1;
     }
@@ -97,6 +97,14 @@ private:
 
 }  // namespace
 
+PowerSpectrum1D undistorted(PowerSpectrum1D spectrum) {
+    constexpr double first_mode = 8.0, highest = 0.25;
+    if (spectrum.wavevector.size() == 0) return spectrum;
+    spectrum.q_min = std::max(spectrum.q_min, first_mode * 2.0 * pi / spectrum.length);
+    spectrum.q_max = std::min(spectrum.q_max, highest * spectrum.wavevector[spectrum.wavevector.size() - 1]);
+    return spectrum;
+}
+
 SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options) {
     const Array1D variance = relative_variances(spectrum);
     FittedValues data{spectrum.wavevector, spectrum.C1D, Array1D::Zero(variance.size()), {}};
@@ -109,7 +117,9 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
 }
 
 SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options) {
-    auto groups = groups_of(spectrum);
+    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for more gets aliases
+    const double q_max = options.range ? spectrum.q_max : undistorted(spectrum).q_max;
+    auto groups = groups_of(spectrum, q_max);
     if (groups.empty()) throw InvalidArgument(fmt::format("{}: no wavevector lies inside its reliable band", topography::label(spectrum.metadata)));
     const auto count = static_cast<Index>(groups.size());
     FittedValues data{Array1D(count), Array1D(count), Array1D(count), {}};

@@ -2,9 +2,11 @@
 #include <cmath>
 #include <memory>
 
+#include "psd_fit.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/netcdf.hpp"
 #include "setae/io/table_file.hpp"
+#include "setae/spectra/inverse_abel.hpp"
 #include "setae/synthesis/abel.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
@@ -16,12 +18,16 @@ constexpr const char* explanation =
     "C1D(q) = |h(q)|^2/L [m3], h(q) = int h exp(-iqx) dx; two-sided, averaged over +-q; h_rms^2 = (1/pi) int_0^inf C1D dq   [J17]\n"
     "C2D(q) = |h(q)|^2/A [m4]; C_iso its mean over the circle |q|; h_rms^2 = (1/2 pi) int q C_iso dq                        [J17]\n"
     "one map: C_iso by transform; else C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)), q_s the end of the band                      [D19] (11)\n"
+    "--abel: C_iso = -2 int_q^inf C1D'(p) dp/sqrt(p^2 - q^2), exact for isotropic surfaces; its ratio to pi C1D/q                Bracewell\n"
+    "--fit: C_iso = C_0 max(1, q/q_r)^(-2-2H) by the likelihood of the spectra, C1D by the exact Abel integral             docs/self-affine-fit.md\n"
     "one measurement: its own modes; several: arithmetic mean in bins of 0.1 decade, each in its reliable band              [D19]\n";
 
 struct Arguments {
     Common common;
     SurfaceOptions surface;
     bool isotropic = false;
+    bool abel = false;
+    FitOptions fit;
     bool binned = false;
     std::string output;
 };
@@ -32,7 +38,7 @@ Table spectrum(const workflow::SurfaceResult& surface, const Arguments& argument
     Table table;
     table.metadata["normalisation"] = "two-sided, averaged over +-q: h_rms^2 = (1/pi) int C1D dq";
     table.metadata["window"] = surface.measurements.size() == 1 ? only.spectrum.window : "of each measurement";
-    if (surface.measurements.size() == 1 && !arguments.binned && !arguments.isotropic) {
+    if (surface.measurements.size() == 1 && !arguments.binned && !arguments.isotropic && !arguments.abel) {
         const auto own = spectra::within_band(only.spectrum);
         table.columns = {{"wavevector", "1/m", own.wavevector}, {"C1D", "m3", own.C1D}, {"standard_error", "m3", own.standard_error}, {"count", "1", own.count}};
         return table;
@@ -55,6 +61,14 @@ void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Argu
     const double end = q[q.size() - 1] * std::pow(10.0, 0.05);
     table.columns.push_back({"C_iso", "m4", synthesis::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
     table.metadata["C_iso"] = "[D19] (11) from C1D";
+}
+
+void add_inverse_abel(Table& table, const workflow::SurfaceResult& surface) {
+    const auto isotropic = spectra::isotropic_from_lines(*surface.combined);
+    table.columns.push_back({"C_iso_abel", "m4", isotropic.C_iso});
+    table.columns.push_back({"C_iso_abel_standard_error", "m4", isotropic.standard_error});
+    table.columns.push_back({"C_iso_abel_over_pi_C1D_by_q", "1", isotropic.ratio});
+    table.metadata["C_iso_abel"] = "inverse Abel transform of C1D, local parabolas over 0.6 decades";
 }
 
 workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surface) {
@@ -82,14 +96,28 @@ ExitCode run(const Arguments& arguments) {
     if (code == ExitCode::nothing_done) return code;
     auto table = spectrum(surface, arguments);
     if (arguments.isotropic) add_isotropic(table, input, arguments);
+    if (arguments.abel) add_inverse_abel(table, surface);
+    std::optional<spectra::SelfAffineFit> fit;
+    if (arguments.fit.wanted) {
+        fit = fitted(surface, arguments.fit);
+        add_model(table, *fit);
+    }
     if (!arguments.output.empty()) {
         if (arguments.output.ends_with(".nc")) io::write_netcdf(arguments.output, table);
         else if (arguments.output.ends_with(".csv")) io::write_csv(arguments.output, table);
         else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
-    if (arguments.common.json) print_json(as_json(table, surface));
-    else if (arguments.output.empty()) print(io::as_csv(table));
-    if (!arguments.common.json) show(alerts_of(surface));
+    if (arguments.common.json) {
+        auto json = as_json(table, surface);
+        if (fit) json["fit"] = fit_json(*fit);
+        print_json(json);
+        return code;
+    }
+    if (arguments.output.empty()) print(io::as_csv(table));
+    else if (fit)
+        for (const auto& q : parameters_of(*fit)) print(as_line(q));
+    show(alerts_of(surface));
+    if (fit) show(fit->alerts);
     return code;
 }
 
@@ -100,6 +128,8 @@ void add_psd(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("psd", "power spectral density of one measurement, or combined from several");
     arguments->surface.add_to(*verb);
     verb->add_flag("--iso", arguments->isotropic, "also C_iso, on the combined grid");
+    verb->add_flag("--abel", arguments->abel, "also C_iso by the inverse Abel transform, on the combined grid");
+    arguments->fit.add_to(*verb);
     verb->add_flag("--binned", arguments->binned, "one measurement on the combined grid too");
     verb->add_option("-o,--output", arguments->output, "write OUT.csv or OUT.nc");
     on_named(*verb, action, arguments, explanation, run);

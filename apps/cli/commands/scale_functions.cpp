@@ -36,7 +36,7 @@ struct ScaleArguments {
     SurfaceOptions surface;
     bool area = false, slope = false, all = false, binned = false;
     int order = 1, bins_per_decade = 10;
-    std::string distance, statistic = "rms", along = "x", weighting = "equal", output;
+    std::string distance, longest, statistic = "rms", along = "x", weighting = "equal", output;
 
     void add_to(CLI::App& verb) {
         surface.add_measurements_to(verb);
@@ -50,6 +50,13 @@ struct ScaleArguments {
 };
 
 using Function = scales::FunctionOfScale (*)(const topography::Measurement&, const ScaleArguments&);
+using FunctionOfLargeMap = scales::FunctionOfScale (*)(const topography::TiledMap&, const ScaleArguments&);
+
+/// What a verb computes; `of_large_map` is null where a map has to be held as a whole.
+struct Verb {
+    Function of_measurement;
+    FunctionOfLargeMap of_large_map;
+};
 
 const topography::HeightMap& map_of(const topography::Measurement& measurement) {
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
@@ -72,9 +79,22 @@ scales::FunctionOfScale slope_or_curvature(const topography::Measurement& measur
 scales::FunctionOfScale autocorrelation_or_slope(const topography::Measurement& measurement, const ScaleArguments& arguments) {
     const scales::AutocorrelationOptions options{.threads = arguments.common.workers()};
     if (arguments.area && arguments.slope) throw InvalidArgument("--slope of an area; take the slope of lines, or leave it out");
+    if (arguments.area && !arguments.longest.empty())
+        return scales::autocorrelation_of_area(topography::tiled(map_of(measurement)), parse_quantity(arguments.longest, dimension::length), arguments.grid(), std::size_t{1} << 28, options);
     if (arguments.area) return scales::autocorrelation_of_area(map_of(measurement), arguments.grid(), options);
     const auto lines = scales::autocorrelation_along_lines(measurement, options);
     return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
+}
+
+scales::FunctionOfScale autocorrelation_of_large_map(const topography::TiledMap& map, const ScaleArguments& arguments) {
+    const scales::AutocorrelationOptions options{.threads = arguments.common.workers()};
+    const auto bytes = static_cast<std::size_t>(arguments.surface.analysis().largest_map);
+    if (!arguments.area) {
+        const auto lines = scales::autocorrelation_of_lines(map, bytes, options);
+        return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
+    }
+    if (arguments.longest.empty()) throw InvalidArgument(topography::label(map.metadata) + ": the area of a map that is read by bands; expected --longest, the longest distance looked at");
+    return scales::autocorrelation_of_area(map, parse_quantity(arguments.longest, dimension::length), arguments.grid(), bytes, options);
 }
 
 scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, const ScaleArguments& arguments) {
@@ -90,30 +110,43 @@ struct Found {
     bool some_failed = false;
 };
 
+scales::FunctionOfScale large_map_function(const workflow::LargeMap& large, const ScaleArguments& arguments, FunctionOfLargeMap function) {
+    if (!function)
+        throw InvalidArgument(topography::label(large.map.metadata) + ": this function needs the map as a whole, which is larger than --memory allows; allow more or crop it");
+    const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(arguments.surface.analysis().largest_map));
+    return function(topography::detrended(large.map, large.trend, lines_together, arguments.common.workers()), arguments);
+}
+
 /// One measurement at a time, so that maps need not all fit into memory. What fails is printed, and the others go on.
-Found functions_of(const ScaleArguments& arguments, Function function) {
+Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
     Found found;
-    for (const auto& input : arguments.surface.surface().measurements) {
-        const auto take = [&](const auto& body) {
-            try {
-                body();
-            } catch (const Error& error) {
-                complain(error.what());
-                found.some_failed = true;
-            }
-        };
-        take([&] {
-            for (const auto& prepare : workflow::prepared_measurements(input))
-                take([&] {
-                    const auto prepared = prepare();
-                    auto result = function(prepared.measurement, arguments);
-                    if (arguments.all) result.reliable_from = 0.0;
-                    found.alerts.insert(found.alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
-                    found.alerts.insert(found.alerts.end(), result.alerts.begin(), result.alerts.end());
-                    found.functions.push_back(std::move(result));
+    const auto take = [&](scales::FunctionOfScale result, const std::vector<Alert>& alerts) {
+        if (arguments.all) result.reliable_from = 0.0;
+        found.alerts.insert(found.alerts.end(), alerts.begin(), alerts.end());
+        found.alerts.insert(found.alerts.end(), result.alerts.begin(), result.alerts.end());
+        found.functions.push_back(std::move(result));
+    };
+    const auto attempt = [&](const auto& body) {
+        try {
+            body();
+        } catch (const Error& error) {
+            complain(error.what());
+            found.some_failed = true;
+        }
+    };
+    const auto options = arguments.surface.analysis();
+    for (const auto& input : arguments.surface.surface().measurements)
+        attempt([&] {
+            for (const auto& source : workflow::measurement_sources(input))
+                attempt([&] {
+                    if (workflow::too_large(source, options)) {
+                        take(large_map_function(*source.by_bands, arguments, verb.of_large_map), source.by_bands->alerts);
+                        return;
+                    }
+                    const auto prepared = source.prepare();
+                    take(verb.of_measurement(prepared.measurement, arguments), prepared.alerts);
                 });
         });
-    }
     return found;
 }
 
@@ -149,8 +182,8 @@ workflow::Json as_json(const Table& table, const Found& found) {
     return json;
 }
 
-ExitCode run(const ScaleArguments& arguments, Function function) {
-    auto found = functions_of(arguments, function);
+ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
+    auto found = functions_of(arguments, verb);
     if (found.functions.empty()) return ExitCode::nothing_done;
     const auto table = table_of(found, arguments);
     if (!arguments.output.empty()) {
@@ -164,9 +197,9 @@ ExitCode run(const ScaleArguments& arguments, Function function) {
     return found.some_failed ? ExitCode::some_failed : ExitCode::done;
 }
 
-ExitCode run_sdrp(const ScaleArguments& arguments) { return run(arguments, slope_or_curvature); }
-ExitCode run_acf(const ScaleArguments& arguments) { return run(arguments, autocorrelation_or_slope); }
-ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, bandwidth); }
+ExitCode run_sdrp(const ScaleArguments& arguments) { return run(arguments, {slope_or_curvature, nullptr}); }
+ExitCode run_acf(const ScaleArguments& arguments) { return run(arguments, {autocorrelation_or_slope, autocorrelation_of_large_map}); }
+ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, {bandwidth, nullptr}); }
 
 }  // namespace
 
@@ -186,6 +219,7 @@ void add_acf(CLI::App& program, Action& action) {
     auto* verb = program.add_subcommand("acf", "height-difference autocorrelation of one measurement, or combined from several");
     arguments->add_to(*verb);
     verb->add_flag("--area", arguments->area, "maps over all directions, not along their lines");
+    verb->add_option("--longest", arguments->longest, "longest distance of --area, which maps read by bands need");
     verb->add_flag("--slope", arguments->slope, "the rms slope between points, sqrt(2A)/d");
     on_named(*verb, action, arguments, acf_explanation, run_acf);
 }

@@ -12,6 +12,7 @@ void add_container(CLI::App& program, Action& action);
 void add_convert(CLI::App& program, Action& action);
 void add_level(CLI::App& program, Action& action);
 void add_contour(CLI::App& program, Action& action);
+void add_check(CLI::App& program, Action& action);
 void add_psd(CLI::App& program, Action& action);
 void add_sdrp(CLI::App& program, Action& action);
 void add_acf(CLI::App& program, Action& action);

@@ -116,7 +116,8 @@ TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
         for (Index j = 0; j < 128; ++j) map.heights(i, j) = whole.heights(4 * i, 4 * j);
     SpectrumOptions options;
     options.trend = topography::Trend::tilt;
-    const auto fit = fit_self_affine(power_spectrum(map, options));
+    const auto spectrum = power_spectrum(map, options);
+    const auto fit = fit_self_affine(spectrum, {.range = Band{spectrum.q_min, spectrum.q_max}});
     const auto& H = fit.hurst_exponent.estimate;
     EXPECT_NEAR(H.value, 0.8, 3.0 * H.standard_error);
     EXPECT_LT(H.standard_error, 0.05);

@@ -13,15 +13,6 @@
 namespace setae::reference {
 namespace {
 
-/// Part of the band of a measurement where neither the window nor aliases reach: see self_affine_fit.hpp.
-spectra::SpectrumOptions careful() {
-    spectra::SpectrumOptions options;
-    options.trend = topography::Trend::tilt;
-    options.reliability.first_mode = 8;
-    options.reliability.nyquist_fraction = 0.25;
-    return options;
-}
-
 double C_iso_at(const synthesis::SelfAffine& model, double q) { return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent); }
 
 void tally(FitSurvey& survey, const spectra::SelfAffineFit& fit, const synthesis::SelfAffine& truth) {
@@ -47,20 +38,21 @@ Twin twin(int number) {
     const synthesis::MultiscaleSurface surface(synthesis::density(result.truth),
                                                {.key = synthesis::substream({77, 0}, static_cast<std::uint64_t>(number)), .longest_wavelength = 1000.0 * um, .shortest_wavelength = 4e-9});
     std::vector<spectra::PowerSpectrum1D> spectra;
-    const auto options = careful();
+    spectra::SpectrumOptions options;
+    options.trend = topography::Trend::tilt;
     for (int k = 0; k < 4; ++k) {
         const double place = (1.0 + k) * 300.0 * um;
         auto line = surface.line({.x = place, .y = -place, .direction = 0.0, .points = 2000, .step = 0.1 * um});
         line.metadata.instrument.type = "stylus";
-        spectra.push_back(spectra::power_spectrum(line, options));
+        spectra.push_back(spectra::undistorted(spectra::power_spectrum(line, options)));
         for (const double size : {20.0 * um, 2.0 * um}) {
             auto map = surface.window({.x = place, .y = place + 100.0 * um, .nx = 128, .ny = 128, .pixel_size = size / 128.0});
             map.metadata.instrument.type = size > 10.0 * um ? "optical" : "afm";
-            spectra.push_back(spectra::power_spectrum(map, options));
+            auto spectrum = spectra::power_spectrum(map, options);
+            spectra.push_back(spectra::undistorted(spectrum));
             if (k == 0 && size > 10.0 * um) {
-                auto all = options;
-                all.reliability = {.first_mode = 2};
-                result.single = spectra::power_spectrum(map, all);
+                spectrum.q_min *= 2.0;  // the trend takes the first mode
+                result.single = std::move(spectrum);
             }
         }
     }

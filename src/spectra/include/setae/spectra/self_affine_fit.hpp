@@ -79,17 +79,20 @@ struct SelfAffineFit {
 /// parameters, or a level outside (0, 1).
 [[nodiscard]] SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffineFitOptions& options = {});
 
-/// Of a spectrum combined from at least two measurements: ν of a bin is (C/SE)², shrunk to what all bins together say where few
-/// measurements share one; the expectation is the exact C1D of lines, averaged over nothing (values stand for the bins' centres).
-/// Sampling lifts C1D towards each measurement's Nyquist wavevector, which a combined spectrum no longer knows: combine with
-/// reliability.nyquist_fraction <= 0.25, or fit the measurements themselves (inference/self_affine_fit.hpp).
+/// Of a spectrum combined from at least two measurements: ν of a bin is (C/SE)², (C/SE)² of a bin pooled with two on either
+/// side; the expectation is the exact C1D of lines at the bins' centres.
+/// Windows and sampling bend C1D at both ends of each measurement, which a combined spectrum no longer knows: combine what is undistorted().
 /// @throws as above; UndefinedDataError where no bin has a standard error.
 [[nodiscard]] SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
-/// Of one measurement's modes inside its reliable band: ν is lines × the share of a mode that is its own (lines taken as independent;
-/// inference/independent_lines.hpp says how many are). The expectation knows the Hann window's main lobe and, where the modes
+/// Of one measurement's modes inside its reliable band, without a range up to a quarter of the highest wavevector: ν is modes × the share of a mode that is its own × independent lines, 2.5/q
+/// apart (∫ρ² of neighbouring lines of a self-affine surface). The expectation knows the Hann window's main lobe and, where the modes
 /// go up to the Nyquist wavevector, its aliases.
 [[nodiscard]] SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options = {});
+
+/// The spectrum with its band cut to where it is the surface's to a few per cent: from the eighth mode on (a window mixes fewer) to a quarter of the
+/// highest wavevector (sampling folds back more). What is combined for a fit.
+[[nodiscard]] PowerSpectrum1D undistorted(PowerSpectrum1D spectrum);
 
 /// C1D [m³] of the model, each wavevector said to lie in the range of the fit or not: the columns of an export.
 struct ModelCurve {
