@@ -34,8 +34,9 @@ constexpr const char* vbw_explanation =
 struct ScaleArguments {
     Common common;
     SurfaceOptions surface;
-    bool area = false, slope = false, all = false, binned = false;
+    bool area = false, slope = false, all = false, binned = false, stream = false;
     int order = 1, bins_per_decade = 10;
+    std::string longest;
     std::string distance, statistic = "rms", along = "x", weighting = "equal", output;
 
     void add_to(CLI::App& verb) {
@@ -82,6 +83,35 @@ scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, co
     return arguments.area ? scales::variable_bandwidth_of_area(map_of(measurement), options) : scales::variable_bandwidth_along_lines(measurement, options);
 }
 
+/// The map of a file by bands of its scan lines.
+topography::TiledMap tiled_map(const workflow::MeasurementInput& input) {
+    if (input.trend && *input.trend != topography::Trend::none && *input.trend != topography::Trend::mean)
+        throw InvalidArgument(input.file + ": --stream takes heights as they are; a trend needs the whole map: leave out --stream or --trend");
+    for (const auto& channel : io::open(input.file, {.size = input.size, .unit = input.unit})) {
+        auto map = channel.info.is_height ? io::tiled(channel) : std::nullopt;
+        if (!map) continue;
+        auto& instrument = map->metadata.instrument;
+        if (!input.instrument.empty()) instrument.type = input.instrument;
+        if (input.resolution) instrument.resolution = input.resolution;
+        if (input.tip_radius) instrument.tip_radius = input.tip_radius->value;
+        map->metadata.file = input.file;
+        return *map;
+    }
+    throw InvalidArgument(input.file + ": no map that can be read by bands; leave out --stream");
+}
+
+scales::FunctionOfScale streamed(const workflow::MeasurementInput& input, const ScaleArguments& arguments) {
+    constexpr std::size_t band_bytes = std::size_t{1} << 28;
+    const auto map = tiled_map(input);
+    const scales::AutocorrelationOptions options{.threads = arguments.common.workers()};
+    if (arguments.area) {
+        if (arguments.longest.empty()) throw InvalidArgument(input.file + ": --stream --area goes up to a longest distance; give it, as in --longest 1um");
+        return scales::autocorrelation_of_area(map, parse_quantity(arguments.longest, dimension::length), arguments.grid(), band_bytes, options);
+    }
+    const auto lines = scales::autocorrelation_of_lines(map, band_bytes, options);
+    return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
+}
+
 /// What was found, and of which measurement.
 struct Found {
     std::vector<scales::FunctionOfScale> functions;
@@ -94,6 +124,11 @@ struct Found {
 Found functions_of(const ScaleArguments& arguments, Function function) {
     Found found;
     for (const auto& input : arguments.surface.surface().measurements) {
+        const auto keep = [&](scales::FunctionOfScale result) {
+            if (arguments.all) result.reliable_from = 0.0;
+            found.alerts.insert(found.alerts.end(), result.alerts.begin(), result.alerts.end());
+            found.functions.push_back(std::move(result));
+        };
         const auto take = [&](const auto& body) {
             try {
                 body();
@@ -103,14 +138,12 @@ Found functions_of(const ScaleArguments& arguments, Function function) {
             }
         };
         take([&] {
+            if (arguments.stream) return keep(streamed(input, arguments));
             for (const auto& prepare : workflow::prepared_measurements(input))
                 take([&] {
                     const auto prepared = prepare();
-                    auto result = function(prepared.measurement, arguments);
-                    if (arguments.all) result.reliable_from = 0.0;
                     found.alerts.insert(found.alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
-                    found.alerts.insert(found.alerts.end(), result.alerts.begin(), result.alerts.end());
-                    found.functions.push_back(std::move(result));
+                    keep(function(prepared.measurement, arguments));
                 });
         });
     }
@@ -187,6 +220,8 @@ void add_acf(CLI::App& program, Action& action) {
     arguments->add_to(*verb);
     verb->add_flag("--area", arguments->area, "maps over all directions, not along their lines");
     verb->add_flag("--slope", arguments->slope, "the rms slope between points, sqrt(2A)/d");
+    verb->add_flag("--stream", arguments->stream, "maps larger than memory: by bands of scan lines, heights as they are");
+    verb->add_option("--longest", arguments->longest, "with --stream --area: the longest distance, such as 1um");
     on_named(*verb, action, arguments, acf_explanation, run_acf);
 }
 
