@@ -87,8 +87,11 @@ scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, co
 topography::TiledMap tiled_map(const workflow::MeasurementInput& input) {
     if (input.trend && *input.trend != topography::Trend::none && *input.trend != topography::Trend::mean)
         throw InvalidArgument(input.file + ": --stream takes heights as they are; a trend needs the whole map: leave out --stream or --trend");
-    for (const auto& channel : io::open(input.file, {.size = input.size, .unit = input.unit})) {
-        auto map = channel.info.is_height ? io::tiled(channel) : std::nullopt;
+    const auto channels = io::open(input.file, {.size = input.size, .unit = input.unit});
+    for (std::size_t number = 0; number < channels.size(); ++number) {
+        const auto& channel = channels[number];
+        if (input.channel.value_or(number) != number || !channel.info.is_height) continue;
+        auto map = io::tiled(channel);
         if (!map) continue;
         auto& instrument = map->metadata.instrument;
         if (!input.instrument.empty()) instrument.type = input.instrument;
