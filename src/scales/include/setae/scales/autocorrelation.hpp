@@ -6,7 +6,7 @@
 
 namespace setae::scales {
 
-/// Height-difference autocorrelation
+/// What all autocorrelations here share. Each is that of height differences,
 ///
 ///   A(d) = ½⟨[h(x + d) − h(x)]²⟩ [m²]
 ///

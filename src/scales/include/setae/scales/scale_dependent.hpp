@@ -33,7 +33,7 @@ struct DifferenceOptions {
     int order = 1;  ///< 1, 2 or 3
     Along along = Along::x;
     Interpolation interpolation = Interpolation::linear;
-    /// Lengths of stencils [m]; by default the 10^(b/n) m of `grid` from order · pixel size to the size (order/2 sizes in periodic data).
+    /// Lengths of stencils [m]; by default the 10^(b/n) m of `grid` from order · pixel size to the size (order 1 of periodic data: half of it).
     std::optional<Array1D> distances;
     spectra::LogGrid grid;
     Index fewest = 4;  ///< distances with fewer differences are left out
