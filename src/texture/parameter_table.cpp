@@ -16,7 +16,9 @@ constexpr auto profile = Standard::iso21920;
 
 constexpr std::string_view moments = "sine, triangle, step, parabola; surfalize";
 constexpr std::string_view curve = "ramp, sine, Gaussian quantiles, plateau with holes; surfalize on points";
-constexpr std::string_view line_moments = "sine, triangle, step, parabola; Ra and Rq evaluated by an instrument (mitutoyo_2)";
+constexpr std::string_view features = "crossed cosines; surfalize";
+constexpr std::string_view line_moments = "sine, triangle, step, parabola; evaluated by an instrument (mitutoyo_2)";
+constexpr std::string_view sections = "sections of steps; instrument (mitutoyo_2)";
 constexpr std::string_view line_curve = "as Sk: the same code on segments";
 
 constexpr std::array table{
@@ -56,34 +58,41 @@ constexpr std::array table{
     ParameterDefinition{"Vmc", "core_material_volume", "Vm(80 %) - Vm(10 %)", "m", areal, "4.5.6", curve},
     ParameterDefinition{"Vvc", "core_void_volume", "Vv(10 %) - Vv(80 %), Vv(p) = int_-inf^H(p) (1 - P) dh", "m", areal, "4.5.6", curve},
     ParameterDefinition{"Vvv", "pit_void_volume", "Vv(80 %)", "m", areal, "4.5.6", curve},
+    ParameterDefinition{"Spd", "peak_density", "significant hills an area; watersheds, Wolf pruning at 5 % of Sz, hills at edges left out", "1/m2", areal, "5", features},
+    ParameterDefinition{"Svd", "pit_density", "significant dales an area", "1/m2", areal, "5", features},
+    ParameterDefinition{"Spc", "mean_peak_curvature", "mean of -1/2 (z_xx + z_yy) at significant peaks", "1/m", areal, "5", features},
+    ParameterDefinition{"Svc", "mean_pit_curvature", "the same at significant pits", "1/m", areal, "5", features},
+    ParameterDefinition{"S5p", "five_point_peak_height", "mean of the five highest significant peaks", "m", areal, "5", features},
+    ParameterDefinition{"S5v", "five_point_pit_depth", "mean of the five deepest significant pits", "m", areal, "5", features},
+    ParameterDefinition{"S10z", "ten_point_height", "S5p + S5v", "m", areal, "5", features},
 
     ParameterDefinition{"Rq", "root_mean_square_height", "sqrt(<z^2>), z = h - <h>; polylines: exact integrals", "m", profile, "4.3", line_moments},
     ParameterDefinition{"Rsk", "skewness", "<z^3>/Rq^3", "1", profile, "4.3", line_moments},
     ParameterDefinition{"Rku", "kurtosis", "<z^4>/Rq^4", "1", profile, "4.3", line_moments},
     ParameterDefinition{"Ra", "arithmetic_mean_height", "<|z|>; polylines: segments split at the mean line", "m", profile, "4.3", line_moments},
-    ParameterDefinition{"Rt", "total_height", "max z - min z over the evaluation length", "m", profile, "4.3", "sine, triangle"},
-    ParameterDefinition{"Rp", "mean_peak_height", "mean over sections of max z", "m", profile, "4.3", "sections of steps"},
-    ParameterDefinition{"Rv", "mean_pit_depth", "mean over sections of -min z", "m", profile, "4.3", "sections of steps"},
-    ParameterDefinition{"Rz", "maximum_height", "mean over sections of max z - min z", "m", profile, "4.3", "sections of steps; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rzx", "largest_section_height", "largest of the sections' max z - min z", "m", profile, "4.3", "sections of steps"},
-    ParameterDefinition{"RSm", "mean_element_spacing", "mean length of profile elements by crossing the line, 10 % height discrimination", "m", profile, "4.4", "sine, noise on a sine"},
+    ParameterDefinition{"Rt", "total_height", "max z - min z over the evaluation length", "m", profile, "4.3", "sine, triangle; instrument (mitutoyo_2)"},
+    ParameterDefinition{"Rp", "mean_peak_height", "mean over sections of max z", "m", profile, "4.3", sections},
+    ParameterDefinition{"Rv", "mean_pit_depth", "mean over sections of -min z", "m", profile, "4.3", sections},
+    ParameterDefinition{"Rz", "maximum_height", "mean over sections of max z - min z", "m", profile, "4.3", sections},
+    ParameterDefinition{"Rzx", "largest_section_height", "largest of the sections' max z - min z", "m", profile, "4.3", sections},
+    ParameterDefinition{"RSm", "mean_element_spacing", "mean length of profile elements by crossing the line, 10 % height discrimination", "m", profile, "4.4", "sine, noise on a sine; instrument (mitutoyo_2)"},
     ParameterDefinition{"RSmq", "element_spacing_deviation", "rms deviation of the elements' lengths", "m", profile, "4.4", "sine"},
-    ParameterDefinition{"Rc", "mean_element_height", "mean height of profile elements", "m", profile, "4.4", "sine"},
+    ParameterDefinition{"Rc", "mean_element_height", "mean height of profile elements", "m", profile, "4.4", "sine; instrument (mitutoyo_2)"},
     ParameterDefinition{"Rcq", "element_height_deviation", "rms deviation of the elements' heights", "m", profile, "4.4", "sine"},
-    ParameterDefinition{"Rdq", "root_mean_square_slope", "sqrt(<z'^2>), seven-point slopes; polylines: of segments", "1", profile, "4.4, B", "line, cosine by its symbol"},
+    ParameterDefinition{"Rdq", "root_mean_square_slope", "sqrt(<z'^2>), seven-point slopes; polylines: of segments", "1", profile, "4.4, B", "line, cosine by its symbol; instrument (mitutoyo_2)"},
     ParameterDefinition{"Rda", "mean_absolute_slope", "<|z'|>", "1", profile, "4.4, B", "line, triangle"},
     ParameterDefinition{"Rdq_2", "root_mean_square_slope_of_neighbours", "sqrt(<z'^2>), differences of neighbours", "1", profile, "4.4", "SurfaceTopography to 1e-10"},
     ParameterDefinition{"Rmr(c)", "material_ratio", "P(c): share of the length at or above height c over the mean line", "1", profile, "4.5",
                         "SurfaceTopography bearing_area to 1e-10; plateaus"},
     ParameterDefinition{"Rmc(p)", "inverse_material_ratio", "H(p)", "m", profile, "4.5", "inverse of Rmr(c) to 1e-12"},
     ParameterDefinition{"Rdc", "material_ratio_height_difference", "H(2 %) - H(98 %)", "m", profile, "4.5", line_curve},
-    ParameterDefinition{"Rk", "core_height", "as Sk", "m", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rpk", "reduced_peak_height", "as Spk", "m", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rvk", "reduced_pit_depth", "as Svk", "m", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rmrk1", "peak_material_ratio", "P(c1)", "1", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rmrk2", "pit_material_ratio", "P(c2)", "1", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rak1", "peak_area_over_core", "int_c1^inf P dh", "m", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rak2", "pit_area_below_core", "int_-inf^c2 (1 - P) dh", "m", profile, "4.5, ISO 13565-2", "as Sk; instrument (mitutoyo_2)"},
+    ParameterDefinition{"Rk", "core_height", "as Sk", "m", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rpk", "reduced_peak_height", "as Spk", "m", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rvk", "reduced_pit_depth", "as Svk", "m", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rmrk1", "peak_material_ratio", "P(c1)", "1", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rmrk2", "pit_material_ratio", "P(c2)", "1", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rak1", "peak_area_over_core", "int_c1^inf P dh", "m", profile, "4.5, ISO 13565-2", line_curve},
+    ParameterDefinition{"Rak2", "pit_area_below_core", "int_-inf^c2 (1 - P) dh", "m", profile, "4.5, ISO 13565-2", line_curve},
 };
 
 }  // namespace

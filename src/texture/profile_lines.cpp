@@ -2,7 +2,6 @@
 #include "profile_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -125,17 +124,6 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
     for (Index i = margin; i < n - margin && n >= 7; ++i)
         wide.add((45.0 * (z(i + 1) - z(i - 1)) - 9.0 * (z(i + 2) - z(i - 2)) + (z(i + 3) - z(i - 3))) / (60.0 * step), 1.0);
     return {wide.rms(), wide.mean(), narrow.rms()};
-}
-
-ProfileSetting default_setting(double Ra) {
-    if (!(Ra >= 0.0)) throw InvalidArgument(fmt::format("Ra is {} m, expected a number >= 0", Ra));
-    struct Row {
-        double up_to, section, s_filter;
-    };
-    static constexpr std::array<Row, 4> rows{{{0.02e-6, 0.08e-3, 2.5e-6}, {0.1e-6, 0.25e-3, 2.5e-6}, {2e-6, 0.8e-3, 2.5e-6}, {10e-6, 2.5e-3, 8e-6}}};
-    for (const auto& row : rows)
-        if (Ra <= row.up_to) return {row.section, row.s_filter, 5};
-    return {8e-3, 25e-6, 5};
 }
 
 }  // namespace setae::texture

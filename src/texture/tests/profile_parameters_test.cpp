@@ -190,5 +190,16 @@ TEST(DefaultSetting, FollowsTheTableOfRoughness) {
     EXPECT_THROW((void)default_setting(-1.0), InvalidArgument);
 }
 
+TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
+    auto fine = sine(10000, 1e-6, 30e-6, 0.05e-6);  // Ra = 32 nm: 0.25 mm
+    EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
+    fine.heights += sine(10000, 1e-6, 9e-3, 5e-6).heights;  // waviness does not count
+    EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
+    EXPECT_EQ(default_setting(sine(10000, 1e-6, 100e-6, 5e-6)).section_length, 2.5e-3);
+    EXPECT_EQ(default_setting(sine(1000, 1e-6, 100e-6, 5e-6)).section_length, 0.8e-3);  // 2.5 mm do not fit into 1 mm
+    EXPECT_THROW((void)default_setting(sine(50, 1e-6, 10e-6, 1e-6)), InvalidArgument);
+    EXPECT_THROW((void)default_setting(tests::random_profile(50)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace setae::texture

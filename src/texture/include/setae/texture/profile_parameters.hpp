@@ -86,6 +86,12 @@ struct ProfileSetting {
 /// Source: ISO 4288:1996, table 1; ISO 3274:1996, table 1.
 [[nodiscard]] ProfileSetting default_setting(double Ra);
 
+/// Of a line with equal steps: the smallest L-filter of the table that the Ra behind it asks for itself, with its S-filter; the largest that
+/// leaves one section where none does.
+/// @throws InvalidArgument for a map, a polyline, or a line shorter than the smallest section.
+/// Source: ISO 4288:1996, 7.2.
+[[nodiscard]] ProfileSetting default_setting(const MeasurementView& line, parallel::Threads threads = {});
+
 /// All parameters of ISO 21920-2:2021 of a line, its symbols with P, W or R. Filters need equal steps.
 /// @throws InvalidArgument for a map (take topography::line_scans), a filter on a polyline or a waviness without L-filter.
 [[nodiscard]] std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options = {},
