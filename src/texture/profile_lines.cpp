@@ -88,18 +88,22 @@ std::vector<topography::Measurement> sections(const MeasurementView& line, doubl
 
 namespace {
 
-/// Mean square and mean absolute value of the defined ones.
+/// Means of slopes, undefined ones left out.
 struct SlopeMeans {
-    double squares = 0.0, absolute = 0.0, weight = 0.0;
+    double squares = 0.0, absolute = 0.0, largest = 0.0, developed = 0.0, weight = 0.0;
 
     void add(double slope, double length) {
         if (slope != slope) return;
         squares += slope * slope * length;
         absolute += std::abs(slope) * length;
+        largest = std::max(largest, std::abs(slope));
+        developed += slope * slope / (1.0 + std::sqrt(1.0 + slope * slope)) * length;  // sqrt(1 + s²) − 1
         weight += length;
     }
     [[nodiscard]] double rms() const { return weight > 0.0 ? std::sqrt(squares / weight) : undefined; }
     [[nodiscard]] double mean() const { return weight > 0.0 ? absolute / weight : undefined; }
+    [[nodiscard]] double maximum() const { return weight > 0.0 ? largest : undefined; }
+    [[nodiscard]] double excess() const { return weight > 0.0 ? developed / weight : undefined; }
 };
 
 }  // namespace
@@ -113,7 +117,7 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
             const double length = profile->positions[i] - profile->positions[i - 1];
             narrow.add((profile->heights[i] - profile->heights[i - 1]) / length, length);
         }
-        return {narrow.rms(), narrow.mean(), narrow.rms()};
+        return {narrow.rms(), narrow.mean(), narrow.maximum(), narrow.excess(), narrow.rms()};
     }
     const auto& scan = *line.as<LineScan>();
     const auto n = scan.heights.size();
@@ -123,7 +127,7 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
     const Index margin = scan.periodic ? 0 : 3;
     for (Index i = margin; i < n - margin && n >= 7; ++i)
         wide.add((45.0 * (z(i + 1) - z(i - 1)) - 9.0 * (z(i + 2) - z(i - 2)) + (z(i + 3) - z(i - 3))) / (60.0 * step), 1.0);
-    return {wide.rms(), wide.mean(), narrow.rms()};
+    return {wide.rms(), wide.mean(), wide.maximum(), narrow.excess(), narrow.rms()};
 }
 
 }  // namespace setae::texture

@@ -24,7 +24,7 @@ struct MaterialRatios {
 ///   Vmp = Vm(10 %), Vmc = Vm(80 %) − Vm(10 %), Vvc = Vv(10 %) − Vv(80 %), Vvv = Vv(80 %),  Sxp = H(2.5 %) − H(50 %)
 ///
 /// Of lines the same with R in place of S. Members carry the names of the areal parameters.
-/// Source: ISO 25178-2:2021, 4.4 and annex B; ISO 21920-2:2021, 4.5; ISO 13565-2:1996.
+/// Source: ISO 25178-2:2021, 4.5 and annex B; ISO 21920-2:2021, 4.5.3 and 4.5.5; ISO 13565-2:1996.
 struct FunctionalParameters {
     double Sk = 0.0;
     double Spk = 0.0;
