@@ -9,6 +9,7 @@
 #include "parameter_rows.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/texture/feature_parameters.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/texture/hybrid_parameters.hpp"
 #include "setae/texture/spatial_parameters.hpp"
@@ -55,6 +56,16 @@ void add_heights(ParameterRows& rows, const HeightParameters& heights, const Hei
     rows.add("Sv", {heights.Sv});
     rows.add("Sz", {heights.Sz});
     rows.add("Sa", errors.of_scale(heights.Sa), std::move(alerts));
+}
+
+void add_features(ParameterRows& rows, const FeatureParameters& features) {
+    rows.add("Spd", {features.Spd});
+    rows.add("Svd", {features.Svd});
+    rows.add("Spc", {features.Spc});
+    rows.add("Svc", {features.Svc});
+    rows.add("S5p", {features.S5p});
+    rows.add("S5v", {features.S5v});
+    rows.add("S10z", {features.S10z});
 }
 
 /// The alerts that begin with a symbol, and those of all three.
@@ -111,6 +122,7 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     rows.add("Vmc", {functional.Vmc});
     rows.add("Vvc", {functional.Vvc});
     rows.add("Vvv", {functional.Vvv});
+    add_features(rows, feature_parameters(map, {}, threads));
     return rows.take();
 }
 

@@ -84,7 +84,7 @@ std::vector<Alert> undefined_alerts(const MeasurementView& measurement) {
 }
 
 bool rests_on_short_waves(std::string_view symbol) {
-    static constexpr std::array symbols{"Sdq", "Sdr", "Sdq_c", "Sdr_c", "Rdq", "Rda", "Rdq_2"};
+    static constexpr std::array symbols{"Sdq", "Sdr", "Sdq_c", "Sdr_c", "Spc", "Svc", "Rdq", "Rda", "Rdq_2"};
     return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
 }
 

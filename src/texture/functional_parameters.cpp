@@ -68,6 +68,22 @@ void require_ratio(double ratio) {
     if (!(ratio >= 0.0 && ratio <= 1.0)) throw InvalidArgument(fmt::format("material ratio is {}, expected 0 … 1", ratio));
 }
 
+/// Volumes above and below heights, which may stand in any order.
+MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between, parallel::Threads threads) {
+    MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size())};
+    std::vector<double> sorted(heights.begin(), heights.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    if (sorted.empty()) return volumes;
+    const auto curve = material_ratio_curve(measurement, Eigen::Map<const Array1D>(sorted.data(), static_cast<Index>(sorted.size())), between, threads);
+    for (Index k = 0; k < heights.size(); ++k) {
+        const auto place = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
+        volumes.material[k] = curve.volume[place];
+        volumes.void_volume[k] = std::max(0.0, curve.volume[place] + (heights[k] - curve.mean));
+    }
+    return volumes;
+}
+
 }  // namespace
 
 FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios, Between between, parallel::Threads threads) {
@@ -88,30 +104,20 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     result.Svk = 1.0 - result.Smrk2 > rounding ? 2.0 * result.Sak2 / (1.0 - result.Smrk2) : 0.0;
     result.Spkx = std::max(0.0, curve.highest() - core.upper);
     result.Svkx = std::max(0.0, core.lower - curve.lowest());
-    const double high = curve.height(ratios.peaks), low = curve.height(ratios.valleys);
-    result.Vmp = curve.volume(high);
-    result.Vmc = curve.volume(low) - result.Vmp;
-    result.Vvv = curve.void_volume(low);
-    result.Vvc = curve.void_volume(high) - result.Vvv;
-    result.Sxp = curve.height(ratios.extreme) - curve.height(ratios.extreme_reference);
-    result.Sdc = curve.height(ratios.upper) - curve.height(ratios.lower);
+    const Array1D wanted = (Array1D(6) << ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower).finished();
+    const auto heights = heights_at_ratio(measurement, wanted, between, threads);
+    const auto volumes = volumes_beside(measurement, heights.head(2), between, threads);
+    result.Vmp = volumes.material[0];
+    result.Vmc = volumes.material[1] - result.Vmp;
+    result.Vvv = volumes.void_volume[1];
+    result.Vvc = volumes.void_volume[0] - result.Vvv;
+    result.Sxp = heights[2] - heights[3];
+    result.Sdc = heights[4] - heights[5];
     return result;
 }
 
 MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios, Between between, parallel::Threads threads) {
-    const auto heights = heights_at_ratio(measurement, ratios, between, threads);
-    MaterialVolumes volumes{Array1D(ratios.size()), Array1D(ratios.size())};
-    std::vector<double> sorted(heights.begin(), heights.end());
-    std::sort(sorted.begin(), sorted.end());
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    if (sorted.empty()) return volumes;
-    const auto curve = material_ratio_curve(measurement, Eigen::Map<const Array1D>(sorted.data(), static_cast<Index>(sorted.size())), between, threads);
-    for (Index k = 0; k < ratios.size(); ++k) {
-        const auto place = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
-        volumes.material[k] = curve.volume[place];
-        volumes.void_volume[k] = std::max(0.0, curve.volume[place] + (heights[k] - curve.mean));
-    }
-    return volumes;
+    return volumes_beside(measurement, heights_at_ratio(measurement, ratios, between, threads), between, threads);
 }
 
 }  // namespace setae::texture

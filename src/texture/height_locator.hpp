@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,7 +18,8 @@ public:
     explicit HeightLocator(const ArrayView1D& heights) : heights_(heights.begin(), heights.end()), count_(static_cast<int>(heights.size())) {
         const double range = heights_.back() - heights_.front();
         const int steps = std::clamp(4 * count_, 64, 1 << 16);
-        scale_ = range > 0.0 ? steps / range : 0.0;
+        scale_ = steps / range;
+        if (!std::isfinite(scale_)) scale_ = 0.0;  // one height, or heights closer than numbers can tell
         heights_.push_back(std::numeric_limits<double>::infinity());
         first_.assign(static_cast<std::size_t>(steps) + 2, count_);
         for (int k = count_ - 1; k >= 0; --k) first_[step_of(heights_[static_cast<std::size_t>(k)])] = k;

@@ -2,7 +2,6 @@
 #include "profile_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -89,18 +88,22 @@ std::vector<topography::Measurement> sections(const MeasurementView& line, doubl
 
 namespace {
 
-/// Mean square and mean absolute value of the defined ones.
+/// Means of slopes, undefined ones left out.
 struct SlopeMeans {
-    double squares = 0.0, absolute = 0.0, weight = 0.0;
+    double squares = 0.0, absolute = 0.0, largest = 0.0, developed = 0.0, weight = 0.0;
 
     void add(double slope, double length) {
         if (slope != slope) return;
         squares += slope * slope * length;
         absolute += std::abs(slope) * length;
+        largest = std::max(largest, std::abs(slope));
+        developed += slope * slope / (1.0 + std::sqrt(1.0 + slope * slope)) * length;  // sqrt(1 + s²) − 1
         weight += length;
     }
     [[nodiscard]] double rms() const { return weight > 0.0 ? std::sqrt(squares / weight) : undefined; }
     [[nodiscard]] double mean() const { return weight > 0.0 ? absolute / weight : undefined; }
+    [[nodiscard]] double maximum() const { return weight > 0.0 ? largest : undefined; }
+    [[nodiscard]] double excess() const { return weight > 0.0 ? developed / weight : undefined; }
 };
 
 }  // namespace
@@ -114,7 +117,7 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
             const double length = profile->positions[i] - profile->positions[i - 1];
             narrow.add((profile->heights[i] - profile->heights[i - 1]) / length, length);
         }
-        return {narrow.rms(), narrow.mean(), narrow.rms()};
+        return {narrow.rms(), narrow.mean(), narrow.maximum(), narrow.excess(), narrow.rms()};
     }
     const auto& scan = *line.as<LineScan>();
     const auto n = scan.heights.size();
@@ -124,18 +127,7 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
     const Index margin = scan.periodic ? 0 : 3;
     for (Index i = margin; i < n - margin && n >= 7; ++i)
         wide.add((45.0 * (z(i + 1) - z(i - 1)) - 9.0 * (z(i + 2) - z(i - 2)) + (z(i + 3) - z(i - 3))) / (60.0 * step), 1.0);
-    return {wide.rms(), wide.mean(), narrow.rms()};
-}
-
-ProfileSetting default_setting(double Ra) {
-    if (!(Ra >= 0.0)) throw InvalidArgument(fmt::format("Ra is {} m, expected a number >= 0", Ra));
-    struct Row {
-        double up_to, section, s_filter;
-    };
-    static constexpr std::array<Row, 4> rows{{{0.02e-6, 0.08e-3, 2.5e-6}, {0.1e-6, 0.25e-3, 2.5e-6}, {2e-6, 0.8e-3, 2.5e-6}, {10e-6, 2.5e-3, 8e-6}}};
-    for (const auto& row : rows)
-        if (Ra <= row.up_to) return {row.section, row.s_filter, 5};
-    return {8e-3, 25e-6, 5};
+    return {wide.rms(), wide.mean(), wide.maximum(), narrow.excess(), narrow.rms()};
 }
 
 }  // namespace setae::texture

@@ -9,6 +9,7 @@
 #include "profile_lines.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/texture/height_parameters.hpp"
+#include "setae/texture/spatial_parameters.hpp"
 
 namespace setae::texture {
 namespace {
@@ -56,6 +57,16 @@ Stretch stretch(const MeasurementView& line, double mean_line, double section_le
 
 char letter_of(ProfileKind kind) { return kind == ProfileKind::primary ? 'P' : kind == ProfileKind::waviness ? 'W' : 'R'; }
 
+/// Ral, or what a line lacks for it.
+void add_autocorrelation_length(ParameterRows& rows, const MeasurementView& line, double Rq) {
+    const auto* scan = line.as<topography::LineScan>();
+    if (scan && Rq > 0.0)
+        rows.add("Ral", {autocorrelation_length(*scan)});
+    else
+        rows.add("Ral", {undefined}, {{"RAL_UNDEFINED", topography::label(line.metadata()), scan ? "all heights are equal" : "an autocorrelation needs equal steps, this is a polyline",
+                                       scan ? "look at the data" : "resample the polyline"}});
+}
+
 /// Rows of the material ratio curve.
 void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line, parallel::Threads threads) {
     const auto curve = functional_parameters(line, options.ratios, options.between, threads);
@@ -69,6 +80,12 @@ void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOp
     rows.add("Rmrk2", {curve.Smrk2});
     rows.add("Rak1", {curve.Sak1});
     rows.add("Rak2", {curve.Sak2});
+    rows.add("Rpkx", {curve.Spkx});
+    rows.add("Rvkx", {curve.Svkx});
+    rows.add("Rvmp", {curve.Vmp});
+    rows.add("Rvmc", {curve.Vmc});
+    rows.add("Rvvc", {curve.Vvc});
+    rows.add("Rvvv", {curve.Vvv});
 }
 
 }  // namespace
@@ -107,6 +124,10 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
     add("Rdq", [](const Stretch& s) { return s.slopes.Rdq; });
     add("Rda", [](const Stretch& s) { return s.slopes.Rda; });
     add("Rdq_2", [](const Stretch& s) { return s.slopes.Rdq_2; });
+    rows.add("Rdt", {whole.slopes.Rdt});
+    rows.add("Rdl", {(1.0 + whole.slopes.Rdr) * size});
+    rows.add("Rdr", {whole.slopes.Rdr});
+    add_autocorrelation_length(rows, view, whole.heights.Sq);
     add_curve(rows, view, options, mean_line, threads);
     return rows.take();
 }

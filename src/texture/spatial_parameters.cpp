@@ -120,15 +120,31 @@ std::array<double, 3> correlation_areas(const LagMap& f, double radius, std::arr
     return sums;
 }
 
+void require_threshold(double threshold) {
+    if (!(threshold > 0.0 && threshold < 1.0)) throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", threshold));
+}
+
 Alert alert(const topography::HeightMap& map, const char* code, std::string message, const char* action) {
     return {code, topography::label(map.metadata), std::move(message), action};
 }
 
 }  // namespace
 
+double autocorrelation_length(const topography::LineScan& scan, const SpatialOptions& options) {
+    require_threshold(options.threshold);
+    const topography::HeightMap column{scan.heights, {scan.size, 1.0}, scan.periodic, scan.metadata};
+    const LagMap f(column, height_parameters(scan).mean, {1});
+    for (Index k = 1; k <= f.reach_x(); ++k) {
+        if (!(f(k, 0) <= options.threshold)) continue;
+        const double after = k < f.reach_x() ? f(k + 1, 0) : undefined;
+        const double before = k > 1 || f.reach_x() > 1 ? f(k - 2, 0) : undefined;
+        return scan.pixel_size() * (static_cast<double>(k - 1) + passage(before, f(k - 1, 0), f(k, 0), after, options.threshold));
+    }
+    return undefined;
+}
+
 SpatialParameters spatial_parameters(const topography::HeightMap& map, const SpatialOptions& options, parallel::Threads threads) {
-    if (!(options.threshold > 0.0 && options.threshold < 1.0))
-        throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", options.threshold));
+    require_threshold(options.threshold);
     const double mean = height_parameters(map, threads).mean;
     const LagMap products(map, mean, threads);
     const auto rim = rim_of(products, options.threshold, map.pixel_size());

@@ -15,7 +15,7 @@ void TextureOptions::add_to(CLI::App& verb) {
     verb.add_option("--standard", standard, "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
         ->check(CLI::IsMember({"iso25178", "iso21920"}));
     verb.add_option("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um");
-    verb.add_option("--l-filter", l_filter, "nesting index of the Gaussian L-filter (λc), such as 0.8mm");
+    verb.add_option("--l-filter", l_filter, "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)");
     verb.add_option("--section-length", section_length, "iso21920: length of a section; default the L-filter's nesting index, else all");
     verb.add_option("--profile", kind, "iso21920: primary, waviness or roughness (default)")->check(CLI::IsMember({"primary", "waviness", "roughness"}));
     verb.add_option("--averages", averages, "iso21920: over the evaluation length (2021, default) or over sections (ISO 4287:1997)")
@@ -42,7 +42,8 @@ bool TextureOptions::asked() const {
 texture::Filters TextureOptions::filters() const {
     texture::Filters filters;
     if (!s_filter.empty()) filters.s_filter = parse_quantity(s_filter, dimension::length);
-    if (!l_filter.empty()) filters.l_filter = parse_quantity(l_filter, dimension::length);
+    if (l_filter == "default" && standard != "iso21920") throw InvalidArgument("--l-filter default is of iso21920; give a length, such as 0.8mm");
+    if (!l_filter.empty() && l_filter != "default") filters.l_filter = parse_quantity(l_filter, dimension::length);
     return filters;
 }
 
@@ -87,6 +88,15 @@ std::vector<TextureParameter> mean_over_lines(const std::vector<std::vector<Text
 
 }  // namespace
 
+std::vector<TextureParameter> TextureOptions::of_line(const texture::MeasurementView& line, texture::ProfileOptions options, parallel::Threads threads) const {
+    if (l_filter == "default") {
+        const auto setting = texture::default_setting(line, threads);
+        options.filters.l_filter = setting.section_length;
+        if (!options.filters.s_filter) options.filters.s_filter = setting.s_filter;
+    }
+    return texture::profile_parameters(line, options, threads);
+}
+
 std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Measurement& measurement, parallel::Threads threads) const {
     const auto of_lines = profile();
     if (standard == "iso25178") return texture::areal_parameters(measurement, {.filters = of_lines.filters,
@@ -94,10 +104,10 @@ std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Me
                                                       .material_height = of_lines.material_height,
                                                       .material_ratio = of_lines.material_ratio}, threads);
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    if (!map) return texture::profile_parameters(measurement, of_lines, threads);
+    if (!map) return of_line(measurement, of_lines, threads);
     std::vector<std::vector<TextureParameter>> lines;
     for (const auto& line : topography::line_scans(*map))
-        if ((line.heights == line.heights).count() > 1) lines.push_back(texture::profile_parameters(line, of_lines, threads));
+        if ((line.heights == line.heights).count() > 1) lines.push_back(of_line(line, of_lines, threads));
     if (lines.empty()) throw UndefinedDataError(topography::label(map->metadata) + ": no scan line has two defined heights");
     return mean_over_lines(lines);
 }

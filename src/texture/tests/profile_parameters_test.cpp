@@ -51,6 +51,8 @@ TEST(ProfileParameters, OfASineAreItsClosedForms) {
     EXPECT_NEAR(value(rows, "Rdq"), A / std::sqrt(2.0) * (45.0 * std::sin(phase) - 9.0 * std::sin(2.0 * phase) + std::sin(3.0 * phase)) / (30.0 * step), 2e-6 * A * q);
     EXPECT_NEAR(value(rows, "Rdq") / (A * q), std::sqrt(0.5), 1e-5);
     EXPECT_NEAR(value(rows, "Rda") / (A * q), 2.0 / pi, 1e-3);
+    EXPECT_NEAR(value(rows, "Rdt") / (A * q), 1.0, 1e-3);
+    EXPECT_NEAR(value(rows, "Ral"), std::acos(0.2) / q, 1e-5 / q);
     EXPECT_NEAR(value(rows, "Rmr(c)"), 0.5, 1e-6);
     EXPECT_NEAR(value(rows, "Rmc(p)") / A, 0.0, 1e-5);
 }
@@ -67,6 +69,11 @@ TEST(ProfileParameters, OfATrianglePolylineAreExact) {
     EXPECT_NEAR(value(rows, "Rku"), 1.8, 1e-12);
     EXPECT_NEAR(value(rows, "Rdq"), 0.1, 1e-14);
     EXPECT_NEAR(value(rows, "Rda"), 0.1, 1e-14);
+    EXPECT_NEAR(value(rows, "Rdt"), 0.1, 1e-14);
+    EXPECT_NEAR(value(rows, "Rdr"), std::sqrt(1.01) - 1.0, 1e-14);
+    EXPECT_NEAR(value(rows, "Rdl"), 8e-6 * std::sqrt(1.01), 1e-18);
+    EXPECT_NEAR(value(rows, "Rvmc"), 1e-7 * 0.63, 1e-12 * 1e-7 + 1e-15);
+    EXPECT_EQ(rows.at("Ral").quantity.alerts.front().code, "RAL_UNDEFINED");
     EXPECT_NEAR(value(rows, "Rt"), 2e-7, 1e-20);
     EXPECT_NEAR(value(rows, "Rk"), 2e-7, 1e-15);
     EXPECT_NEAR(value(rows, "RSm"), 4e-6, 1e-18);
@@ -188,6 +195,17 @@ TEST(DefaultSetting, FollowsTheTableOfRoughness) {
     EXPECT_EQ(default_setting(3.3e-6).s_filter, 8e-6);
     EXPECT_EQ(default_setting(50e-6).section_length, 8e-3);
     EXPECT_THROW((void)default_setting(-1.0), InvalidArgument);
+}
+
+TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
+    auto fine = sine(10000, 1e-6, 30e-6, 0.05e-6);  // Ra = 32 nm: 0.25 mm
+    EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
+    fine.heights += sine(10000, 1e-6, 9e-3, 5e-6).heights;  // waviness does not count
+    EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
+    EXPECT_EQ(default_setting(sine(10000, 1e-6, 100e-6, 5e-6)).section_length, 2.5e-3);
+    EXPECT_EQ(default_setting(sine(1000, 1e-6, 100e-6, 5e-6)).section_length, 0.8e-3);  // 2.5 mm do not fit into 1 mm
+    EXPECT_THROW((void)default_setting(sine(50, 1e-6, 10e-6, 1e-6)), InvalidArgument);
+    EXPECT_THROW((void)default_setting(tests::random_profile(50)), InvalidArgument);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ArealOptions {
     double material_ratio = 0.5;        ///< p of Smc(p)
 };
 
-/// All parameters of ISO 25178-2:2021 of a map: height, hybrid, spatial, functional, volume.
+/// All parameters of ISO 25178-2:2021 of a map: height, spatial, hybrid, functional, volume, feature.
 ///
 /// The map is taken as it is, about its mean: remove form first. Parameters without a value are NaN with an alert. Sq, Sa, Ssk and Sku have
 /// standard errors from the map's own autocorrelation, which hold for Gaussian heights. Filters are Gaussian, fitted to a plane at edges.

@@ -14,7 +14,7 @@ namespace setae::texture {
 ///
 /// Maps and lines: over defined points. Polylines: exact integrals over the segments, split at the mean line for Sa. Of lines read R for S.
 /// Ssk and Sku of a constant surface are NaN.
-/// Source: ISO 25178-2:2021, 4.2; ISO 21920-2:2021, 4.3.
+/// Source: ISO 25178-2:2021, 4.2; ISO 21920-2:2021, 4.2.
 struct HeightParameters {
     double Sq = 0.0;   ///< [m]
     double Ssk = 0.0;  ///< [1]

@@ -22,7 +22,7 @@ enum class Between {
 /// heights [m]: any number, in any order, NaN gives NaN.
 /// Cost: one pass, and a step for each height inside each triangle. Same bytes for any number of threads.
 /// @throws UndefinedDataError where no triangle, segment or point is defined.
-/// Source: ISO 25178-2:2021, 3.1.19 and 4.4.1; ISO 21920-2:2021, 3.1.19.
+/// Source: ISO 25178-2:2021, 4.5; ISO 21920-2:2021, 4.5.1.
 [[nodiscard]] Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between = Between::linear,
                                    parallel::Threads threads = {});
 

@@ -47,7 +47,7 @@ struct ProfileOptions {
 ///
 /// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to what lies around it. Elements
 /// begin at the first crossing; what lies before it and behind the last is left out.
-/// Source: ISO 21920-2:2021, 4.4 and annex C; ISO 4287:1997, 3.2.7 and 4.3.
+/// Source: ISO 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
 struct ProfileElements {
     double RSm = 0.0;   ///< mean length [m]; NaN without a whole element
     double RSmq = 0.0;  ///< its rms deviation [m]
@@ -68,10 +68,12 @@ struct ProfileElements {
 struct ProfileSlopes {
     double Rdq = 0.0;    ///< rms [1]; NaN for fewer than seven points
     double Rda = 0.0;    ///< mean of the absolute value [1]
+    double Rdt = 0.0;    ///< largest absolute value [1]
+    double Rdr = 0.0;    ///< length of the straight segments between points over their length along x, minus 1 [1]
     double Rdq_2 = 0.0;  ///< rms by differences of neighbours, as spectra have it [1]
 };
 /// @throws InvalidArgument for a map or a re-entrant profile.
-/// Source: ISO 21920-2:2021, annex B: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx).
+/// Seven points: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx). Source: ISO 21920-2:2021, 4.4; ISO 4287:1997, local slope.
 [[nodiscard]] ProfileSlopes profile_slopes(const MeasurementView& line);
 
 /// Filters and section length that a roughness asks for.
@@ -85,6 +87,12 @@ struct ProfileSetting {
 /// @throws InvalidArgument for Ra < 0.
 /// Source: ISO 4288:1996, table 1; ISO 3274:1996, table 1.
 [[nodiscard]] ProfileSetting default_setting(double Ra);
+
+/// Of a line with equal steps: the smallest L-filter of the table that the Ra behind it asks for itself, with its S-filter; the largest that
+/// leaves one section where none does.
+/// @throws InvalidArgument for a map, a polyline, or a line shorter than the smallest section.
+/// Source: ISO 4288:1996, 7.2.
+[[nodiscard]] ProfileSetting default_setting(const MeasurementView& line, parallel::Threads threads = {});
 
 /// All parameters of ISO 21920-2:2021 of a line, its symbols with P, W or R. Filters need equal steps.
 /// @throws InvalidArgument for a map (take topography::line_scans), a filter on a polyline or a waviness without L-filter.

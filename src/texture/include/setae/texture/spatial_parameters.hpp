@@ -19,7 +19,7 @@ namespace setae::texture {
 /// Lags over the full circle. The rim is found between points by cubic interpolation and its extremes by a parabola through the points
 /// beside them. Of the angular spectrum of maps that are not periodic a Hann window is taken in both directions; undefined points count
 /// as the mean. The direction is where power weighted by cos² within ±20° is largest.
-/// Source: ISO 25178-2:2021, 4.5, 3.1.8, 3.1.17.
+/// Source: ISO 25178-2:2021, 4.3.
 struct SpatialParameters {
     double Sal = 0.0;   ///< [m]; NaN where f stays above s
     double Str = 0.0;   ///< [1], 0 … 1; NaN where the part around 0 reaches the largest lags
@@ -35,6 +35,10 @@ struct SpatialParameters {
 struct SpatialOptions {
     double threshold = 0.2;  ///< s
 };
+
+/// Shortest lag at which the f of a line falls to the threshold: Ral of ISO 21920-2:2021, 4.3.2 [m]; NaN where it does not.
+/// @throws UndefinedDataError for a constant line; InvalidArgument for a threshold outside (0, 1).
+[[nodiscard]] double autocorrelation_length(const topography::LineScan& scan, const SpatialOptions& options = {});
 
 /// @throws UndefinedDataError for a constant map; InvalidArgument for a threshold outside (0, 1). Cost: two transforms of the map padded to twice its size (one for periodic ones), O(n log n).
 [[nodiscard]] SpatialParameters spatial_parameters(const topography::HeightMap& map, const SpatialOptions& options = {},

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "watershed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::texture {
+namespace {
+
+using Label = std::int32_t;
+constexpr Label none = -1;
+
+/// Sets that are joined, each known by one member.
+class Sets {
+public:
+    explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Label{0}); }
+    Label find(Label k) {
+        while (parent_[static_cast<std::size_t>(k)] != k) {
+            auto& parent = parent_[static_cast<std::size_t>(k)];
+            parent = parent_[static_cast<std::size_t>(parent)];
+            k = parent;
+        }
+        return k;
+    }
+    /// `child` becomes part of `root`; both are the known members of their sets.
+    void join(Label root, Label child) { parent_[static_cast<std::size_t>(child)] = root; }
+
+private:
+    std::vector<Label> parent_;
+};
+
+constexpr std::array<std::array<Index, 2>, 8> neighbours{{{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+constexpr std::size_t first_forward = 4;  ///< of these eight, those behind a point in storage order
+
+/// Heights the way that is up, with neighbours across periodic edges.
+class Grid {
+public:
+    Grid(const topography::HeightMap& map, Up up) : map_(map), sign_(static_cast<double>(static_cast<int>(up))) {}
+
+    [[nodiscard]] Index nx() const { return map_.heights.rows(); }
+    [[nodiscard]] Index ny() const { return map_.heights.cols(); }
+    [[nodiscard]] double at(Index point) const { return sign_ * map_.heights.data()[point]; }
+    /// The neighbour of (i, j), or none beyond an open edge.
+    [[nodiscard]] Index neighbour(Index i, Index j, const std::array<Index, 2>& step) const {
+        i += step[0];
+        j += step[1];
+        if (map_.periodic) return (i + nx()) % nx() * ny() + (j + ny()) % ny();
+        return i < 0 || j < 0 || i >= nx() || j >= ny() ? none : i * ny() + j;
+    }
+
+private:
+    const topography::HeightMap& map_;
+    double sign_;
+};
+
+/// The basins of a grid: every defined point's hill, before any is joined.
+struct Basins {
+    std::vector<Label> of_point;
+    std::vector<Index> peak;     ///< of each basin
+    std::vector<char> complete;  ///< whether it keeps off edges and undefined points
+};
+
+Basins basins_of(const Grid& grid) {
+    const auto n = static_cast<std::size_t>(grid.nx() * grid.ny());
+    if (n > static_cast<std::size_t>(INT32_MAX)) throw InvalidArgument("map has more than 2³¹ points, too many for watersheds; crop it");
+    std::vector<Label> uphill(n, none);
+    std::vector<char> rim(n, 0);
+    for (Index i = 0; i < grid.nx(); ++i)
+        for (Index j = 0; j < grid.ny(); ++j) {
+            const auto point = i * grid.ny() + j;
+            if (grid.at(point) != grid.at(point)) continue;
+            auto best = point;
+            for (const auto& step : neighbours) {
+                const auto other = grid.neighbour(i, j, step);
+                if (other == none || grid.at(other) != grid.at(other))
+                    rim[static_cast<std::size_t>(point)] = 1;
+                else if (grid.at(other) > grid.at(best))
+                    best = other;
+            }
+            uphill[static_cast<std::size_t>(point)] = static_cast<Label>(best);
+        }
+    // tops of one plateau are one peak
+    Sets tops(n);
+    for (Index i = 0; i < grid.nx(); ++i)
+        for (Index j = 0; j < grid.ny(); ++j) {
+            const auto point = static_cast<Label>(i * grid.ny() + j);
+            if (uphill[static_cast<std::size_t>(point)] != point) continue;
+            for (const auto& step : neighbours) {
+                const auto other = grid.neighbour(i, j, step);
+                if (other == none || uphill[static_cast<std::size_t>(other)] != static_cast<Label>(other) || grid.at(other) != grid.at(point)) continue;
+                const auto a = tops.find(point), b = tops.find(static_cast<Label>(other));
+                if (a != b) tops.join(std::min(a, b), std::max(a, b));
+            }
+        }
+    Basins basins{std::vector<Label>(n, none), {}, {}};
+    std::vector<Label> path;
+    for (std::size_t start = 0; start < n; ++start) {
+        if (uphill[start] == none) continue;
+        path.clear();
+        auto point = static_cast<Label>(start);
+        while (basins.of_point[static_cast<std::size_t>(point)] == none && uphill[static_cast<std::size_t>(point)] != point) {
+            path.push_back(point);
+            point = uphill[static_cast<std::size_t>(point)];
+        }
+        auto label = basins.of_point[static_cast<std::size_t>(point)];
+        if (label == none) {
+            const auto top = tops.find(point);
+            label = basins.of_point[static_cast<std::size_t>(top)];
+            if (label == none) {
+                label = static_cast<Label>(basins.peak.size());
+                basins.peak.push_back(top);
+                basins.complete.push_back(1);
+                basins.of_point[static_cast<std::size_t>(top)] = label;
+            }
+            basins.of_point[static_cast<std::size_t>(point)] = label;
+        }
+        for (const auto step : path) basins.of_point[static_cast<std::size_t>(step)] = label;
+    }
+    for (std::size_t point = 0; point < n; ++point)
+        if (rim[point] != 0) basins.complete[static_cast<std::size_t>(basins.of_point[point])] = 0;
+    return basins;
+}
+
+/// Two basins that touch, and the height at which one goes from one to the other.
+struct Saddle {
+    double height;
+    Label a, b;
+};
+
+std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
+    std::vector<Saddle> saddles;
+    for (Index i = 0; i < grid.nx(); ++i)
+        for (Index j = 0; j < grid.ny(); ++j) {
+            const auto point = i * grid.ny() + j;
+            const auto label = basins.of_point[static_cast<std::size_t>(point)];
+            if (label == none) continue;
+            for (auto step = first_forward; step < neighbours.size(); ++step) {
+                const auto other = grid.neighbour(i, j, neighbours[step]);
+                if (other == none) continue;
+                const auto beside = basins.of_point[static_cast<std::size_t>(other)];
+                if (beside == none || beside == label) continue;
+                saddles.push_back({std::min(grid.at(point), grid.at(other)), std::min(label, beside), std::max(label, beside)});
+            }
+        }
+    std::sort(saddles.begin(), saddles.end(), [](const Saddle& a, const Saddle& b) {
+        if (a.height != b.height) return a.height > b.height;
+        return a.a != b.a ? a.a < b.a : a.b < b.b;
+    });
+    return saddles;
+}
+
+}  // namespace
+
+std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least) {
+    const Grid grid(map, up);
+    auto basins = basins_of(grid);
+    const auto count = basins.peak.size();
+    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill beside it, or stays a hill
+    Sets lands(count), hills(count);
+    const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };
+    for (const auto& saddle : saddles_of(grid, basins)) {
+        auto higher = lands.find(saddle.a), lower = lands.find(saddle.b);
+        if (higher == lower) continue;
+        auto hill_beside = hills.find(saddle.a);
+        if (peak_height(lower) > peak_height(higher)) {
+            std::swap(higher, lower);
+            hill_beside = hills.find(saddle.b);
+        }
+        if (peak_height(lower) - saddle.height < least) {
+            const auto joined = hills.find(lower);
+            // the higher peak of the two is that of the hill
+            if (peak_height(joined) > peak_height(hill_beside)) basins.peak[static_cast<std::size_t>(hill_beside)] = basins.peak[static_cast<std::size_t>(joined)];
+            auto& complete = basins.complete[static_cast<std::size_t>(hill_beside)];
+            complete = complete != 0 && basins.complete[static_cast<std::size_t>(joined)] != 0 ? 1 : 0;
+            hills.join(hill_beside, joined);
+        }
+        lands.join(higher, lower);
+    }
+    std::vector<Peak> peaks;
+    for (Label basin = 0; basin < static_cast<Label>(count); ++basin) {
+        if (hills.find(basin) != basin || basins.complete[static_cast<std::size_t>(basin)] == 0) continue;
+        const auto point = basins.peak[static_cast<std::size_t>(basin)];
+        peaks.push_back({point / grid.ny(), point % grid.ny(), map.heights.data()[point]});
+    }
+    std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+    return peaks;
+}
+
+}  // namespace setae::texture
