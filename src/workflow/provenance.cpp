@@ -8,6 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/io/digest.hpp"
 #include "setae/io/source.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 extern const char* const setae_source_digest;  // cmake/source_digest.cmake
 

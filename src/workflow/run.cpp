@@ -3,6 +3,7 @@
 
 #include "setae/cache/key.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/workflow/pipeline_file.hpp"
 
 namespace setae::workflow {
 namespace {
