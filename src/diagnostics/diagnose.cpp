@@ -34,6 +34,7 @@ std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measu
     add(findings, large_tilt(evidence));
     add(findings, curvature_left(evidence));
     add(findings, spikes(evidence, options.threads));
+    add(findings, scars(evidence));
     add(findings, pixel_noise(evidence, options));
     add(findings, tip_cutoff(measurement, options.threads));
     add(findings, low_wavevector_gap(evidence, options));

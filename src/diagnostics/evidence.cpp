@@ -40,6 +40,23 @@ void fill_along_lines(Array2D& heights) {
     }
 }
 
+/// Chosen points become the straight line along y between those beside them that are not chosen; at a border the height of the last one.
+void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
+    const Index ny = heights.cols();
+    for (Index i = 0; i < heights.rows(); ++i) {
+        Index before = -1;
+        for (Index j = 0; j <= ny; ++j) {
+            if (j < ny && chosen(i, j) != 0) continue;
+            for (Index k = before + 1; k < j; ++k) {
+                if (before < 0 && j == ny) continue;
+                const double left = before < 0 ? heights(i, j) : heights(i, before), right = j == ny ? left : heights(i, j);
+                heights(i, k) = left + (right - left) * static_cast<double>(k - before) / static_cast<double>(j - before);
+            }
+            before = j;
+        }
+    }
+}
+
 /// The points of a scan as a map of one line.
 HeightMap as_map(const topography::LineScan& scan) {
     return {Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, scan.pixel_size()}, scan.periodic, scan.metadata};
@@ -71,19 +88,22 @@ Evidence evidence(HeightMap map, bool is_line, parallel::Threads threads) {
         else result.level = topography::detrended(map, topography::Trend::tilt);
     }
     result.clean = result.level;
+    if (!flat && !is_line) result.scars = scar_points(result.level, threads);
+    if (result.scars) bridge_lines(result.clean.heights, *result.scars);
+    const topography::HeightMap unscarred = result.clean;
     if (!flat && map.heights.rows() >= fewest_points && (is_line || map.heights.cols() >= fewest_points)) {
-        result.spikes = is_line ? processing::find_spikes(as_line(result.level), {}, threads) : processing::find_spikes(result.level, {}, threads);
+        result.spikes = is_line ? processing::find_spikes(as_line(unscarred), {}, threads) : processing::find_spikes(unscarred, {}, threads);
         if (result.spikes->count > 0) {
             const processing::Despike despike;
-            if (is_line) result.clean.heights.col(0) = std::get<topography::LineScan>(processing::apply(despike, as_line(result.level), threads).measurement).heights;
-            else result.clean = std::get<HeightMap>(processing::apply(despike, result.level, threads).measurement);
+            if (is_line) result.clean.heights.col(0) = std::get<topography::LineScan>(processing::apply(despike, as_line(unscarred), threads).measurement).heights;
+            else result.clean = std::get<HeightMap>(processing::apply(despike, unscarred, threads).measurement);
         }
     }
     // what does not lower the slopes when it is taken out belongs to the surface, such as steps and grains
     const double step = map.pixel_size()[0];
-    if (result.spikes && !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(result.level.heights, step))) {
+    if (result.spikes && !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(unscarred.heights, step))) {
         result.spikes.reset();
-        result.clean = result.level;
+        result.clean = unscarred;
     }
     fill_along_lines(result.clean.heights);
     result.map = std::move(map);

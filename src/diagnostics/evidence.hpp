@@ -7,6 +7,7 @@
 
 #include "setae/diagnostics/diagnose.hpp"
 #include "setae/processing/despike.hpp"
+#include "setae/topography/mask.hpp"
 
 namespace setae::diagnostics {
 
@@ -15,7 +16,8 @@ struct Evidence {
     std::string subject;
     topography::HeightMap map;      ///< as measured, NaN = undefined
     topography::HeightMap level;    ///< without its tilt
-    topography::HeightMap clean;    ///< without tilt and spikes, undefined points filled along x
+    topography::HeightMap clean;    ///< without tilt, scars and spikes, undefined points filled
+    std::optional<topography::Mask> scars;     ///< points of strokes along x, where there are more than a surface has by itself
     std::optional<processing::Spikes> spikes;  ///< nothing where there are none, or too few points to look for them
     bool is_line = false;
     bool flat = false;              ///< all defined heights are equal
@@ -25,6 +27,9 @@ struct Evidence {
 /// @throws UndefinedDataError where no height is defined.
 [[nodiscard]] Evidence evidence_of(const topography::HeightMap& map, parallel::Threads threads);
 [[nodiscard]] Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads);
+
+/// Points of strokes along x that stand out of the lines beside, where there are several times as many as along y.
+[[nodiscard]] std::optional<topography::Mask> scar_points(const topography::HeightMap& map, parallel::Threads threads);
 
 /// Root of the mean squared distance of the defined heights from their mean [m].
 [[nodiscard]] double rms_height(const Array2D& heights);
@@ -47,6 +52,7 @@ using Found = std::optional<Finding>;
 [[nodiscard]] Found quantised(const Evidence& evidence);
 [[nodiscard]] std::vector<Finding> clipped(const Evidence& evidence);
 [[nodiscard]] Found spikes(const Evidence& evidence, parallel::Threads threads);
+[[nodiscard]] Found scars(const Evidence& evidence);
 [[nodiscard]] Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options);
 [[nodiscard]] Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads threads);
 [[nodiscard]] Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options);

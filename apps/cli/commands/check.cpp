@@ -19,6 +19,7 @@ constexpr const char* explanation =
     "CLIPPED         heights at the end of the range: how many\n"
     "TILT_LARGE      a plane above three times the rms of the rest; CURVATURE_LEFT: a bow above one and a half times\n"
     "SPIKES          points beyond 6 robust deviations of the median around: n, C1D with over without, from which wavelength on\n"
+    "SCARS           strokes along the fast axis that stand out of the lines beside\n"
     "PIXEL_NOISE     a white floor above the surface at the Nyquist wavevector: its rms, wavelength, share of the mean square slope\n"
     "TIP_CUTOFF      wavelengths the tip hides\n"
     "LOW_Q_GAP       C1D steeper than 1/q at the longest wavelengths: how rms height grows with the scan\n"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/diagnostics/diagnose.hpp"
 
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -117,6 +117,17 @@ TEST(Diagnose, SaysHowRmsHeightGrowsWhereNoRolloffIsSeen) {
     const auto growth = quantity(found, "LOW_Q_GAP", "rms_height_growth_per_decade").estimate;
     EXPECT_NEAR(growth.value, std::pow(10.0, 0.8), 3.0 * growth.standard_error);
     EXPECT_LT(growth.standard_error, growth.value);
+}
+
+TEST(Diagnose, CountsScars) {
+    auto map = surface({.hurst_exponent = 0.9});
+    const std::array<std::array<Index, 3>, 4> strokes{{{10, 20, 40}, {60, 50, 30}, {30, 77, 60}, {5, 100, 25}}};  // first point, line, length
+    for (const auto& [first, line, length] : strokes) map.heights.col(line).segment(first, length) += 60e-9;
+    const auto found = diagnose(map);
+    ASSERT_EQ(codes(found), "SCARS");
+    EXPECT_DOUBLE_EQ(value(found, "SCARS", "scars"), 4.0);
+    EXPECT_NEAR(value(found, "SCARS", "scar_points"), 155.0, 16.0);
+    EXPECT_NEAR(value(found, "SCARS", "rms_height_without_scars"), std::sqrt(topography::detrended(surface({.hurst_exponent = 0.9}), topography::Trend::tilt).heights.square().mean()), 0.3e-9);
 }
 
 TEST(Diagnose, FindsOffsetsOfScanLines) {

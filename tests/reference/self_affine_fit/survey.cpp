@@ -69,11 +69,13 @@ FitSurvey survey_twins(int twins) {
     return survey;
 }
 
-FitSurvey survey_maps(int maps) {
+FitSurvey survey_maps(int maps, bool all_modes) {
     FitSurvey survey;
     for (int number = 0; number < maps; ++number) {
         const auto t = twin(number);
-        tally(survey, spectra::fit_self_affine(t.single), t.truth);
+        spectra::SelfAffineFitOptions options;
+        if (all_modes) options.range = Band{t.single.q_min, t.single.q_max};
+        tally(survey, spectra::fit_self_affine(t.single, options), t.truth);
     }
     return survey;
 }

@@ -24,7 +24,7 @@ struct FitSurvey {
 };
 /// Of the combined spectra, with an interval of 95 %.
 [[nodiscard]] FitSurvey survey_twins(int twins);
-/// Of single maps' own modes.
-[[nodiscard]] FitSurvey survey_maps(int maps);
+/// Of single maps' own modes: up to a quarter of the highest wavevector, or all of them (these maps are sampled without averaging).
+[[nodiscard]] FitSurvey survey_maps(int maps, bool all_modes);
 
 }  // namespace setae::reference

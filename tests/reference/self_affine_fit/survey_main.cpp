@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
                    s.rolloff_covered, s.amplitude_covered);
     };
     row("twins of twelve measurements, combined", setae::reference::survey_twins(count));
-    row("maps of 128², own modes", setae::reference::survey_maps(count));
+    row("maps of 128², modes up to a quarter", setae::reference::survey_maps(count, false));
+    row("maps of 128², all modes", setae::reference::survey_maps(count, true));
     return 0;
 }

@@ -26,7 +26,7 @@ struct IsotropicFromLines {
 ///
 /// α = −dlnC1D/dlnp. Between wavevectors ln C1D is a cubic in ln p with the values and slopes above, beyond the last a power law with its
 /// slope: where C_iso ends at q_s shortly behind the last wavevector, values within a factor of two of it are too large.
-/// For C1D ∝ q^−α the ratio to π C1D/q is (2/√π) Γ((α+1)/2)/Γ(α/2): 1 at α = 1.53, 1.13 at 1.8, 1.33 at 2.3.
+/// For C1D ∝ q^−α the ratio to π C1D/q is (2/√π) Γ((α+1)/2)/Γ(α/2): 1 at α = 2, 0.94 at 1.8, 1.09 at 2.3, 1.17 at 2.6.
 /// wavevector: increasing, > 0 [1/m].  C1D > 0 [m³].  standard_error: of C1D [m³], empty where unknown.
 /// @throws InvalidArgument for fewer than four wavevectors, sizes that differ, or values outside the domain.
 /// Source: Bracewell, The Fourier Transform and its Applications (2000), ch. 13; slopes and errors derived here.
