@@ -59,7 +59,7 @@ FunctionOfScale autocorrelation_of_lines(const topography::TiledMap& map, std::s
     const Index band = topography::lines_in(map, band_bytes);
     for (Index first = 0; first < map.ny; first += band) lines.add(map.lines(first, std::min(band, map.ny - first)), options.threads);
     auto result = result_of(lines, map.pixel_size()[0], map.metadata);
-    limit_without_tip(result, map);
+    result.reliable_from = 0.5 * shortest_reliable_wavelength(map, band, options.reliability, options.threads);
     return result;
 }
 

@@ -160,8 +160,7 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         bins.add(k, values.data(), sums.y, k == 0 ? 1.0 : 2.0, row);
     }
     auto result = radial_average(row, map.metadata);
-    limit_without_tip(result, map);
-    result.reliable_from = std::max({result.reliable_from, pixel_size[0], pixel_size[1]});
+    result.reliable_from = std::max({0.5 * shortest_reliable_wavelength(map, lines, options.reliability, options.threads), pixel_size[0], pixel_size[1]});
     return result;
 }
 

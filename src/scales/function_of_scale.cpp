@@ -100,6 +100,10 @@ double shortest_reliable_wavelength(const topography::HeightMap& map, const spec
     return wavelength_at(spectra::reliable_band(map, options, threads));
 }
 
+double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+    return wavelength_at(spectra::reliable_band(map, lines_together, options, threads));
+}
+
 double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(scan, options, threads));
 }

@@ -27,7 +27,7 @@ struct AutocorrelationOptions {
 [[nodiscard]] FunctionOfScale autocorrelation_of_lines(const topography::HeightMap& map, const AutocorrelationOptions& options = {});
 
 /// The same of a map that need not fit into memory: beside a band of at most `band_bytes` only sums over lines are kept.
-/// The reliable limit is that of sampling and resolution; a tip radius asks for a pass over the whole map and gives the alert TIP_CUTOFF.
+/// A tip radius in the metadata takes a second pass, see spectra::reliable_band of a tiled map.
 [[nodiscard]] FunctionOfScale autocorrelation_of_lines(const topography::TiledMap& map, std::size_t band_bytes = std::size_t{1} << 28,
                                                        const AutocorrelationOptions& options = {});
 
@@ -40,7 +40,7 @@ struct AutocorrelationOptions {
 
 /// The same up to a longest distance, of a map that need not fit into memory: bands of scan lines that overlap by the longest lag.
 /// longest: [m], at least one pixel and below the shorter side (half of it in periodic data).
-/// Memory: a few times the band with its overlap. Limit as for lines.
+/// Memory: a few times the band with its overlap. Reliable limit as for lines.
 /// @throws InvalidArgument for a longest distance outside its domain.
 [[nodiscard]] FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double longest, const spectra::LogGrid& grid = {},
                                                       std::size_t band_bytes = std::size_t{1} << 28, const AutocorrelationOptions& options = {});

@@ -39,6 +39,8 @@ struct FunctionOfScale {
 /// Source: 10.1016/j.apsadv.2021.100190.
 [[nodiscard]] double shortest_reliable_wavelength(const topography::HeightMap& map, const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
+[[nodiscard]] double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together, const spectra::ReliabilityOptions& options = {},
+                                                  parallel::Threads threads = {});
 [[nodiscard]] double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
 [[nodiscard]] double shortest_reliable_wavelength(const topography::Profile& profile, const spectra::ReliabilityOptions& options = {},
