@@ -29,10 +29,15 @@ constexpr std::array sentences{
     "Gaussian filter of ISO 16610-21 and -61: waves longer or shorter than the cutoff stay.",
     "Robust Gaussian regression filter of ISO 16610-31 and -71: peaks and grooves do not pull it.",
     "Spline filter of ISO 16610-22, robust ISO 16610-32.",
+    "Wavelengths outside a band are cut off sharply; periodic data alone.",
     "A window of the measurement is cut out.",
+    "Other points for the same area.",
+    "A map is turned about its centre by any angle.",
     "x and y of a map change places.",
     "The order of points is reversed along a direction.",
     "A map is turned by quarters from x towards y.",
+    "The heights of another file are added, shifted onto these first where asked.",
+    "The heights of another file are subtracted: a reference or a repeated scan.",
 };
 static_assert(sentences.size() == std::variant_size_v<Step>, "a sentence for each step");
 

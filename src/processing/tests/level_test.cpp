@@ -152,7 +152,7 @@ TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
     profile.positions << 0.0, 1.0, 0.5, 2.0;
     for (const Step& step : {Step(LevelMean{}), Step(LevelPlane{}), Step(LevelPolynomial{}), Step(LevelFacet{}), Step(LevelLines{})}) {
         try {
-            (void)std::visit([&](const auto& known) { return apply(known, topography::Measurement(profile)); }, step);
+            (void)processing::apply(step, profile, LoadMeasurement{});
             FAIL() << "accepted";
         } catch (const InvalidArgument& error) {
             EXPECT_NE(std::string(error.what()).find("does not increase at point 2"), std::string::npos) << error.what();
@@ -277,7 +277,7 @@ TEST(Level, GivesTheSameBytesForAnyNumberOfThreads) {
     map.heights(100, 100) = undefined;
     const auto region = region_from_text("exclude percentiles above 90");
     for (const Step& step : {Step(LevelPolynomial{.degree = 3, .region = region}), Step(LevelFacet{}), Step(LevelLines{.degree = 3})}) {
-        const auto run = [&](int threads) { return map_of(std::visit([&](const auto& known) { return apply(known, topography::Measurement(map), {threads}); }, step)).heights; };
+        const auto run = [&](int threads) { return map_of(processing::apply(step, map, LoadMeasurement{}, {threads})).heights; };
         const Array2D one = run(1), three = run(3);
         EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0) << step.index();
     }

@@ -72,10 +72,26 @@ TEST(Pipeline, IsItsStepsOneAfterTheOther) {
     EXPECT_TRUE((std::get<HeightMap>(together.measurement).heights == std::get<HeightMap>(alone).heights).all());
 }
 
+TEST(Pipeline, AsksForTheFilesThatStepsName) {
+    const auto pipeline = pipeline_of({"subtract_map file=\"other map.nc\" channel=topo"});
+    std::string asked;
+    const auto load = [&](const std::string& file, const std::string& channel) -> Measurement {
+        asked = file + " " + channel;
+        auto other = waves();
+        other.heights -= 1e-6;
+        return other;
+    };
+    const auto result = processing::apply(pipeline, waves(), load);
+    EXPECT_EQ(asked, "other map.nc topo");
+    EXPECT_LT((std::get<HeightMap>(result.measurement).heights - 1e-6).abs().maxCoeff(), 1e-20);
+    EXPECT_THROW((void)processing::apply(pipeline, waves()), InvalidArgument);
+}
+
 TEST(StepText, ReadsBackWhatItWrites) {
     for (const std::string line :
          {"level_plane", "level_polynomial degree=3 degree_y=1", "align_rows method=median_of_differences direction=y", "despike threshold=5.5 reach=3 replace_by=undefined",
-          "mask_out region=\"include heights above 20 nm grow 2; exclude rectangle 1 um to 2 um\"", "crop x_from=\"1 um\" x_to=\"2.5 um\"", "quarter_turns turns=-1", "remove_scars high=0.8 sign=negative"}) {
+          "mask_out region=\"include heights above 20 nm grow 2; exclude rectangle 1 um to 2 um\"", "crop x_from=\"1 um\" x_to=\"2.5 um\"", "quarter_turns turns=-1", "remove_scars high=0.8 sign=negative",
+          "gaussian_filter cutoff=\"8 um\" keep=short_waves", "rotate angle=\"30 deg\" crop=true", "fourier_cut shortest=\"1 nm\"", "spline_filter cutoff=\"80 um\" tension=0.5 robust=true"}) {
         EXPECT_EQ(text(step_from_text(line)), line);
         EXPECT_EQ(parameters(step_from_text(text(step_from_text(line)))), parameters(step_from_text(line)));
     }

@@ -102,6 +102,21 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
     EXPECT_THROW((void)read_pipeline((folder / "none.yml").string()), FileError);
 }
 
+TEST_F(PipelineFile, NamesFilesRelativeToItsFolder) {
+    fs::create_directories(folder / "sub");
+    const auto path = write("sub/p.yml", "steps:\n  - step: subtract_map\n    file: ../reference.nc\n");
+    const auto pipeline = read_pipeline(path);
+    EXPECT_EQ(std::get<processing::SubtractMap>(pipeline.entries[0].step).file, (folder / "reference.nc").string());
+    EXPECT_EQ(files_of_steps(step_lines(pipeline)), std::vector<std::string>{(folder / "reference.nc").string()});
+    // relative to the working folder it is written relative to the pipeline's
+    const auto before = fs::current_path();
+    fs::current_path(folder);
+    write_pipeline("sub/q.toml", {{{processing::SubtractMap{.file = "reference.nc"}}}});
+    const auto read = read_pipeline("sub/q.toml");
+    fs::current_path(before);
+    EXPECT_EQ(std::get<processing::SubtractMap>(read.entries[0].step).file, "reference.nc");
+}
+
 TEST_F(PipelineFile, OfMoreThanAMegabyteIsRefused) { EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are no pipeline"), std::string::npos); }
 
 TEST_F(PipelineFile, WithAliasesThatRepeatIsReadOnce) {

@@ -8,12 +8,16 @@
 #include <vector>
 
 #include "setae/processing/align_rows.hpp"
+#include "setae/processing/combine_maps.hpp"
 #include "setae/processing/crop.hpp"
 #include "setae/processing/despike.hpp"
 #include "setae/processing/fill.hpp"
+#include "setae/processing/fourier_cut.hpp"
 #include "setae/processing/iso_filter.hpp"
 #include "setae/processing/level.hpp"
 #include "setae/processing/region.hpp"
+#include "setae/processing/resample.hpp"
+#include "setae/processing/rotate.hpp"
 #include "setae/processing/scars.hpp"
 #include "setae/processing/turn.hpp"
 
@@ -21,7 +25,8 @@ namespace setae::processing {
 
 /// Every step there is, in the order of documents. A new one is named here and gets its sentence in steps.cpp, which does not compile before.
 using Step = std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike, RemoveScars, MaskOut, FillUndefined,
-                          GaussianFilter, RobustGaussianFilter, SplineFilter, Crop, Transpose, Flip, QuarterTurns>;
+                          GaussianFilter, RobustGaussianFilter, SplineFilter, FourierCut, Crop, Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap,
+                          SubtractMap>;
 
 /// How steps that name another file get its heights; channel: its name, empty for the first one of heights.
 using LoadMeasurement = std::function<topography::Measurement(const std::string& file, const std::string& channel)>;
