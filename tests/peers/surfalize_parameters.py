@@ -28,6 +28,8 @@ PIXEL = 0.25  # µm
 # against sorted points: rounding, but for the core's line, which setae fits to nodes between which the curve falls by at most 1/1024;
 # where it ends, few points are many of the peaks
 SORTED_TOLERANCE = {"Sk": 1e-4, "Spk": 1e-2, "Svk": 1e-3, "Smrk1": 1e-2, "Smrk2": 1e-4}
+
+
 def by_sorting(heights):
     """The functional parameters straight from sorted points: material ratio (k + 1/2)/n of the k-th highest."""
     z = numpy.sort(heights.ravel() - heights.mean())[::-1] * 1e-6
