@@ -23,15 +23,16 @@ constexpr Index widest_band = 40;
 constexpr std::size_t patches_per_task = 32;
 
 /// Banded Cholesky of the patch's equations, row by row.
-Array1D solve_by_band(const PatchGraph& graph, const PatchBoundary& boundary) {
+Array1D solve_by_band(const PatchGraph& graph, const PatchBoundary& boundary, const Couplings& couplings) {
     const Index n = graph.points, band = graph.bandwidth;
     Array2D factor = Array2D::Zero(n, band + 1);  // column band − (a − b) of row a: entry (a, b)
     factor.col(band) = boundary.leak_x + boundary.leak_y;
-    for (const auto& edge : graph.edges) {
-        factor(edge.a, band) += edge.coupling;
-        factor(edge.b, band) += edge.coupling;
-        factor(edge.b, band - (edge.b - edge.a)) -= edge.coupling;
-    }
+    for_each_edge(graph, [&](Index a, Index b, bool along_x) {
+        const double coupling = along_x ? couplings.x : couplings.y;
+        factor(a, band) += coupling;
+        factor(b, band) += coupling;
+        factor(b, band - (b - a)) -= coupling;
+    });
     Array1D values = boundary.right;
     for (Index a = 0; a < n; ++a) {
         const Index first = std::max<Index>(0, a - band);
@@ -60,10 +61,10 @@ Array1D solve_by_band(const PatchGraph& graph, const PatchBoundary& boundary) {
 
 void fill_patch(const Patch& patch, Array2D& heights, bool periodic, const Couplings& couplings) {
     const std::array<Index, 2> shape{heights.rows(), heights.cols()};
-    const PatchGraph graph = patch_graph(patch, shape, periodic, couplings);
+    const PatchGraph graph = patch_graph(patch, shape, periodic);
     const PatchBoundary boundary = patch_boundary(graph, heights, periodic, couplings);
     const Array1D values = boundary.range == 0.0              ? Array1D(Array1D::Zero(graph.points))
-                           : graph.bandwidth <= widest_band ? solve_by_band(graph, boundary)
+                           : graph.bandwidth <= widest_band ? solve_by_band(graph, boundary, couplings)
                                                             : solve_by_multigrid(graph, boundary, couplings);
     for (std::size_t r = 0; r < graph.runs.size(); ++r) {
         const Index i = (graph.runs[r].i + graph.box.origin[0]) % shape[0];

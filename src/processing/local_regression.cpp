@@ -49,6 +49,20 @@ Array2D sums_of_one(const GaussianAxis& axis, Index orders) {
     return sums;
 }
 
+/// The weights about the points of a line of a complete map, as far as a fitted line needs them.
+struct Levers {
+    Array1D inverse;  ///< 1/sum of weights
+    Array1D mean;     ///< of the coordinate
+    Array1D lever;    ///< (point − mean)/variance of the coordinate; 0 where nothing is fitted along this direction
+
+    Levers(const Array2D& sums, const Array1D& coordinate, bool fitted) : inverse(1.0 / sums.row(0).transpose()), mean(Array1D::Zero(sums.cols())), lever(Array1D::Zero(sums.cols())) {
+        if (!fitted) return;
+        mean = sums.row(1).transpose() * inverse;
+        const Array1D variance = sums.row(2).transpose() * inverse - mean.square();
+        lever = (variance > smallest_pivot).select((coordinate - mean) / variance, 0.0);
+    }
+};
+
 /// Weighted least squares of a polynomial about a reference, valued at a point.
 class LocalFit {
 public:
@@ -110,13 +124,13 @@ struct Smoothing {
     Index order;
     GaussianAxis along_x, along_y;
     LocalFit fit;
-    bool separable;
+    bool separable, fits_x, fits_y;
     Array2D ones_x, ones_y;
 
     Smoothing(const ArrayView2D& map, const Array2D& factors, const Neighbourhood& near)
         : heights(map), weights(factors), known(census(map)), order(near.order), along_x(map.rows(), near.deviation[0], near.periodic, 2 * near.order),
           along_y(map.cols(), near.deviation[1], near.periodic, 2 * near.order), fit(near.order, near.deviation[0] > 0.0 ? near.order : 0, near.deviation[1] > 0.0 ? near.order : 0),
-          separable(known.complete && factors.size() == 0) {
+          separable(known.complete && factors.size() == 0), fits_x(near.order > 0 && near.deviation[0] > 0.0), fits_y(near.order > 0 && near.deviation[1] > 0.0) {
         if (!separable) return;
         ones_x = sums_of_one(along_x, 2 * order);
         ones_y = sums_of_one(along_y, 2 * order);
@@ -149,10 +163,42 @@ struct Smoothing {
 
 }  // namespace
 
+namespace {
+
+/// Means (order 0) and planes (order 1) of a complete map: weights are products, and along x and y they do not correlate.
+void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regression kind, Eigen::Ref<Array2D> result, parallel::Threads threads) {
+    const Index nx = smoothing.along_x.points, ny = smoothing.along_y.points;
+    const Levers along_x(smoothing.ones_x, smoothing.along_x.coordinate, smoothing.fits_x), along_y(smoothing.ones_y, smoothing.along_y.coordinate, smoothing.fits_y);
+    const auto& terms = moments.powers();
+    parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
+        const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
+        Array1D sum(count), moment(count), value(count);
+        for (Index i = 0; i < nx; ++i) {
+            moments.moments(i, first, count, 0, sum.data());
+            value = sum;
+            for (std::size_t p = 1; p < terms.size(); ++p) {
+                moments.moments(i, first, count, p, moment.data());
+                if (terms[p].x == 1) value += along_x.lever[i] * (moment - along_x.mean[i] * sum);
+                else value += along_y.lever.segment(first, count) * (moment - along_y.mean.segment(first, count) * sum);
+            }
+            value = smoothing.known.centre + value * (along_x.inverse[i] * along_y.inverse.segment(first, count));
+            auto row = result.row(i).segment(first, count);
+            if (kind == Regression::value) row = value.transpose();
+            else row = smoothing.heights.row(i).segment(first, count) - value.transpose();
+        }
+    });
+}
+
+}  // namespace
+
 void local_regression(const ArrayView2D& heights, const Array2D& weights, const Neighbourhood& neighbourhood, Regression kind, Eigen::Ref<Array2D> result,
                       parallel::Threads threads) {
     const Smoothing smoothing(heights, weights, neighbourhood);
     const MomentField of_heights = smoothing.height_moments(threads);
+    if (smoothing.separable && smoothing.order < 2) {
+        fit_planes(smoothing, of_heights, kind, result, threads);
+        return;
+    }
     std::vector<MomentField> of_weights;
     if (!smoothing.separable) of_weights.push_back(smoothing.weight_moments(threads));
     const Index nx = heights.rows(), ny = heights.cols();

@@ -56,39 +56,41 @@ Stretch stretch_of(const Patch& patch, bool along_x, Index n, bool periodic) {
     return stretch(taken);
 }
 
-void add_edges_between(PatchGraph& graph, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end, double coupling) {
+using Visit = std::function<void(Index a, Index b, bool along_x)>;
+
+/// Pairs between runs a … a_end − 1 of one row and b … b_end − 1 of the next.
+void visit_between(const PatchGraph& graph, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end, const Visit& visit) {
     while (a < a_end && b < b_end) {
         const Run &upper = graph.runs[a], &lower = graph.runs[b];
         const Index first = std::max(upper.first, lower.first), last = std::min(upper.first + upper.count, lower.first + lower.count);
         for (Index j = first; j < last; ++j) {
             const Index p = graph.run_first[a] + j - upper.first, q = graph.run_first[b] + j - lower.first;
-            graph.edges.push_back({std::min(p, q), std::max(p, q), coupling});
+            visit(std::min(p, q), std::max(p, q), true);
         }
         if (upper.first + upper.count < lower.first + lower.count) ++a;
         else ++b;
     }
 }
 
-void add_edges(PatchGraph& graph, const Couplings& couplings) {
-    const Index rows = graph.box.shape[0];
+}  // namespace
+
+void for_each_edge(const PatchGraph& graph, const Visit& visit) {
+    const Index rows = graph.box.shape[0], columns = graph.box.shape[1];
     std::vector<std::size_t> row_begin(extent(rows) + 1, 0);
     for (const Run& run : graph.runs) ++row_begin[extent(run.i) + 1];
     for (Index i = 0; i < rows; ++i) row_begin[extent(i) + 1] += row_begin[extent(i)];
     for (Index i = 0; i < rows; ++i) {
         const std::size_t begin = row_begin[extent(i)], end = row_begin[extent(i) + 1];
         for (std::size_t r = begin; r < end; ++r)
-            for (Index k = 1; k < graph.runs[r].count; ++k) graph.edges.push_back({graph.run_first[r] + k - 1, graph.run_first[r] + k, couplings.y});
-        if (graph.box.wraps[1] && end > begin && graph.runs[begin].first == 0 && graph.runs[end - 1].first + graph.runs[end - 1].count == graph.box.shape[1] && graph.box.shape[1] > 1)
-            graph.edges.push_back({graph.run_first[begin], graph.run_first[end - 1] + graph.runs[end - 1].count - 1, couplings.y});
-        if (i > 0) add_edges_between(graph, row_begin[extent(i) - 1], begin, begin, end, couplings.x);
+            for (Index k = 1; k < graph.runs[r].count; ++k) visit(graph.run_first[r] + k - 1, graph.run_first[r] + k, false);
+        const bool closes = graph.box.wraps[1] && columns > 1 && end > begin && graph.runs[begin].first == 0 && graph.runs[end - 1].first + graph.runs[end - 1].count == columns;
+        if (closes) visit(graph.run_first[begin], graph.run_first[end - 1] + graph.runs[end - 1].count - 1, false);
+        if (i > 0) visit_between(graph, row_begin[extent(i) - 1], begin, begin, end, visit);
     }
-    if (graph.box.wraps[0] && rows > 1) add_edges_between(graph, row_begin[0], row_begin[1], row_begin[extent(rows) - 1], row_begin[extent(rows)], couplings.x);
-    for (const auto& edge : graph.edges) graph.bandwidth = std::max(graph.bandwidth, edge.b - edge.a);
+    if (graph.box.wraps[0] && rows > 1) visit_between(graph, row_begin[0], row_begin[1], row_begin[extent(rows) - 1], row_begin[extent(rows)], visit);
 }
 
-}  // namespace
-
-PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic, const Couplings& couplings) {
+PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic) {
     PatchGraph graph;
     for (const std::size_t direction : {0u, 1u}) {
         const Stretch along = stretch_of(patch, direction == 0, map_shape[direction], periodic);
@@ -113,7 +115,7 @@ PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool 
         graph.run_first.push_back(graph.points);
         graph.points += run.count;
     }
-    add_edges(graph, couplings);
+    for_each_edge(graph, [&](Index a, Index b, bool) { graph.bandwidth = std::max(graph.bandwidth, b - a); });
     return graph;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "fill_patches.hpp"
@@ -22,21 +23,19 @@ struct PatchBox {
     std::array<std::array<bool, 2>, 2> ends{};
 };
 
-/// Points of a patch in the order of rows of its box, with what joins them.
+/// Points of a patch in the order of rows of its box.
 struct PatchGraph {
-    struct Edge {
-        Index a, b;  ///< points, a < b
-        double coupling;
-    };
     PatchBox box;
     std::vector<Run> runs;         ///< in coordinates of the box, sorted, none touching another of its row
     std::vector<Index> run_first;  ///< number of the first point of a run
-    std::vector<Edge> edges;
     Index points = 0;
-    Index bandwidth = 0;           ///< largest b − a
+    Index bandwidth = 0;           ///< largest difference of the numbers of neighbours
 };
 
-[[nodiscard]] PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic, const Couplings& couplings);
+[[nodiscard]] PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic);
+
+/// Calls visit(a, b, along_x) for every pair of neighbours a < b.
+void for_each_edge(const PatchGraph& graph, const std::function<void(Index a, Index b, bool along_x)>& visit);
 
 /// What defined neighbours do to the points of a patch, in its order.
 struct PatchBoundary {

@@ -50,7 +50,8 @@ Points points_of(const Resample& grid, Index asked, Index old_count, double size
         if (asked == 0) points.count = static_cast<Index>(std::llround(size / *grid.pixel_size));
         points.step = size / static_cast<double>(points.count);
     }
-    if (points.count < 2) throw InvalidArgument(fmt::format("{}: resampling leaves {} points of {}; expected at least 2", topography::label(metadata), points.count, old_count));
+    if (points.count < 2 || (open && old_count < 2))
+        throw InvalidArgument(fmt::format("{}: resampling {} points to {} along a direction; expected at least 2 of both", topography::label(metadata), old_count, points.count));
     return points;
 }
 

@@ -81,6 +81,15 @@ TEST(FillUndefined, SolvesScatteredHolesOfEveryShape) {
         }
 }
 
+TEST(FillUndefined, TakesSingleRowsAndTwoPoints) {
+    for (const auto& [nx, ny] : {std::pair<Index, Index>{1, 9}, {9, 1}, {2, 7}, {7, 2}})
+        for (const bool periodic : {false, true}) {
+            HeightMap map{noise(nx, ny), {1.5 * static_cast<double>(nx), static_cast<double>(ny)}, periodic, {}};
+            map.heights.block(0, 0, std::min<Index>(nx, 3), std::min<Index>(ny, 4)).setConstant(undefined_height);
+            EXPECT_LT(difference(filled(map).heights, by_definition(map)), 1e-13) << nx << " x " << ny << ", periodic " << periodic;
+        }
+}
+
 /// Undefined within an ellipse.
 void dig(HeightMap& map, double centre_x, double centre_y, double radius_x, double radius_y) {
     for (Index i = 0; i < map.heights.rows(); ++i)

@@ -94,6 +94,7 @@ TEST(Resample, RefusesWhatHasNoMeaning) {
     EXPECT_THROW((void)resampled(map, Resample{.nx = 4, .pixel_size = 1.0}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.pixel_size = 10.0}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.nx = 10, .method = Resampling::fourier}), InvalidArgument);
+    EXPECT_THROW((void)resampled(plane(1, 9), Resample{.nx = 4, .ny = 4, .method = Resampling::linear}), InvalidArgument);
     EXPECT_EQ(apply(Resample{.nx = 10}, map).record.numbers.at(1).estimate.value, 10.0);
 }
 

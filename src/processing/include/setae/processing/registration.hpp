@@ -18,8 +18,8 @@ struct Shift {
 /// First the peaks of the phase correlation: the inverse transform of H_moved conj(H_fixed)/|…|, lightly blurred, of both maps minus their planes (periodic: means), under
 /// Hann windows where they are not periodic. Then, from each by Gauss–Newton, the least squares of fixed(x) − moved(x + d) − plane over the common points, with bicubic
 /// interpolation; of large maps every n-th point; the shift with the best agreement stays. Undefined points count as the plane in the first part and are left out of the second. Shifts up to half the map.
-/// Accuracy: 0.02 pixel on rough maps whose heights are sampled well; with noise of rms σ in both: about 2 σ/(rms slope · sqrt(points)) (m), and a bias towards whole
-/// pixels of a few hundredths where σ/pixel exceeds the rms slope. `agreement` far below 1 means that there is no such shift.
+/// Accuracy, measured on rough maps of 64² points: 0.001 pixel without noise; with independent noise σ in both maps, of 0.05, 0.17, 0.5 of rms slope times pixel:
+/// 0.003, 0.02, 0.1 pixel. `agreement` far below 1 means that there is no such shift.
 /// @throws InvalidArgument for pixels that differ by more than 1e-6 or fewer than eight points a direction; UndefinedDataError for maps without contrast.
 [[nodiscard]] Shift shift_between(const topography::HeightMap& fixed, const topography::HeightMap& moved, parallel::Threads threads = {});
 
