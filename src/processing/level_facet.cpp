@@ -97,15 +97,15 @@ template <class Facets>
 Dominant dominant_slope(const Facets& facets, const topography::Metadata& metadata, parallel::Threads threads) {
     const auto start = facets.sums(threads, [](FacetSums& sums, double size, double vx, double vy) { sums.add(size, vx, vy); });
     if (!(start.weight > 0.0)) throw UndefinedDataError(fmt::format("{}: no facet has all its points in the region; widen it", topography::label(metadata)));
+    const Slope mean{start.x / start.weight, start.y / start.weight};
+    const auto spread = facets.sums(threads, [&mean](FacetSums& sums, double size, double vx, double vy) {
+        sums.squares += size * ((vx - mean[0]) * (vx - mean[0]) + (vy - mean[1]) * (vy - mean[1]));
+    });
     Dominant found;
-    found.slope = {start.x / start.weight, start.y / start.weight};
+    found.slope = mean;
     while (found.iterations < most_iterations && !found.converged) {
         const auto [bx, by] = found.slope;
-        const auto spread = facets.sums(threads, [bx, by](FacetSums& sums, double size, double vx, double vy) {
-            sums.weight += size;
-            sums.squares += size * ((vx - bx) * (vx - bx) + (vy - by) * (vy - by));
-        });
-        const double variance = spread.squares / spread.weight;
+        const double variance = spread.squares / start.weight + (bx - mean[0]) * (bx - mean[0]) + (by - mean[1]) * (by - mean[1]);
         if (!(variance > 0.0)) {
             found.converged = true;
             break;

@@ -57,6 +57,7 @@ const workflow::MeasurementInput* input_of(const StudyResult& result, const std:
 std::string steps_of(const MeasurementResult& m, const workflow::MeasurementInput* input) {
     std::string text = "read" + (m.spectrum.metadata.format.empty() ? "" : " as " + m.spectrum.metadata.format);
     if (input && !input->references.empty()) text += fmt::format("; the instrument's artefact, found on {} scans of a smooth standard, subtracted", input->references.size());
+    for (const auto& step : m.processing) text += "; " + step.step;
     for (const auto& alert : m.alerts) {
         if (alert.code == "REENTRANT") text += "; contour cleaned: " + alert.message;
         if (alert.code == "UNDEFINED") text += "; undefined points: " + alert.message;

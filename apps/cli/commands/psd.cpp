@@ -82,7 +82,7 @@ workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surfac
     json["band"] = {{"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
     json["measurements"] = workflow::Json::array();
     for (const auto& m : surface.measurements)
-        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}});
+        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}, {"processing", workflow::to_json(m.processing)}});
     json["alerts"] = workflow::to_json(alerts_of(surface));
     return json;
 }

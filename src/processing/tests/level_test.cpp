@@ -55,6 +55,15 @@ TEST(LevelPolynomial, RecoversRadiiOfAParaboloidTo1e10) {
     EXPECT_LT(largest(map_of(level).heights), 1e-19);
 }
 
+TEST(LevelPolynomial, RecoversTheRadiusOfASphereWithinOnePercent) {
+    constexpr double radius = 2e-5;
+    const auto level = apply(LevelPolynomial{}, map_from(50, 50, {3e-6, 3e-6}, [](double x, double y) {
+                                 return std::sqrt(radius * radius - std::pow(x - 1.47e-6, 2) - std::pow(y - 1.47e-6, 2)) - radius;
+                             }));
+    EXPECT_NEAR(number_of(level.record, "removed_radius_x") / radius, -1.0, 0.01);
+    EXPECT_NEAR(number_of(level.record, "removed_radius_y") / radius, -1.0, 0.01);
+}
+
 TEST(LevelPolynomial, OfDegreeTwelveAlongBothDirectionsRemovesItsOwnPolynomial) {
     const auto height = [](double x, double y) {
         const double u = x / 1.5e-6 - 1.0, v = y / 1e-6 - 1.0;
