@@ -102,9 +102,11 @@ void add_findings(std::vector<Finding>& findings, const Binned& a, const Binned&
                         {effect("psd_ratio", "", mean, "1", mean * c.mean_error), effect("psd_ratio_at_longest", "", ratio(c.lower), "1"),
                          effect("psd_ratio_at_shortest", "", ratio(c.upper), "1")}});
     // one factor at every wavelength of at least a third of a decade is a matter of scale
-    constexpr double constant = 3.0, wide = 0.3, plain = 1.5;
+    constexpr double constant = 3.0, wide = 0.3, plain = 1.5, level = 2.0;
+    constexpr int enough_bins = 4;
     const double factor = std::exp(0.5 * c.mean);
-    if (std::abs(c.tilt) > constant * c.tilt_error || std::log10(c.upper / c.lower) < wide || std::abs(std::log(factor)) < std::log(plain)) return;
+    const bool constant_ratio = c.bins >= enough_bins && std::abs(c.tilt) < constant * c.tilt_error && std::abs(c.tilt) * std::log(c.upper / c.lower) < std::log(level);
+    if (!constant_ratio || std::log10(c.upper / c.lower) < wide || std::abs(std::log(factor)) < std::log(plain)) return;
     findings.push_back({{"SCALE_TWICE", subject,
                          fmt::format("heights of the first are {:.3g} times the second's (standard error {:.2g}) at every wavelength they share: suspect a height scale applied twice or "
                                      "a wrong unit", factor, 0.5 * factor * c.mean_error),

@@ -37,8 +37,8 @@ Found spikes(const Evidence& evidence, parallel::Threads threads) {
     const double rms_with = rms_height(with.heights), rms_without = rms_height(evidence.clean.heights);
     const double slope_with = rms_slope_along_x(with.heights, step), slope_without = rms_slope_along_x(evidence.clean.heights, step);
     const auto [factor, wavelength] = lift(scan_spectrum(with, threads), scan_spectrum(evidence.clean, threads));
-    const std::string psd = wavelength > 0.0 ? fmt::format("C1D is {:.2g} times larger at the shortest wavelengths and more than twice below {}", factor, length_text(wavelength))
-                                             : fmt::format("C1D is {:.3g} times larger at the shortest wavelengths", factor);
+    const std::string psd = wavelength > 0.0 ? fmt::format("C1D is {:.2g} times what it is without at the shortest wavelengths, and more than twice below {}", factor, length_text(wavelength))
+                                             : fmt::format("C1D is {:.3g} times what it is without at the shortest wavelengths", factor);
     return Finding{{"SPIKES", evidence.subject,
                     fmt::format("{} {} out of the median around by more than {}: {}; rms height {} instead of {}, rms slope along x {:.3g} instead of {:.3g}", found.count,
                                 found.count == 1 ? "spike stands" : "spikes stand", length_text(found.threshold), psd, length_text(rms_with), length_text(rms_without),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of SurfaceTopography 1.27.1: README.md.
+// Numbers of SurfaceTopography 1.27.1 and scipy: README.md.
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -46,13 +46,21 @@ TEST(GeometryOfSurfaceTopography, FindsTheSamePerimeters) {
     EXPECT_EQ(outer_perimeter(mask, Neighbours::edges_and_corners, true).cast<int>().sum(), 1046);
 }
 
-TEST(GeometryOfSurfaceTopography, MeasuresTheSameDistances) {
-    const auto dense = distance_map(mask_below(37), {}), sparse = distance_map(mask_below(2), {});
+TEST(GeometryOfSurfaceTopography, MeasuresTheSameDistancesWhichWrap) {
+    const auto dense = distance_map(mask_below(37), {{1.0, 1.0}, true}), sparse = distance_map(mask_below(2), {{1.0, 1.0}, true});
     EXPECT_NEAR(dense.sum(), 1208.6323755685376, 1e-9);
     EXPECT_NEAR(dense.maxCoeff(), 2.8284271247461903, 1e-14);
     EXPECT_NEAR(sparse.sum(), 7313.693654509387, 1e-9);
     EXPECT_NEAR(sparse.square().sum(), 36488.0, 1e-8);
     EXPECT_NEAR(sparse.maxCoeff(), 9.219544457292887, 1e-13);
+}
+
+TEST(GeometryOfScipy, MeasuresTheSameDistancesOnAnOpenGrid) {
+    const auto dense = distance_map(mask_below(37), {}), sparse = distance_map(mask_below(2), {});
+    EXPECT_NEAR(dense.sum(), 1229.004006460149, 1e-9);
+    EXPECT_NEAR(dense.square().sum(), 1481.0, 1e-9);
+    EXPECT_NEAR(sparse.sum(), 8271.374338235833, 1e-9);
+    EXPECT_NEAR(sparse.maxCoeff(), 15.556349186104045, 1e-13);
 }
 
 }  // namespace
