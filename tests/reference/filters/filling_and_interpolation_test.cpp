@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "reference_data.hpp"
+#include "analysis_cases.hpp"
 #include "setae/processing/fill.hpp"
 #include "setae/processing/interpolation.hpp"
 
@@ -16,29 +14,12 @@ namespace {
 using namespace setae;
 using namespace setae::processing;
 using nlohmann::json;
+using tests::AnalysisCases;
+using tests::matrix;
 using topography::HeightMap;
 
-Array2D matrix(const json& rows) {
-    Array2D values(static_cast<Index>(rows.size()), static_cast<Index>(rows[0].size()));
-    for (Index i = 0; i < values.rows(); ++i)
-        for (Index j = 0; j < values.cols(); ++j) values(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    return values;
-}
-
-HeightMap height_map(const json& input) { return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}}; }
-
-class AnalysisCases : public testing::Test {
-protected:
-    void SetUp() override {
-        SETAE_REQUIRE_REFERENCE_DATA(path, "expected/analysis_cases.json");
-        cases = json::parse(std::ifstream(path));
-    }
-    json cases;
-};
-
 TEST_F(AnalysisCases, FilledMapsAgreeOnSquarePixels) {
-    HeightMap map = height_map(cases["map_nonperiodic"]["input"]);
-    for (const auto& index : cases["map_masked"]["mask_true_indices"]) map.heights(index[0].get<Index>(), index[1].get<Index>()) = std::numeric_limits<double>::quiet_NaN();
+    HeightMap map = masked_map();
     const Array2D expected = matrix(cases["map_masked"]["imputed"]);
     // the case's pixels are 0.25 x 0.2; the package weighs both directions alike whatever the pixels, which is right for square ones
     map.size = {24.0, 16.0};
@@ -49,7 +30,7 @@ TEST_F(AnalysisCases, FilledMapsAgreeOnSquarePixels) {
 
 TEST_F(AnalysisCases, LinearInterpolationAgrees) {
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
-        const HeightMap map = height_map(cases[name]["input"]);
+        const HeightMap map = height_map(name);
         const LinearInterpolator height(map);
         const json points = cases["map_nonperiodic"]["linear_points"];
         const json &periodic_points = cases["map_periodic"]["bicubic_points"], &values = cases[name]["linear_values"];
@@ -61,7 +42,7 @@ TEST_F(AnalysisCases, LinearInterpolationAgrees) {
 }
 
 TEST_F(AnalysisCases, BicubicInterpolationAgrees) {
-    const HeightMap map = height_map(cases["map_periodic"]["input"]);
+    const HeightMap map = height_map("map_periodic");
     const BicubicInterpolator height(map);
     const json &points = cases["map_periodic"]["bicubic_points"], &values = cases["map_periodic"]["bicubic_values"];
     // the third point alone asks slopes along y, which with an even number of points there hold a share of the Nyquist mode in the package: README.md
@@ -70,7 +51,7 @@ TEST_F(AnalysisCases, BicubicInterpolationAgrees) {
 }
 
 TEST_F(AnalysisCases, BicubicInterpolationAgreesWithoutANyquistMode) {
-    HeightMap map = height_map(cases["map_periodic"]["input"]);
+    HeightMap map = height_map("map_periodic");
     map.heights = Array2D(map.heights.leftCols(15));
     map.size = {6.0, 3.0};
     const BicubicInterpolator interpolator(map);
@@ -90,7 +71,7 @@ TEST_F(AnalysisCases, BicubicInterpolationAgreesWithoutANyquistMode) {
 
 TEST_F(AnalysisCases, SlopesDoNotDependOnWhichDirectionIsCalledX) {
     // the package's Fourier derivative along y of a map with even ny holds the Nyquist mode, the one along x does not: transposing changes slopes by 0.15
-    const HeightMap map = height_map(cases["map_periodic"]["input"]);
+    const HeightMap map = height_map("map_periodic");
     const HeightMap turned{map.heights.transpose(), {map.size[1], map.size[0]}, true, {}};
     const SurfacePoint a = BicubicInterpolator(map).at(5.9, 3.1), b = BicubicInterpolator(turned).at(3.1, 5.9);
     EXPECT_NEAR(a.height, b.height, 1e-14);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "reference_data.hpp"
+#include "analysis_cases.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/processing/pipeline.hpp"
 #include "setae/processing/step_text.hpp"
@@ -19,43 +17,14 @@ namespace {
 using namespace setae;
 using namespace setae::processing;
 using nlohmann::json;
+using tests::AnalysisCases;
+using tests::matrix;
+using tests::series;
 using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-/// Numbers; null is undefined.
-Array1D series(const json& values) {
-    Array1D numbers(static_cast<Index>(values.size()));
-    for (Index i = 0; i < numbers.size(); ++i) {
-        const auto& value = values[static_cast<std::size_t>(i)];
-        numbers[i] = value.is_null() ? undefined : value.get<double>();
-    }
-    return numbers;
-}
-
-Array2D matrix(const json& rows) {
-    Array2D values(static_cast<Index>(rows.size()), static_cast<Index>(rows[0].size()));
-    for (Index i = 0; i < values.rows(); ++i) values.row(i) = series(rows[static_cast<std::size_t>(i)]).transpose();
-    return values;
-}
-
-class DetrendCases : public testing::Test {
-protected:
-    void SetUp() override {
-        SETAE_REQUIRE_REFERENCE_DATA(path, "expected/analysis_cases.json");
-        cases = json::parse(std::ifstream(path));
-    }
-    [[nodiscard]] HeightMap map(const char* name) const {
-        const auto& input = cases[name]["input"];
-        return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
-    }
-    [[nodiscard]] HeightMap masked_map() const {
-        auto masked = map("map_nonperiodic");
-        for (const auto& place : cases["map_masked"]["mask_true_indices"]) masked.heights(place[0].get<Index>(), place[1].get<Index>()) = undefined;
-        return masked;
-    }
-    json cases;
-};
+class DetrendCases : public AnalysisCases {};
 
 template <class M>
 M after(std::initializer_list<const char*> steps, const M& measurement) {
@@ -131,7 +100,7 @@ TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserToItThanThePeers) {
 }
 
 TEST_F(DetrendCases, OfAMapAgreeWithThePeerInHeightsAndCoefficients) {
-    const auto input = map("map_nonperiodic");
+    const auto input = height_map("map_nonperiodic");
     const auto& expected = cases["map_nonperiodic"];
     for (const auto& [theirs, ours] : detrends)
         if (expected.contains(theirs)) expect_same(after({ours}, input).heights, matrix(expected[theirs]), theirs);
@@ -151,7 +120,7 @@ TEST_F(DetrendCases, OfAMapAgreeWithThePeerInHeightsAndCoefficients) {
 TEST_F(DetrendCases, OfAMaskedMapAgreeWithThePeer) { expect_same(after({"level_plane"}, masked_map()).heights, matrix(cases["map_masked"]["detrend_height"]), "masked"); }
 
 TEST_F(DetrendCases, AlignmentOfScanLinesIsThePeersUpToAConstant) {
-    const auto input = map("map_nonperiodic");
+    const auto input = height_map("map_nonperiodic");
     for (const std::string direction : {"x", "y"}) {
         const auto level = "level_lines direction=" + direction, align = "align_rows direction=" + direction;
         Array2D ours = after({level.c_str(), align.c_str()}, input).heights, theirs = matrix(cases["map_nonperiodic"]["scan_line_align_" + direction + "_median_deg1"]);

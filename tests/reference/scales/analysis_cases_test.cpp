@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "reference_data.hpp"
+#include "analysis_cases.hpp"
 #include "sampled_polyline.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/scales/autocorrelation.hpp"
@@ -21,50 +19,12 @@ namespace {
 using namespace setae;
 using namespace setae::scales;
 using nlohmann::json;
+using tests::AnalysisCases;
+using tests::matrix;
+using tests::series;
 using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
-
-Array1D series(const json& values) {
-    Array1D numbers(static_cast<Index>(values.size()));
-    for (Index k = 0; k < numbers.size(); ++k) {
-        const auto& value = values[static_cast<std::size_t>(k)];
-        numbers[k] = value.is_null() ? undefined : value.get<double>();
-    }
-    return numbers;
-}
-
-Array2D matrix(const json& rows) {
-    Array2D values(static_cast<Index>(rows.size()), static_cast<Index>(rows[0].size()));
-    for (Index i = 0; i < values.rows(); ++i) values.row(i) = series(rows[static_cast<std::size_t>(i)]).transpose();
-    return values;
-}
-
-class AnalysisCases : public testing::Test {
-protected:
-    void SetUp() override {
-        SETAE_REQUIRE_REFERENCE_DATA(path, "expected/analysis_cases.json");
-        cases = json::parse(std::ifstream(path));
-    }
-    LineScan line_scan(const char* name) const {
-        const auto& input = cases[name]["input"];
-        return {series(input["heights"]), input["physical_size"], input["periodic"], {}};
-    }
-    HeightMap height_map(const char* name) const {
-        const auto& input = cases[name]["input"];
-        return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
-    }
-    HeightMap masked_map() const {
-        auto map = height_map("map_nonperiodic");
-        for (const auto& place : cases["map_masked"]["mask_true_indices"]) map.heights(place[0].get<Index>(), place[1].get<Index>()) = undefined;
-        return map;
-    }
-    Profile polyline() const {
-        const auto& input = cases["nonuniform"]["input"];
-        return {series(input["x"]), series(input["h"]), {}};
-    }
-    json cases;
-};
 
 /// Values at the same distances, 1e-10.
 void expect_function(const FunctionOfScale& found, const json& expected) {

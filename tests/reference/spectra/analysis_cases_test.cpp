@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "reference_data.hpp"
+#include "analysis_cases.hpp"
 #include "setae/spectra/isotropic.hpp"
 #include "setae/spectra/polyline.hpp"
 #include "setae/spectra/power_spectrum.hpp"
@@ -19,38 +17,13 @@ namespace {
 using namespace setae;
 using namespace setae::spectra;
 using nlohmann::json;
+using tests::AnalysisCases;
+using tests::matrix;
+using tests::series;
 using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 using topography::Trend;
-
-Array1D series(const json& values) {
-    const auto numbers = values.get<std::vector<double>>();
-    return Eigen::Map<const Array1D>(numbers.data(), static_cast<Index>(numbers.size()));
-}
-
-Array2D matrix(const json& rows) {
-    Array2D values(static_cast<Index>(rows.size()), static_cast<Index>(rows[0].size()));
-    for (Index i = 0; i < values.rows(); ++i) values.row(i) = series(rows[static_cast<std::size_t>(i)]).transpose();
-    return values;
-}
-
-LineScan line_scan(const json& input) {
-    return {series(input["heights"]), input["physical_size"], input["periodic"], {}};
-}
-
-HeightMap height_map(const json& input) {
-    return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
-}
-
-class AnalysisCases : public testing::Test {
-protected:
-    void SetUp() override {
-        SETAE_REQUIRE_REFERENCE_DATA(path, "expected/analysis_cases.json");
-        cases = json::parse(std::ifstream(path));
-    }
-    json cases;
-};
 
 /// Modes 1 … n/2 − 1, which both have; 1e-10 of the values, or of the rounding floor of the largest.
 void expect_modes(const PowerSpectrum1D& spectrum, const json& expected) {
@@ -67,7 +40,7 @@ SpectrumOptions as_is(Window window) { return {.window = window, .trend = Trend:
 
 TEST_F(AnalysisCases, LineScanSpectraAgree) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
-        const auto scan = line_scan(cases[name]["input"]);
+        const auto scan = line_scan(name);
         expect_modes(power_spectrum(scan, as_is(Window::none)), cases[name]["psd_raw_window_None"]);
         expect_modes(power_spectrum(scan, as_is(Window::hann)), cases[name]["psd_raw_hann"]);
     }
@@ -75,7 +48,7 @@ TEST_F(AnalysisCases, LineScanSpectraAgree) {
 
 TEST_F(AnalysisCases, MapsAsLineScansAgree) {
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
-        const auto map = height_map(cases[name]["input"]);
+        const auto map = height_map(name);
         expect_modes(power_spectrum(map, as_is(Window::none)), cases[name]["psd_profile_raw_None"]);
         expect_modes(power_spectrum(map, as_is(Window::hann)), cases[name]["psd_profile_raw_hann_direction_x"]);
         expect_modes(power_spectrum(map, as_is(Window::automatic)), cases[name]["psd_profile_raw_default_window"]);
@@ -84,7 +57,7 @@ TEST_F(AnalysisCases, MapsAsLineScansAgree) {
 
 TEST_F(AnalysisCases, SpectrumMapsAgree) {
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
-        const auto map = height_map(cases[name]["input"]);
+        const auto map = height_map(name);
         const Array2D expected = matrix(cases[name]["psd_area_map_None"]);
         const Array2D spectrum = power_spectrum_map(map, as_is(Window::none));
         EXPECT_LT(((spectrum - expected) / expected).abs().maxCoeff(), 1e-10);
@@ -92,19 +65,18 @@ TEST_F(AnalysisCases, SpectrumMapsAgree) {
 }
 
 TEST_F(AnalysisCases, PolylineSpectraAgree) {
-    const auto& polyline = cases["nonuniform"];
-    const Profile profile{series(polyline["input"]["x"]), series(polyline["input"]["h"]), {}};
-    const Array1D q = series(polyline["psd_brute_None"][0]), expected = series(polyline["psd_brute_None"][1]);
+    const auto profile = polyline();
+    const auto& recorded = cases["nonuniform"]["psd_brute_None"];
+    const Array1D q = series(recorded[0]), expected = series(recorded[1]);
     EXPECT_LT((polyline_power_spectrum(profile, q, Window::none) / expected - 1.0).abs().maxCoeff(), 1e-10);
 }
 
 TEST_F(AnalysisCases, PolylineSpectraWithWindowedPointsAgree) {
     // the package multiplies the points by the window and joins the products by straight lines
-    const auto& polyline = cases["nonuniform"];
-    Profile profile{series(polyline["input"]["x"]), series(polyline["input"]["h"]), {}};
+    auto profile = polyline();
     const Array1D phase = (profile.positions - profile.positions[0]) * (2.0 * std::acos(-1.0) / profile.size());
     profile.heights *= std::sqrt(2.0 / 3.0) * (1.0 - phase.cos());
-    const Array1D q = series(polyline["psd_brute_hann"][0]), expected = series(polyline["psd_brute_hann"][1]);
+    const Array1D q = series(cases["nonuniform"]["psd_brute_hann"][0]), expected = series(cases["nonuniform"]["psd_brute_hann"][1]);
     EXPECT_LT((polyline_power_spectrum(profile, q, Window::none) / expected - 1.0).abs().maxCoeff(), 1e-10);
 }
 
@@ -152,12 +124,12 @@ void expect_cutoff(const topography::Measurement& measurement, const HeightMap& 
 
 TEST_F(AnalysisCases, TipCutoffsAgree) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
-        const auto scan = line_scan(cases[name]["input"]);
+        const auto scan = line_scan(name);
         for (const std::string radius : {"0.5", "1.0", "2.0", "5.0", "20.0"})
             expect_cutoff(scan, {scan.heights, {scan.size, 1.0}, scan.periodic, {}}, std::stod(radius), scan.size, cases[name]["tip_cutoff_R" + radius]);
     }
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
-        const auto map = height_map(cases[name]["input"]);
+        const auto map = height_map(name);
         for (const std::string radius : {"1.0", "5.0", "20.0"})
             expect_cutoff(map, map, std::stod(radius), 0.5 * (map.size[0] + map.size[1]), cases[name]["tip_cutoff_R" + radius]);
     }
