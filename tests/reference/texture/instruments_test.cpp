@@ -53,8 +53,8 @@ TEST_F(SurfTest, ParametersAgreeWithTheInstrumentsToItsLastDigit) {
     }
 }
 
-TEST_F(SurfTest, CoreParametersComeFromAnotherProfileThanTheOneStored) {
-    // the instrument takes them behind the filter of ISO 13565-1, of a profile the file does not hold: near, but not equal
+TEST_F(SurfTest, CoreParametersOfTheStoredProfileAreNearTheInstruments) {
+    // presumably the instrument takes them behind the filter of ISO 13565-1, of a profile the file does not hold
     const std::map<std::string, std::string> names{{"Rk", "Rk"}, {"Rpk", "Rpk"}, {"Rvk", "Rvk"}, {"Rmrk2", "Mr2"}};
     for (const auto& [ours, theirs] : names) EXPECT_NEAR(values.at(ours) / printed(line, theirs).value, 1.0, 0.08) << ours;
     // its A1 and A2 are the triangles of its other numbers, as ours are
