@@ -39,6 +39,7 @@ double student_t_quantile(double probability, double degrees_of_freedom) {
 double chi_squared_exceedance(double x, double degrees_of_freedom) {
     if (!(x >= 0.0 && degrees_of_freedom > 0.0))
         throw InvalidArgument(fmt::format("chi-squared of {} at {} degrees of freedom; expected one >= 0 at more than 0", x, degrees_of_freedom));
+    if (std::isinf(x)) return 0.0;
     return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
 }
 

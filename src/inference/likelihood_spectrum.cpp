@@ -6,13 +6,13 @@
 #include <map>
 
 #include <Eigen/Cholesky>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/estimate.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/inference/contour_kernel.hpp"
 #include "setae/inference/hat_node.hpp"
 #include "setae/inference/independent_lines.hpp"
@@ -268,7 +268,7 @@ private:
         constexpr double significant = 0.01;
         Scatter variance;
         for (const auto& [instrument, sum] : sums) {
-            const double probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(sum.count), sum.chi_squared));
+            const double probability = chi_squared_exceedance(sum.chi_squared, sum.count);
             variance[instrument] = probability < significant ? std::max(0.0, sum.excess / sum.count) : 0.0;
         }
         return variance;
@@ -355,7 +355,7 @@ private:
             row.instrument = key.first;
             row.decade = key.second;
             row.standard_error = std::sqrt(row.standard_error) / weights[key];
-            row.probability = boost::math::cdf(boost::math::complement(boost::math::chi_squared(row.groups), row.chi_squared));
+            row.probability = chi_squared_exceedance(row.chi_squared, row.groups);
             if (row.probability < improbable)
                 r.alerts.push_back({"INSTRUMENTS_DISAGREE", row.instrument,
                                     fmt::format("between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",

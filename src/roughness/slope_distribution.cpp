@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::roughness {
 namespace {
@@ -152,7 +152,7 @@ void fill_histogram(SlopeDistribution& distribution, const std::vector<double>& 
 
 double chi_squared_p_value(double chi2, int degrees_of_freedom) {
     if (!std::isfinite(chi2)) return undefined;
-    return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), chi2));
+    return chi_squared_exceedance(chi2, degrees_of_freedom);
 }
 
 /// The direction with the strongest evidence, corrected for having looked at all of them (Bonferroni).

@@ -47,7 +47,7 @@ TEST(Pipeline, OnTheCommandLineGivesTheLibrarysBytes) {
 
     std::string steps;
     for (const auto& line : workflow::step_lines(pipeline)) steps += " --step '" + line + "'";
-    for (const std::string given : {" --pipeline '" + file + "'", steps}) {
+    for (const std::string& given : {" --pipeline '" + file + "'", steps}) {
         const auto theirs = (folder / "program.npy").string();
         const auto command = std::string("'") + SETAE_PROGRAM + "' level '" + in + "'" + given + " -o '" + theirs + "' > /dev/null";
         ASSERT_EQ(std::system(command.c_str()), 0) << command;

@@ -45,6 +45,7 @@ TEST(ChiSquaredExceedance, AgreesWithItsClosedForms) {
     EXPECT_NEAR(chi_squared_exceedance(3.0, 2.0), std::exp(-1.5), 1e-14);
     EXPECT_NEAR(chi_squared_exceedance(1.96 * 1.96, 1.0), 2.0 * normal_probability(-1.96), 1e-14);
     EXPECT_EQ(chi_squared_exceedance(0.0, 3.0), 1.0);
+    EXPECT_EQ(chi_squared_exceedance(std::numeric_limits<double>::infinity(), 3.0), 0.0);
     EXPECT_THROW((void)chi_squared_exceedance(-1.0, 3.0), InvalidArgument);
     EXPECT_THROW((void)chi_squared_exceedance(1.0, 0.0), InvalidArgument);
 }
