@@ -105,7 +105,7 @@ PEER = {
     "psd_lines": lambda h: nothing(topography(h).power_spectrum_from_profile()),
     "acf_area": lambda h: nothing(topography(h).autocorrelation_from_area()),
     "acf_lines": lambda h: numbers(topography(h - h.mean()).autocorrelation_from_profile(resampling_method=None, reliable=False)[1][1:101]),
-    "variable_bandwidth": lambda h: numbers(topography(h).variable_bandwidth_from_area(reliable=False)[1]),
+    "variable_bandwidth": lambda h: numbers(topography(h).variable_bandwidth_from_area(reliable=False)[1][::-1]),
     "slope_of_lines": lambda h: nothing(topography(h).scale_dependent_slope_from_profile()),
     "differences_of_map": lambda h: nothing(topography(h).scale_dependent_statistical_property(variance_of_gradient)),
     "tip_cutoff": lambda h: numbers(topography(h).scanning_probe_reliability_cutoff(1e-3)),
