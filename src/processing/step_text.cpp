@@ -13,28 +13,29 @@
 namespace setae::processing {
 namespace {
 
-/// Words of a line, separated by blanks that stand outside double quotes; \" and \\ within them stand for " and \.
+/// Words of a line, separated by blanks that stand outside quotes, single or double; \ within double ones stands before " and \.
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
-    bool quoted = false, in_word = false;
+    char quote = '\0';  // the one that is open
+    bool in_word = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (!quoted && std::string_view(" \t\r\n").find(c) != std::string_view::npos) {
+        if (!quote && std::string_view(" \t\r\n").find(c) != std::string_view::npos) {
             in_word = false;
             continue;
         }
         if (!in_word) words.emplace_back();
         in_word = true;
-        if (c == '"') quoted = !quoted;
-        else if (quoted && c == '\\' && i + 1 < line.size()) words.back() += line[++i];
+        if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? '\0' : c;
+        else if (quote == '"' && c == '\\' && i + 1 < line.size()) words.back() += line[++i];
         else words.back() += c;
     }
-    if (quoted) throw InvalidArgument(fmt::format("step '{}': a quote is not closed", line));
+    if (quote) throw InvalidArgument(fmt::format("step '{}': a quote is not closed", line));
     return words;
 }
 
 std::string quoted(const std::string& value) {
-    if (!value.empty() && value.find_first_of(" \t\r\n\"\\") == std::string::npos) return value;
+    if (!value.empty() && value.find_first_of(" \t\r\n\"'\\") == std::string::npos) return value;
     std::string text = "\"";
     for (const char c : value) {
         if (c == '"' || c == '\\') text += '\\';

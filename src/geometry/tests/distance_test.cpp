@@ -92,7 +92,9 @@ TEST(ClosestPatchMap, NamesAPatchThatIsNoFartherThanAnyOther) {
                 ASSERT_NEAR(nearest(only, i, j, {pixel, periodic}), distance(i, j), 1e-12);
             }
         for (Index k = 0; k < mask.size(); ++k)
-            if (found.numbers.data()[k] > 0) EXPECT_EQ(closest.data()[k], found.numbers.data()[k]);
+            if (found.numbers.data()[k] > 0) {
+                EXPECT_EQ(closest.data()[k], found.numbers.data()[k]);
+            }
         EXPECT_TRUE((closest == closest_patch_map(found, pixel, {3})).all());
     }
 }

@@ -115,6 +115,14 @@ std::string complaint(const char* line) {
     return "accepted";
 }
 
+TEST(StepText, TakesQuotesOfBothKinds) {
+    const auto expected = text(step_from_text("mask_out region=\"include heights above 20 nm\""));
+    EXPECT_EQ(text(step_from_text("mask_out region='include heights above 20 nm'")), expected);
+    EXPECT_EQ(text(step_from_text("mask_out 'region=include heights above 20 nm'")), expected);
+    const std::string name = "subtract_map file=\"the operator's \\\"best\\\" scan.spm\"";
+    EXPECT_EQ(text(step_from_text(name)), name);
+}
+
 TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
     EXPECT_EQ(complaint("level_plan"), "unknown step 'level_plan'; did you mean 'level_plane'?; setae level --explain lists them");
     EXPECT_EQ(complaint("despike treshold=5"), "unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");

@@ -17,7 +17,8 @@ class LargeMap : public testing::Test {
 protected:
     void SetUp() override {
         const auto map = synthesis::random_surface(synthesis::density({1e-28, 1e7, 0.8, 1e9}), {nx, ny, 1e-6, 0.75e-6}, {.key = {5}});
-        folder = std::filesystem::temp_directory_path() / "setae_large_map_test";
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder = std::filesystem::temp_directory_path() / ("setae_large_map_" + test);  // tests run side by side
         std::filesystem::create_directories(folder);
         input.file = (folder / "map.npy").string();
         input.size = std::vector{1e-6, 0.75e-6};
