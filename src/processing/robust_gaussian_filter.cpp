@@ -32,43 +32,34 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept
     return scale.updates();
 }
 
-struct Result {
-    topography::Measurement measurement;
-    int updates;
-};
-
-Result filter_map(topography::HeightMap map, const RobustGaussianFilter& filter, parallel::Threads threads) {
+/// In place; returns how often the weights were found.
+int filter_in_place(topography::HeightMap& map, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, map.metadata);
     const auto pixel = map.pixel_size();
     const double deviation = gaussian_deviation(filter.cutoff, filter.order);
-    const int updates = filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order}, filter.keep, threads);
-    return {std::move(map), updates};
+    return filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order}, filter.keep, threads);
 }
 
-Result filter_scan(topography::LineScan scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
+int filter_in_place(topography::LineScan& scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, scan.metadata);
     Eigen::Map<Array2D> row(scan.heights.data(), 1, scan.heights.size());
-    const int updates = filter_in_place(row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order}, filter.keep, threads);
-    return {std::move(scan), updates};
+    return filter_in_place(row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order}, filter.keep, threads);
 }
 
 }  // namespace
 
 topography::HeightMap filtered(topography::HeightMap map, const RobustGaussianFilter& filter, parallel::Threads threads) {
-    return std::get<topography::HeightMap>(filter_map(std::move(map), filter, threads).measurement);
+    filter_in_place(map, filter, threads);
+    return map;
 }
 
 topography::LineScan filtered(topography::LineScan scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
-    return std::get<topography::LineScan>(filter_scan(std::move(scan), filter, threads).measurement);
+    filter_in_place(scan, filter, threads);
+    return scan;
 }
 
 Processed apply(const RobustGaussianFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
-    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) refuse_profile(step_name(filter), *profile);
-    StepRecord record = filter_record(step_name(filter), filter.cutoff, measurement);
-    Result result = std::holds_alternative<topography::HeightMap>(measurement) ? filter_map(std::get<topography::HeightMap>(std::move(measurement)), filter, threads)
-                                                                               : filter_scan(std::get<topography::LineScan>(std::move(measurement)), filter, threads);
-    record.numbers.push_back({.quantity = "weightings", .symbol = "n", .estimate = {.value = static_cast<double>(result.updates), .standard_error = 0.0}, .unit = "1"});
-    return {std::move(result.measurement), std::move(record)};
+    return filtered_in_place(filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, true);
 }
 
 }  // namespace setae::processing

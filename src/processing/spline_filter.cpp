@@ -92,44 +92,34 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const SplineFilter& filter, con
     return scale.updates();
 }
 
-struct Result {
-    topography::Measurement measurement;
-    int updates;
-};
-
-Result filter_map(topography::HeightMap map, const SplineFilter& filter, parallel::Threads threads) {
+/// In place; returns how often the weights were found.
+int filter_in_place(topography::HeightMap& map, const SplineFilter& filter, parallel::Threads threads) {
     const auto pixel = map.pixel_size();
     require_valid(filter, std::max(pixel[0], pixel[1]), map.metadata);
-    const int updates = filter_in_place(map.heights, filter, {stiffness(filter, pixel[0]), stiffness(filter, pixel[1])}, map.periodic, threads);
-    return {std::move(map), updates};
+    return filter_in_place(map.heights, filter, {stiffness(filter, pixel[0]), stiffness(filter, pixel[1])}, map.periodic, threads);
 }
 
-Result filter_scan(topography::LineScan scan, const SplineFilter& filter, parallel::Threads threads) {
+int filter_in_place(topography::LineScan& scan, const SplineFilter& filter, parallel::Threads threads) {
     require_valid(filter, scan.pixel_size(), scan.metadata);
     Eigen::Map<Array2D> row(scan.heights.data(), 1, scan.heights.size());
     const SplineStiffness stiff = stiffness(filter, scan.pixel_size());
-    const int updates = filter_in_place(row, filter, {stiff, stiff}, scan.periodic, threads);
-    return {std::move(scan), updates};
+    return filter_in_place(row, filter, {stiff, stiff}, scan.periodic, threads);
 }
 
 }  // namespace
 
 topography::HeightMap filtered(topography::HeightMap map, const SplineFilter& filter, parallel::Threads threads) {
-    return std::get<topography::HeightMap>(filter_map(std::move(map), filter, threads).measurement);
+    filter_in_place(map, filter, threads);
+    return map;
 }
 
 topography::LineScan filtered(topography::LineScan scan, const SplineFilter& filter, parallel::Threads threads) {
-    return std::get<topography::LineScan>(filter_scan(std::move(scan), filter, threads).measurement);
+    filter_in_place(scan, filter, threads);
+    return scan;
 }
 
 Processed apply(const SplineFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
-    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) refuse_profile(step_name(filter), *profile);
-    StepRecord record = filter_record(step_name(filter), filter.cutoff, measurement);
-    Result result = std::holds_alternative<topography::HeightMap>(measurement) ? filter_map(std::get<topography::HeightMap>(std::move(measurement)), filter, threads)
-                                                                               : filter_scan(std::get<topography::LineScan>(std::move(measurement)), filter, threads);
-    if (filter.robust)
-        record.numbers.push_back({.quantity = "weightings", .symbol = "n", .estimate = {.value = static_cast<double>(result.updates), .standard_error = 0.0}, .unit = "1"});
-    return {std::move(result.measurement), std::move(record)};
+    return filtered_in_place(filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, filter.robust);
 }
 
 }  // namespace setae::processing
