@@ -133,7 +133,8 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
                                           std::max(pixel_size[0], pixel_size[1]), most));
     const auto lags_along = [&](double step) { return static_cast<Index>(std::floor(longest / step * (1.0 + 1e-12))); };
     LagSums sums(lags_along(pixel_size[0]), lags_along(pixel_size[1]));
-    const Index lines = topography::lines_in(map, band_bytes);
+    constexpr std::size_t arrays = 8;  // of a band with its overlap: heights as read and centred, six spectra
+    const Index lines = std::min(map.ny, std::max({topography::lines_in(map, band_bytes / arrays) - sums.y, sums.y, Index{1}}));
     bool any_defined = false;
     for (Index first = 0; first < map.ny; first += lines) {
         Band band;

@@ -40,7 +40,7 @@ struct AutocorrelationOptions {
 
 /// The same up to a longest distance, of a map that need not fit into memory: bands of scan lines that overlap by the longest lag.
 /// longest: [m], at least one pixel and below the shorter side (half of it in periodic data).
-/// Memory: a few times the band with its overlap. Reliable limit as for lines.
+/// Memory: band_bytes, or sixteen times the lines within the longest lag where that is more. Reliable limit as for lines.
 /// @throws InvalidArgument for a longest distance outside its domain.
 [[nodiscard]] FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double longest, const spectra::LogGrid& grid = {},
                                                       std::size_t band_bytes = std::size_t{1} << 28, const AutocorrelationOptions& options = {});
