@@ -12,6 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
+#include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/transform.hpp"
 #include "spreading_kernel.hpp"
 
@@ -37,12 +38,7 @@ Complex plain_sum(const ArrayView1D& positions, const ArrayView1D& coefficients,
 
 /// Smallest 2^a 3^b 5^c that is even and >= n.
 Index smooth_size(double n) {
-    for (Index size = 2 * static_cast<Index>(std::ceil(0.5 * n));; size += 2) {
-        Index rest = size;
-        for (const Index factor : {2, 3, 5})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return size;
-    }
+    return 2 * fast_length(static_cast<Index>(std::ceil(0.5 * n)));
 }
 
 struct Extent {

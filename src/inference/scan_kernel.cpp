@@ -13,6 +13,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
+#include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/map_transform.hpp"
 #include "setae/fourier/transform.hpp"
 #include "setae/inference/hat_node.hpp"
@@ -39,22 +40,12 @@ Eigen::MatrixXd trend_basis(const ScanShape& shape) {
     return qr.householderQ() * Eigen::MatrixXd::Identity(shape.points, shape.trend_degree + 1);
 }
 
-/// Smallest 2^a 3^b 5^c that is at least n: lengths FFTW is fast at.
-Index smooth_length(Index n) {
-    for (;; ++n) {
-        Index rest = n;
-        for (const Index factor : {2, 3, 5})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return n;
-    }
-}
-
 /// What all nodes of one shape share.
 class Workshop {
 public:
     explicit Workshop(const ScanShape& shape)
         : shape_(shape), bins_(shape.points / 2), window_(spectra::window_values(spectra::Window::hann, shape.points)),
-          basis_(trend_basis(shape)), line_(shape.points), padded_(smooth_length(2 * shape.points)), wide_(padded_),
+          basis_(trend_basis(shape)), line_(shape.points), padded_(fourier::fast_length(2 * shape.points)), wide_(padded_),
           wide_back_(padded_, fourier::ComplexTransform::Sign::plus) {
         window_covariance_ = correlation_of_window();
         for (Index l = 0; l < basis_.cols(); ++l) {

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setae/fourier/fast_length.hpp"
+
 namespace setae::laboratory {
 
 Index fast_length(double n) {
-    for (auto candidate = static_cast<Index>(std::ceil(std::max(n, 2.0)));; ++candidate) {
-        Index rest = candidate;
-        for (const Index factor : {2, 3, 5})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return candidate;
-    }
+    return fourier::fast_length(static_cast<Index>(std::ceil(std::max(n, 2.0))));
 }
 
 }  // namespace setae::laboratory

@@ -10,6 +10,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/topography/first_defined.hpp"
 
 namespace setae::roughness {
 namespace {
@@ -147,14 +148,6 @@ double variance(double sum, double sum2, double count) {
     return std::max(0.0, sum2 / count - (sum / count) * (sum / count));
 }
 
-/// A defined height near which sums of squares lose no digits.
-std::optional<double> origin_of(const ArrayView2D& heights) {
-    for (Index i = 0; i < heights.rows(); ++i)
-        for (Index j = 0; j < heights.cols(); ++j)
-            if (heights(i, j) == heights(i, j)) return heights(i, j);
-    return {};
-}
-
 [[noreturn]] void nothing_defined() { throw UndefinedDataError("no defined height to take an rms of"); }
 
 /// Scan lines of a map that are looked at together with those beside them.
@@ -173,7 +166,7 @@ struct MapSums {
 
     void add(const Band& band, parallel::Threads threads) {
         constexpr Index block_rows = 64;
-        if (!origin) origin = origin_of(band.heights);
+        if (!origin) origin = topography::first_defined(band.heights);
         if (!origin) return;
         const auto nx = band.heights.rows(), lines_count = band.end - band.begin;
         const auto blocks = static_cast<std::size_t>((nx + block_rows - 1) / block_rows);

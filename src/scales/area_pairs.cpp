@@ -93,8 +93,8 @@ struct Plan {
     fourier::InverseRealTransform back_along_y;
 
     Plan(const topography::HeightMap& map)
-        : nx(map.heights.rows()), ny(map.heights.cols()), padded_x(map.periodic ? nx : fast_length(2 * nx - 1)),
-          padded_y(map.periodic ? ny : fast_length(2 * ny - 1)), along_y(padded_y), along_x(padded_x), back_along_x(padded_x), back_along_y(padded_y) {}
+        : nx(map.heights.rows()), ny(map.heights.cols()), padded_x(map.periodic ? nx : fourier::fast_length(2 * nx - 1)),
+          padded_y(map.periodic ? ny : fourier::fast_length(2 * ny - 1)), along_y(padded_y), along_x(padded_x), back_along_x(padded_x), back_along_y(padded_y) {}
     [[nodiscard]] Index modes() const { return along_y.modes(); }
     [[nodiscard]] double scale() const { return 1.0 / (static_cast<double>(padded_x) * static_cast<double>(padded_y)); }
 };

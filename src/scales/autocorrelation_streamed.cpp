@@ -53,7 +53,7 @@ struct Spectra {
 
 /// Adds the pairs that begin in the band: cross-correlations of its lines with its lines and overlap.
 void add_band(const Band& band, bool periodic, LagSums& sums, parallel::Threads threads) {
-    const Index nx = band.heights.rows(), padded_x = periodic ? nx : fast_length(nx + sums.x), padded_y = fast_length(band.lines + sums.y);
+    const Index nx = band.heights.rows(), padded_x = periodic ? nx : fourier::fast_length(nx + sums.x), padded_y = fourier::fast_length(band.lines + sums.y);
     const fourier::RealTransform along_y(padded_y);
     const fourier::InverseRealTransform back_along_y(padded_y);
     const fourier::ComplexTransform along_x(padded_x), back_along_x(padded_x, fourier::ComplexTransform::Sign::plus);

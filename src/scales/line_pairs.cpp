@@ -7,6 +7,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
+#include "setae/fourier/fast_length.hpp"
 
 namespace setae::scales {
 namespace {
@@ -20,15 +21,6 @@ constexpr Index most_parts = 64;  ///< of a sum over lines, whatever the number 
 std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 }  // namespace
-
-Index fast_length(Index least) {
-    for (Index n = std::max<Index>(least, 1);; ++n) {
-        Index rest = n;
-        for (const Index prime : {2, 3, 5})
-            while (rest % prime == 0) rest /= prime;
-        if (rest == 1) return n;
-    }
-}
 
 /// Sums over some of the lines.
 struct LinePairs::Part {
@@ -51,7 +43,7 @@ struct LinePairs::Part {
 };
 
 LinePairs::LinePairs(Index points, bool periodic)
-    : points_(points), padded_(periodic ? points : fast_length(2 * points - 1)), periodic_(periodic), transform_(padded_),
+    : points_(points), padded_(periodic ? points : fourier::fast_length(2 * points - 1)), periodic_(periodic), transform_(padded_),
       whole_power_(Array1D::Zero(transform_.modes())), whole_squares_(Array1D::Zero(points)), holed_spectrum_(Array1D::Zero(transform_.modes())),
       holed_pairs_(Array1D::Zero(transform_.modes())) {}
 

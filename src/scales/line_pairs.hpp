@@ -2,13 +2,11 @@
 #pragma once
 
 #include "setae/core/arrays.hpp"
+#include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/transform.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::scales {
-
-/// Least number >= `least` without prime factors above 5, for which transforms are fast.
-[[nodiscard]] Index fast_length(Index least);
 
 /// Sums over all pairs of defined points of lines, by lag: ½ Σ (h_i − h_{i+k})² and the number of pairs.
 ///

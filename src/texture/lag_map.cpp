@@ -6,21 +6,12 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/inverse_map_transform.hpp"
 #include "setae/fourier/map_transform.hpp"
 
 namespace setae::texture {
 namespace {
-
-/// The smallest length >= n with no prime factor above 5.
-Index quick_length(Index n) {
-    for (;; ++n) {
-        Index rest = n;
-        for (const Index factor : {2, 3, 5})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return n;
-    }
-}
 
 /// Sum over all points of v(x) v(x + t) at every wrapped lag of an nx × ny grid; load(i, row) writes row i.
 template <class Load>
@@ -42,7 +33,7 @@ Array2D products(Index nx, Index ny, Load load, parallel::Threads threads) {
 
 LagMap::LagMap(const topography::HeightMap& map, double mean, parallel::Threads threads) {
     const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const auto grid_x = map.periodic ? nx : quick_length(2 * nx - 1), grid_y = map.periodic ? ny : quick_length(2 * ny - 1);
+    const auto grid_x = map.periodic ? nx : fourier::fast_length(2 * nx - 1), grid_y = map.periodic ? ny : fourier::fast_length(2 * ny - 1);
     reach_x_ = map.periodic ? nx / 2 : nx - 1;
     reach_y_ = map.periodic ? ny / 2 : ny - 1;
     const auto load = [&](auto value) {

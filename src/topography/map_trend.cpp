@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/topography/first_defined.hpp"
 
 namespace setae::topography {
 namespace {
@@ -86,13 +87,6 @@ void add_row(MapTrendFit::Moments& sums, const RowMoments& row, double u, Index 
             sums.gram(a, b) += power[static_cast<std::size_t>(ua + ub)] * row.powers[static_cast<std::size_t>(va + vb)];
         }
     }
-}
-
-std::optional<double> first_defined(const ArrayView2D& heights) {
-    for (Index i = 0; i < heights.rows(); ++i)
-        for (Index j = 0; j < heights.cols(); ++j)
-            if (heights(i, j) == heights(i, j)) return heights(i, j);
-    return {};
 }
 
 /// body(first, last) for blocks of rows.

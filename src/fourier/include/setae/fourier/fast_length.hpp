@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::fourier {
+
+/// Least number >= `least`, and >= 1, without prime factors above 5: lengths that transform fast.
+[[nodiscard]] Index fast_length(Index least);
+
+}  // namespace setae::fourier
