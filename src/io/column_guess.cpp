@@ -17,7 +17,7 @@
 #include "setae/io/source.hpp"
 #include "setae/io/spreadsheet.hpp"
 #include "setae/io/whole_file.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "setae/io/table_file.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 

@@ -14,7 +14,7 @@
 #include "setae/core/units.hpp"
 #include "setae/io/format.hpp"
 #include "setae/io/netcdf.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

@@ -10,7 +10,7 @@
 #include "setae/core/text.hpp"
 #include "setae/io/format.hpp"
 #include "setae/io/table_file.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

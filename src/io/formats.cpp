@@ -10,7 +10,7 @@
 #include "expand.hpp"
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 #include "tiff_file.hpp"
 
 namespace setae::io {

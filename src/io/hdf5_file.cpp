@@ -14,7 +14,7 @@
 #include "hdf5_layout.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

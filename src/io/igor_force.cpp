@@ -13,7 +13,7 @@
 #include "force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 // Igor binary wave, version 5: BinHeader5 (64 bytes), WaveHeader5 (320 bytes), numbers, formula, note, units and labels of
 // dimensions. Source: WaveMetrics, Technical Note 3, "Igor Binary Format".

@@ -9,7 +9,7 @@
 #include "cursor.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // WaveMetrics, Technical Note 3, "Igor Binary Format". Version 5: BinHeader5 (64 bytes), WaveHeader5 (320), numbers, formula, note, long
 // units of the data and of each dimension, labels of each dimension. Version 2: BinHeader2 (16), WaveHeader2 (110), numbers, 16 bytes, note.

@@ -13,7 +13,7 @@
 #include "force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

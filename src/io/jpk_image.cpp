@@ -11,7 +11,7 @@
 #include "probe_channels.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "tiff_file.hpp"
 
 // TIFF with private tags. The first page is a thumbnail and tells of the scan; each further page is a channel. A channel has slots,

@@ -15,7 +15,7 @@
 #include "setae/io/source.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

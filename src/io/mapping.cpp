@@ -12,7 +12,7 @@
 #include "header.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/io/toml_reader.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

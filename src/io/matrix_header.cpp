@@ -13,7 +13,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

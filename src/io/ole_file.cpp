@@ -11,7 +11,7 @@
 #include "cursor.hpp"
 #include "pieces.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

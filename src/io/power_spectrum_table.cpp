@@ -9,7 +9,7 @@
 #include "setae/core/units.hpp"
 #include "setae/io/source.hpp"
 #include "setae/io/table_file.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

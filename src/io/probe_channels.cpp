@@ -7,7 +7,7 @@
 #include "header.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 

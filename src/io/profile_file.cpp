@@ -13,7 +13,7 @@
 #include "setae/core/text.hpp"
 #include "setae/io/table_file.hpp"
 #include "setae/io/whole_file.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
 namespace {

@@ -15,7 +15,7 @@
 #include "setae/core/text.hpp"
 #include "setae/io/spreadsheet.hpp"
 #include "setae/io/whole_file.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 #include "text_numbers.hpp"
 
 namespace setae::io {

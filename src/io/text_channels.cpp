@@ -16,7 +16,7 @@
 #include "setae/io/format.hpp"
 #include "setae/io/profile_file.hpp"
 #include "setae/io/table_file.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 namespace {

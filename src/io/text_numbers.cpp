@@ -8,10 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "matrix_header.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/io/format.hpp"
+#include "setae/io/source.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::io {

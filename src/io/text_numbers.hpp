@@ -9,7 +9,7 @@
 
 #include "setae/core/arrays.hpp"
 #include "setae/io/source.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 namespace setae::io {
 

@@ -10,7 +10,7 @@
 #include "bytes.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // TIFF 6.0 (Adobe, 1992) and BigTIFF: a header of byte order, magic number and the offset of the first directory; directories of
 // entries (tag, type, count, values or their offset), each ending with the offset of the next.

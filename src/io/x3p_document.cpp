@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "xml_file.hpp"
 
 namespace setae::io {

@@ -12,7 +12,7 @@
 #include "raster.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // BCR-STM and BCRF files: a text header of "key = value" lines in 2048 or `headersize` characters of one byte or two (UTF-16), then
 // integers of 2 bytes or floating-point values of 4, row after row.

@@ -18,7 +18,7 @@
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/io/whole_file.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "text_numbers.hpp"
 
 namespace setae::io {

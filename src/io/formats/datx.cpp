@@ -12,7 +12,7 @@
 #include "header.hpp"
 #include "setae/core/errors.hpp"
 #include "stored_array.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // DATX of Zygo's Mx: HDF5 with a table /MetaData of triples (object, relation, object or value) that leads to the surface, whose
 // attributes tell unit, undefined value and what a pixel is.

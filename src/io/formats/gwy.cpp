@@ -17,7 +17,7 @@
 #include "raster.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Gwyddion's own files: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type, value. Types: b c i q
 // d s o, in capitals their arrays behind a count of 32 bits. All little-endian. "/N/data" of the container is the N-th map.

@@ -13,7 +13,7 @@
 #include "raster.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // HGT tiles of the Shuttle Radar Topography Mission: nothing but big-endian integers, heights above the geoid in m, rows from the
 // north. A tile spans one degree from the first point to the last; its south-west corner is in its name, such as N46E007.hgt.

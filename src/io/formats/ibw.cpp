@@ -14,7 +14,7 @@
 #include "probe_channels.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Igor binary waves as Asylum Research (Oxford Instruments) writes them: a wave of x × y × channels whose labels along the third
 // dimension are the names of the channels and whose note tells of the scan. The wave has one unit for all channels, which is that of

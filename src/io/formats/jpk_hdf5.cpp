@@ -10,7 +10,7 @@
 #include "header.hpp"
 #include "setae/core/errors.hpp"
 #include "stored_array.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Images and films of JPK's fast microscopes: HDF5 with groups Measurement_n/Channel_m, each with a dataset whose rows are the pixels of
 // a frame, line after line from the bottom, and whose columns are the frames.

@@ -7,7 +7,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "tiff_file.hpp"
 #include "xml_file.hpp"
 

@@ -11,7 +11,7 @@
 #include "raster.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "text_head.hpp"
 
 // Header of lines whose key is the first 14 characters; "bufferLabel" begins a channel, "data" ends the header and tells how the channels

@@ -10,7 +10,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 #include "workbook.hpp"
 
 namespace setae::io {

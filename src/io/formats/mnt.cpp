@@ -22,7 +22,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/parallel/for_each.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Digital Surf Mountains documents: a compound file whose stream "ScopedContents" is a tree of entries (tag of 2 bytes, size of 8,
 // content). A measured surface (class 9012) has two lateral axes, an axis of heights and an array of integers in zlib blocks:

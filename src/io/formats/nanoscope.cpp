@@ -16,7 +16,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "text_head.hpp"
 
 // Nanoscope files from version 4.3: a latin-1 header of sections "\*Name" with lines "\Key: value", then one block of

@@ -14,7 +14,7 @@
 #include "raster.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "text_head.hpp"
 
 // Sections "[name]" of lines "key=value", then "#!" and the integers of all channels in the order of "Gr<group>-Ch<channel>" of the first

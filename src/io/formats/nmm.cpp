@@ -16,7 +16,7 @@
 #include "header_number.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 
 // SIOS nanomeasuring machine: a ZIP archive with NAME.dsc, which describes the scan field, and for scan s and line l the pair
 // NAME_s_l.dsc, which names columns ("number : date : name : points : description"), and NAME_s_l.dat, which holds them as text.

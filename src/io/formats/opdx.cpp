@@ -12,7 +12,7 @@
 #include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "vca_tree.hpp"
 
 // OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and "2D_Data" hold the

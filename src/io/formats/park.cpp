@@ -10,7 +10,7 @@
 #include "probe_channels.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 #include "tiff_file.hpp"
 
 // A TIFF picture whose private tags hold the measurement: 50432 magic number, 50433 version, 50434 the samples, 50435 a header of 356

@@ -11,7 +11,7 @@
 #include "raster.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Sensofar PLu: a head of 500 bytes (date as text of 128 bytes and as seconds since 1970, comment of 256 bytes, calibration of the
 // axes, configuration of the measurement), then layer after layer: rows, columns, float32 in µm row after row, least and greatest,

@@ -7,7 +7,7 @@
 #include "format_list.hpp"
 #include "oir.hpp"
 #include "setae/core/errors.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Olympus POIR: a ZIP archive of OIR files, usually one of the laser and one of the camera.
 namespace setae::io {

@@ -19,7 +19,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/topography/line_scans.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Mahr MarWin QEP: a ZIP archive of profiles. A profile begins with "[p3dlin]", has its number of points at byte 20, at byte 196 a
 // table of texts (number, then length and characters of each; ">Key=Value"), the sections "[sellsg]" and "[Trajec]", and 49 bytes

@@ -17,7 +17,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // SDF (ISO 25178-71): "aISO-1.0" with lines "Key = value", a line "*", the heights as text, "*", a trailer, "*"; or "bISO-1.0" with
 // the same header packed and binary heights, little-endian. Version 2.0 counts points in 32 bits. height [m] = value · Zscale.

@@ -15,7 +15,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // Keyence VK3 and VK4: a table of offsets, the conditions of the measurement, and up to three images of light and of height, each with a
 // header and a palette; lengths in pm. VK6 and VK7 hold a VK4 file as member "Vk4File" of a ZIP archive behind a picture.

@@ -13,7 +13,7 @@
 #include "raster.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "text.hpp"
+#include "setae/io/text.hpp"
 
 // WSxM images: three lines that name the file, sections "[Name]" with lines "Key: value" up to "[Header end]", then the image,
 // little-endian, turned by half a turn. Floating-point data are in the unit of the Z amplitude; 16-bit data span the Z amplitude

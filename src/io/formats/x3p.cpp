@@ -20,7 +20,7 @@
 #include "setae/core/text.hpp"
 #include "setae/io/digest.hpp"
 #include "setae/topography/line_scans.hpp"
-#include "text.hpp"
+#include "dialect.hpp"
 #include "x3p_writer.hpp"
 #include "xml_file.hpp"
 

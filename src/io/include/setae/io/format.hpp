@@ -36,8 +36,6 @@ struct Format {
     [[nodiscard]] bool writes() const { return static_cast<bool>(write); }
 };
 
-inline constexpr std::size_t detection_bytes = 1 << 16;
-
 /// All formats, in the order in which they are asked.
 [[nodiscard]] const std::vector<Format>& formats();
 

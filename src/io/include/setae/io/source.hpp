@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -21,6 +22,9 @@ struct Source {
     /// The first `count` bytes, or all where there are fewer.
     [[nodiscard]] std::string head(std::uint64_t count) const { return bytes(0, count < size ? count : size); }
 };
+
+/// How much of a source tells its format.
+inline constexpr std::size_t detection_bytes = 1 << 16;
 
 /// A file on disk; nothing is read yet.
 /// @throws FileError for a missing path, a directory or a file that cannot be opened.

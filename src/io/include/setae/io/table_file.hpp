@@ -8,11 +8,9 @@
 
 #include "setae/core/table.hpp"
 #include "setae/io/source.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
-
-/// How a text is encoded, where its bytes do not say it themselves.
-enum class Encoding { detect, utf8, utf16, latin1 };
 
 /// How a text table is to be taken; what is left open is found from the text.
 struct TableOptions {

@@ -7,19 +7,9 @@
 #include <vector>
 
 #include "setae/io/table_file.hpp"
+#include "setae/io/text.hpp"
 
 namespace setae::io {
-
-/// Bytes of a text as UTF-8 with '\n' line ends, without byte order mark.
-[[nodiscard]] std::string decoded(std::string bytes, Encoding encoding);
-
-/// Whether bytes can be text: a UTF-16 byte order mark, or no control characters besides white space.
-[[nodiscard]] bool looks_like_text(std::string_view bytes);
-
-/// ASCII letters in lower case.
-[[nodiscard]] std::string lowered(std::string_view text);
-
-[[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
 
 /// How numbers are separated and spelled.
 struct Dialect {
@@ -31,9 +21,7 @@ struct Dialect {
 /// Whether a cell is a number with thousands in groups, and nothing but its groups where `whole`: "1,234" for ','.
 [[nodiscard]] bool is_grouped(std::string_view cell, char group_sign, bool whole);
 
-/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-", "***", "infinite", "1.#QNAN"; false for anything that is no
-/// number.
-[[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
+/// A cell's number as parse_cell(cell, decimal_point, value) of setae/io/text.hpp has it, thousands in groups where the dialect says so.
 [[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 
 /// Cells of a line; for separator ' ' runs of blanks and tabs separate and none lead or trail.

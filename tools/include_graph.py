@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What includes what, from the sources alone.
+
+  tools/include_graph.py worst [N]     headers of ours that cost most: their own lines times the sources that read them
+  tools/include_graph.py order         every include against the order of modules in src/CMakeLists.txt; fails where one is broken
+  tools/include_graph.py dot           the graph of modules for Graphviz, as docs/modules.svg draws it
+"""
+import collections
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
+
+
+def sources():
+    for top in ("src", "apps"):
+        for path in (ROOT / top).rglob("*"):
+            if path.suffix in (".cpp", ".hpp") and not {"tests", "benchmarks"} & set(path.parts):
+                yield path
+
+
+def module_order():
+    text = (ROOT / "src/CMakeLists.txt").read_text()
+    return re.search(r"foreach\(module ([^)]+)\)", text).group(1).split()
+
+
+def module_of(path):
+    parts = path.relative_to(ROOT).parts
+    return parts[1] if parts[0] == "src" else "apps"
+
+
+def resolver(paths):
+    public = {}
+    for path in paths:
+        text = path.as_posix()
+        if "/include/" in text:
+            public[text.split("/include/", 1)[1]] = path
+
+    def resolve(path, name):
+        if name in public:
+            return public[name]
+        for folder in (path.parent, *path.parents):
+            if (folder / name).is_file():
+                return (folder / name).resolve()
+            if folder == ROOT:
+                return None
+        return None
+
+    return resolve
+
+
+def includes():
+    paths = list(sources())
+    resolve = resolver(paths)
+    graph = {}
+    for path in paths:
+        found = (resolve(path, name) for name in INCLUDE.findall(path.read_text()))
+        graph[path] = [header for header in found if header]
+    return graph
+
+
+def reached(graph, path):
+    seen, todo = set(), [path]
+    while todo:
+        for header in graph.get(todo.pop(), ()):
+            if header not in seen:
+                seen.add(header)
+                todo.append(header)
+    return seen
+
+
+def worst(count):
+    graph = includes()
+    readers = collections.Counter()
+    total = 0
+    for path in graph:
+        if path.suffix == ".cpp":
+            headers = reached(graph, path)
+            readers.update(headers)
+            total += len(headers)
+    lines = {path: path.read_text().count("\n") for path in graph}
+    cost = sorted(readers, key=lambda h: (-readers[h] * lines[h], h))
+    print(f"{sum(p.suffix == '.cpp' for p in graph)} sources read {total} headers of ours")
+    print("sources  lines  header")
+    for header in cost[:count]:
+        print(f"{readers[header]:7d} {lines[header]:6d}  {header.relative_to(ROOT)}")
+
+
+def edges():
+    found = collections.Counter()
+    graph = includes()
+    for path, headers in graph.items():
+        for header in headers:
+            if module_of(path) != module_of(header):
+                found[module_of(path), module_of(header)] += 1
+    return graph, found
+
+
+def order():
+    place = {module: i for i, module in enumerate(module_order() + ["apps"])}
+    graph, _ = edges()
+    broken = [(path, header) for path, headers in graph.items() for header in headers
+              if place[module_of(header)] > place[module_of(path)]]
+    for path, header in broken:
+        print(f"{path.relative_to(ROOT)}: includes {header.relative_to(ROOT)}; expected a header of '{module_of(path)}' "
+              "or of a module before it in src/CMakeLists.txt", file=sys.stderr)
+    return 1 if broken else 0
+
+
+def dot():
+    _, found = edges()
+    print("digraph modules {\n  rankdir=BT; node [shape=box, fontname=\"Liberation Sans\"];")
+    for (above, below), count in sorted(found.items()):
+        print(f"  {above} -> {below} [tooltip=\"{count} includes\"];")
+    print("}")
+
+
+def main():
+    verb = sys.argv[1] if len(sys.argv) > 1 else "worst"
+    if verb == "worst":
+        worst(int(sys.argv[2]) if len(sys.argv) > 2 else 20)
+    elif verb == "order":
+        return order()
+    elif verb == "dot":
+        dot()
+    else:
+        print(__doc__, file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
