@@ -11,8 +11,8 @@ namespace {
 
 bool is_needed(const std::string& what) { return what == "size" || what == "unit"; }
 
-std::string missing_words(const io::ChannelInfo& info) {
-    const auto names = io::missing(info);
+std::string missing_words(const formats::ChannelInfo& info) {
+    const auto names = formats::missing(info);
     std::vector<std::string> options;
     for (const auto& name : names)
         if (is_needed(name)) options.push_back("--" + name);
@@ -22,7 +22,7 @@ std::string missing_words(const io::ChannelInfo& info) {
 
 }  // namespace
 
-std::string channel_line(const io::ChannelInfo& info) {
+std::string channel_line(const formats::ChannelInfo& info) {
     const auto name = info.name.empty() ? "(no name)" : info.name;
     if (info.shape.empty()) return fmt::format("{}: {}", info.format.empty() ? "unreadable" : info.format, name);
     std::vector<std::string> sizes;
@@ -31,7 +31,7 @@ std::string channel_line(const io::ChannelInfo& info) {
                        info.unit.empty() ? "" : ", in " + info.unit);
 }
 
-std::string channel_remarks(const io::ChannelInfo& info) {
+std::string channel_remarks(const formats::ChannelInfo& info) {
     std::string line;
     const auto& instrument = info.metadata.instrument;
     for (const auto& text : {info.orientation, instrument.name.empty() ? instrument.type : instrument.name, info.metadata.acquisition_time})

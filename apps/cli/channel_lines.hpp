@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::cli {
 
 /// What is known of a channel before its heights are read, on one line without its end: format, name, points, size, unit.
-[[nodiscard]] std::string channel_line(const io::ChannelInfo& info);
+[[nodiscard]] std::string channel_line(const formats::ChannelInfo& info);
 
 /// Orientation, instrument, date and, in capitals, what is missing with the option to give it; each behind ", ".
-[[nodiscard]] std::string channel_remarks(const io::ChannelInfo& info);
+[[nodiscard]] std::string channel_remarks(const formats::ChannelInfo& info);
 
 /// "12 %", "0.34 %", "< 0.01 %".
 [[nodiscard]] std::string percent(double share);

@@ -8,17 +8,17 @@
 
 #include <fmt/format.h>
 
-#include "setae/closure/report.hpp"
+#include "setae/validation/report.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
 
-workflow::Json json_of(const closure::SummaryRow& row) {
+output::Json json_of(const validation::SummaryRow& row) {
     return {{"quantity", row.quantity},
             {"method", row.method},
-            {"unit", row.measure == closure::Deviation::relative ? "1" : row.unit},
+            {"unit", row.measure == validation::Deviation::relative ? "1" : row.unit},
             {"count", row.count},
             {"bias", row.bias},
             {"bias_standard_error", row.bias_error},
@@ -47,18 +47,18 @@ std::function<void(int)> progress_of(int runs) {
     return [runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
 }
 
-workflow::Json json_of(const std::vector<closure::SummaryRow>& rows) {
-    workflow::Json list = workflow::Json::array();
+output::Json json_of(const std::vector<validation::SummaryRow>& rows) {
+    output::Json list = output::Json::array();
     for (const auto& row : rows) list.push_back(json_of(row));
     return list;
 }
 
-void write_closure(const std::vector<closure::SummaryRow>& rows, const std::string& name, const std::string& folder) {
+void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name, const std::string& folder) {
     std::error_code ignored;  // what cannot be made cannot be written to
     std::filesystem::create_directories(folder, ignored);
     const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
-    io::write_whole_file(path(".txt"), closure::summary_table(rows));
-    const auto figure = closure::closure_figure(rows);
+    bytes::write_whole_file(path(".txt"), validation::summary_table(rows));
+    const auto figure = validation::closure_figure(rows);
     figures::write_data(figure, path(".csv"));
     for (const char* ending : {".svg", ".png", ".pdf"}) figures::draw(figure, path(ending));
 }

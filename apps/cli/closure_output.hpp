@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "session.hpp"
-#include "setae/closure/summary.hpp"
+#include "setae/validation/summary.hpp"
 
 namespace setae::cli {
 
@@ -29,10 +29,10 @@ void require_recipe(const RepeatedRecipe& repeated);
 /// "n of N runs" on standard error where that is a terminal, else nothing.
 [[nodiscard]] std::function<void(int)> progress_of(int runs);
 
-[[nodiscard]] workflow::Json json_of(const std::vector<closure::SummaryRow>& rows);
+[[nodiscard]] output::Json json_of(const std::vector<validation::SummaryRow>& rows);
 
 /// NAME.txt, NAME.csv and the figure as NAME.svg, .png and .pdf in a folder.
 /// @throws FileError.
-void write_closure(const std::vector<closure::SummaryRow>& rows, const std::string& name, const std::string& folder);
+void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name, const std::string& folder);
 
 }  // namespace setae::cli

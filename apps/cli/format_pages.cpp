@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "setae/io/format.hpp"
+#include "setae/formats/format.hpp"
 
 namespace setae::cli {
 namespace {
@@ -29,7 +29,7 @@ std::string cell(const std::string& text) {
 
 std::string section(const char* title, const std::string& text) { return text.empty() ? "" : fmt::format("\n## {}\n\n{}\n", title, sentence(text)); }
 
-std::string page(const io::Format& format) {
+std::string page(const formats::Format& format) {
     std::string text = fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
     text += fmt::format("| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n", cell(format.extensions),
                         format.writes() ? "yes" : "no", format.tested_on_real_files ? "real files" : untested);
@@ -44,7 +44,7 @@ std::string index_page() {
         "says what a file holds, `setae convert` writes it in another format. Heights are metres, scaled once, NaN where undefined, h(x, y) with y\n"
         "downwards as Gwyddion shows the file.\n\n"
         "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";
-    for (const auto& format : io::formats())
+    for (const auto& format : formats::formats())
         text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier, cell(format.name), cell(format.extensions), format.writes() ? "yes" : "",
                             format.tested_on_real_files ? "yes" : "**no**");
     text += fmt::format(
@@ -58,7 +58,7 @@ std::string index_page() {
 
 std::map<std::string, std::string> format_pages() {
     std::map<std::string, std::string> pages{{"README.md", index_page()}};
-    for (const auto& format : io::formats()) pages[format.identifier + ".md"] = page(format);
+    for (const auto& format : formats::formats()) pages[format.identifier + ".md"] = page(format);
     return pages;
 }
 

@@ -11,10 +11,10 @@
 #include <fmt/ranges.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/profile_file.hpp"
-#include "setae/io/table_file.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/formats/profile_file.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -25,14 +25,14 @@ Array1D positions(const topography::LineScan& scan) {
     return scan.pixel_size() * Array1D::LinSpaced(scan.heights.size(), 0.0, static_cast<double>(scan.heights.size() - 1));
 }
 
-void write_line(const std::string& path, const Array1D& x, const Array1D& h) { io::write_csv(path, {{{"x", "m", x}, {"h", "m", h}}, {}}); }
+void write_line(const std::string& path, const Array1D& x, const Array1D& h) { tables::write_csv(path, {{{"x", "m", x}, {"h", "m", h}}, {}}); }
 
 /// A map as a matrix without header: one line for each x, NaN spelled out, since an empty cell ends some readers.
 void write_matrix(const std::string& path, const Array2D& heights) {
     std::string text;
     for (Index i = 0; i < heights.rows(); ++i)
         for (Index j = 0; j < heights.cols(); ++j) fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), j + 1 < heights.cols() ? ',' : '\n');
-    io::write_whole_file(path, text);
+    bytes::write_whole_file(path, text);
 }
 
 struct CsvWriter {
@@ -41,7 +41,7 @@ struct CsvWriter {
     void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
     void operator()(const topography::Profile& profile) const {
         if (profile.response || profile.standard_error.size() > 0)
-            io::write_profile(path, profile);
+            formats::write_profile(path, profile);
         else
             write_line(path, profile.positions, profile.heights);
     }
@@ -56,7 +56,7 @@ std::string ending_of(const std::string& path) {
 /// Of formats that are written; .csv, which several are read from, comes last.
 std::vector<std::string> written_endings() {
     std::vector<std::string> endings;
-    for (const auto& format : io::formats()) {
+    for (const auto& format : formats::formats()) {
         if (!format.writes()) continue;
         std::istringstream words(format.extensions);
         for (std::string ending; words >> ending;)
@@ -86,7 +86,7 @@ void write_heights(const std::string& path, const topography::Measurement& measu
     if (ending_of(path) == text_ending)
         std::visit(CsvWriter{path}, measurement);
     else
-        io::format_to_write(path).write(path, measurement);
+        formats::format_to_write(path).write(path, measurement);
 }
 
 }  // namespace setae::cli

@@ -7,8 +7,8 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/experiment/machine_stiffness.hpp"
-#include "setae/io/loop_file.hpp"
+#include "setae/loops/machine_stiffness.hpp"
+#include "setae/tables/loop_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -21,18 +21,18 @@ std::optional<double> given(const std::string& text, const Dimension& dimension)
 std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, const Table& loop) {
     if (!arguments.machine_stiffness.empty()) return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
     if (!arguments.rigid_contact.empty()) {
-        const auto rigid = workflow::open_loop({.file = arguments.rigid_contact});
-        return experiment::machine_stiffness_from_rigid_contact(experiment::loop_from_table(rigid.table)).stiffness;
+        const auto rigid = study::open_loop({.file = arguments.rigid_contact});
+        return loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(rigid.table)).stiffness;
     }
-    if (const auto stated = io::loop_quantity(loop, "machine_stiffness")) return Estimate{*stated};
+    if (const auto stated = tables::loop_quantity(loop, "machine_stiffness")) return Estimate{*stated};
     return std::nullopt;
 }
 
 AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& file) {
-    AnalysedLoop loop{.file = file, .opened = workflow::open_loop(request.loops.source(file))};
+    AnalysedLoop loop{.file = file, .opened = study::open_loop(request.loops.source(file))};
     loop.bodies = request.bodies.bodies(loop.opened.table);
     loop.options = request.analysis.options(loop.opened.table);
-    loop.analysis = workflow::analyse_loop(loop.opened, file, loop.bodies, loop.options);
+    loop.analysis = study::analyse_loop(loop.opened, file, loop.bodies, loop.options);
     return loop;
 }
 
@@ -68,15 +68,15 @@ std::vector<std::string> LoopArguments::expanded() const {
     return all;
 }
 
-workflow::LoopSource LoopArguments::source(const std::string& file) const {
-    workflow::LoopSource source{.file = file};
+study::LoopSource LoopArguments::source(const std::string& file) const {
+    study::LoopSource source{.file = file};
     if (!map.empty()) source.mapping = map;
     if (!camera.empty()) {
-        source.camera = workflow::CameraInput{.file = camera, .clock_offset = given(clock_offset, dimension::time), .pixel_size = given(pixel, dimension::length), .frame_rate = frame_rate, .fringes = fringes};
+        source.camera = study::CameraInput{.file = camera, .clock_offset = given(clock_offset, dimension::time), .pixel_size = given(pixel, dimension::length), .frame_rate = frame_rate, .fringes = fringes};
         if (!camera_map.empty()) source.camera->mapping = camera_map;
     }
     source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);
-    if (!sensitivity.empty()) source.force_curve.sensitivity = io::parse_sensitivity(sensitivity);
+    if (!sensitivity.empty()) source.force_curve.sensitivity = tables::parse_sensitivity(sensitivity);
     return source;
 }
 
@@ -89,14 +89,14 @@ void BodyArguments::add_to(CLI::App& verb) {
     verb.add_option("--layer-thickness", layer_thickness, "thickness of the soft layer on a rigid base");
 }
 
-experiment::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
+loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
     const auto bodies = without_radius(loop);
     if (!(bodies.radius > 0.0)) throw InvalidArgument("missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
     return bodies;
 }
 
-experiment::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const {
-    auto bodies = workflow::bodies_stated_in(loop);
+loops::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const {
+    auto bodies = study::bodies_stated_in(loop);
     bodies.radius = given(radius, dimension::length).value_or(bodies.radius);
     bodies.lens_poisson_ratio = poisson_ratio.value_or(bodies.lens_poisson_ratio);
     bodies.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(bodies.counter_youngs_modulus);
@@ -122,18 +122,18 @@ void LoopAnalysisArguments::add_to(CLI::App& verb) {
     verb.add_flag("--retraction-modulus-free", modulus_free, "fit E* in (S2) too");
 }
 
-experiment::AnalysisOptions LoopAnalysisArguments::options(const Table& loop) const {
-    experiment::AnalysisOptions options;
+loops::AnalysisOptions LoopAnalysisArguments::options(const Table& loop) const {
+    loops::AnalysisOptions options;
     options.samples_dropped = samples_dropped;
     options.effective_variance = !unweighted;
     options.force_drift = !no_drift;
     options.leave_pinned_out = !whole_retraction;
     options.retraction_modulus_free = modulus_free;
     options.extrapolate_force_drift = extrapolate_drift;
-    options.contact_point = experiment::parse_contact_point(contact_point);
+    options.contact_point = loops::parse_contact_point(contact_point);
     options.true_area_ratio = area_ratio;
     options.segments.baseline_share = baseline_share;
-    for (const auto& edit : segments) experiment::add_segment_edit(options.segments.edits, edit);
+    for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
     if (!displacement_drift.empty()) options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
     if (const auto stiffness = stiffness_of(*this, loop)) {
         options.machine_stiffness = stiffness->value;

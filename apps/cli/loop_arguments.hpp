@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "session.hpp"
-#include "setae/experiment/analysis.hpp"
-#include "setae/workflow/open_loop.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/study/open_loop.hpp"
 
 namespace setae::cli {
 
@@ -23,7 +23,7 @@ struct LoopArguments {
     void add_to(CLI::App& verb);
     /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.
     [[nodiscard]] std::vector<std::string> expanded() const;
-    [[nodiscard]] workflow::LoopSource source(const std::string& file) const;
+    [[nodiscard]] study::LoopSource source(const std::string& file) const;
 };
 
 /// Options that say what was pressed on what.
@@ -33,23 +33,23 @@ struct BodyArguments {
 
     void add_to(CLI::App& verb);
     /// What the options say, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's radius.
-    [[nodiscard]] experiment::LensAndCounterBody bodies(const Table& loop) const;
+    [[nodiscard]] loops::LensAndCounterBody bodies(const Table& loop) const;
     /// The same for tips that have no radius.
-    [[nodiscard]] experiment::LensAndCounterBody without_radius(const Table& loop) const;
+    [[nodiscard]] loops::LensAndCounterBody without_radius(const Table& loop) const;
 };
 
 /// Options of the analysis of a loop.
 struct LoopAnalysisArguments {
     std::string machine_stiffness, rigid_contact, contact_point = "auto", displacement_drift;
     std::vector<std::string> segments;
-    double baseline_share = experiment::SegmentOptions{}.baseline_share, area_ratio = 1.0;
+    double baseline_share = loops::SegmentOptions{}.baseline_share, area_ratio = 1.0;
     long samples_dropped = 3;
     bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false, whole_retraction = false;
 
     void add_to(CLI::App& verb);
     /// What the options say; the machine's stiffness else from the loop's metadata.
     /// @throws as reading and analysing the rigid contact.
-    [[nodiscard]] experiment::AnalysisOptions options(const Table& loop) const;
+    [[nodiscard]] loops::AnalysisOptions options(const Table& loop) const;
 };
 
 /// All that verbs that analyse loops are told.
@@ -64,10 +64,10 @@ struct LoopAnalysisRequest {
 /// A loop read and analysed.
 struct AnalysedLoop {
     std::string file;
-    workflow::OpenedLoop opened;
-    experiment::LensAndCounterBody bodies;
-    experiment::AnalysisOptions options;
-    experiment::LoopAnalysis analysis;
+    study::OpenedLoop opened;
+    loops::LensAndCounterBody bodies;
+    loops::AnalysisOptions options;
+    loops::LoopAnalysis analysis;
 };
 
 /// Analyses every loop on the threads given and shows them one after the other, in the order of the files. A setae::Error of

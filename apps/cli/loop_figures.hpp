@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/gallery/study_figures.hpp"
+#include "setae/study_figures/study_figures.hpp"
 
 namespace setae::cli {
 
@@ -12,6 +12,6 @@ namespace setae::cli {
 [[nodiscard]] std::string figure_name(const std::string& file);
 
 /// Writes figures into a folder; what cannot be drawn is said on standard error.
-void write_loop_figures(const std::vector<gallery::StudyFigure>& figures, const std::string& folder, parallel::Threads threads);
+void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder, parallel::Threads threads);
 
 }  // namespace setae::cli

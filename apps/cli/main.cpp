@@ -7,7 +7,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/parallel/memory.hpp"
-#include "setae/workflow/provenance.hpp"
+#include "setae/study/provenance.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     setae::parallel::keep_freed_memory();
     remember_command_line(argc, argv);
     CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
-    program.set_version_flag("--version", "setae " + setae::workflow::version());
+    program.set_version_flag("--version", "setae " + setae::study::version());
     program.require_subcommand(1);
     program.footer("Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
     Action action;

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/source.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/bytes/source.hpp"
 
 namespace setae::cli {
 
 std::vector<topography::Measurement> measurements_of(const std::string& path, const FileOptions& options) {
-    const auto channels = io::open(path, options.read_options());
-    const bool container = io::detect_format(io::file_source(path)).identifier == "ce-container";
+    const auto channels = formats::open(path, options.read_options());
+    const bool container = formats::detect_format(bytes::file_source(path)).identifier == "ce-container";
     std::vector<topography::Measurement> found;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const bool wanted = options.channel ? *options.channel == i : channels[i].info.is_height && (container || found.empty());

@@ -7,7 +7,7 @@
 
 #include "setae/core/units.hpp"
 #include "setae/processing/step_text.hpp"
-#include "setae/workflow/pipeline_file.hpp"
+#include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -31,7 +31,7 @@ void PipelineOption::add_to(CLI::App& verb) {
 }
 
 processing::Pipeline PipelineOption::pipeline() const {
-    auto pipeline = file.empty() ? processing::Pipeline{} : workflow::read_pipeline(file);
+    auto pipeline = file.empty() ? processing::Pipeline{} : study::read_pipeline(file);
     for (const auto& step : steps) pipeline.entries.push_back({processing::step_from_text(step)});
     return pipeline;
 }

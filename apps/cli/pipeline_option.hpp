@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "setae/processing/pipeline.hpp"
-#include "setae/workflow/json.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::cli {
 

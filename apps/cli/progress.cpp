@@ -44,7 +44,7 @@ std::optional<double> ProgressDisplay::remaining(double elapsed) const {
     return elapsed / last_.computed_share * (1.0 - last_.share);
 }
 
-void ProgressDisplay::show(const workflow::Progress& progress) {
+void ProgressDisplay::show(const study::Progress& progress) {
     const std::lock_guard lock(mutex_);
     last_ = progress;
     if (mode_ == ProgressMode::none) return;

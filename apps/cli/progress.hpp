@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "setae/workflow/run_options.hpp"
+#include "setae/study/run_options.hpp"
 
 namespace setae::cli {
 
@@ -27,10 +27,10 @@ public:
     ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
     /// A step that begins or is done. Calls from several threads come one after the other.
-    void show(const workflow::Progress& progress);
+    void show(const study::Progress& progress);
     /// Clears the line, so that messages stand by themselves.
     void finish();
-    [[nodiscard]] const workflow::Progress& last() const { return last_; }
+    [[nodiscard]] const study::Progress& last() const { return last_; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -40,7 +40,7 @@ private:
 
     ProgressMode mode_;
     Clock::time_point start_, shown_{};
-    workflow::Progress last_;
+    study::Progress last_;
     std::string shown_stage_;
     bool line_ = false;
     std::mutex mutex_;

@@ -5,7 +5,7 @@
 
 #include "interruption.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/workflow/provenance.hpp"
+#include "setae/study/provenance.hpp"
 
 namespace setae::cli {
 
@@ -25,7 +25,7 @@ ProgressMode RunArguments::progress_mode() const {
 
 cache::Store RunArguments::store() const {
     if (no_cache) return {};
-    return {cache_folder.empty() ? cache::default_folder() : cache_folder, workflow::version()};
+    return {cache_folder.empty() ? cache::default_folder() : cache_folder, study::version()};
 }
 
 void report_traffic(const cache::Store& store) {
@@ -37,11 +37,11 @@ void report_traffic(const cache::Store& store) {
         complain(fmt::format("cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE", results(traffic.not_kept), store.folder()));
 }
 
-workflow::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
-    workflow::RunOptions options;
+study::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
+    study::RunOptions options;
     options.threads = threads;
     options.store = &store;
-    options.progress = [&display](const workflow::Progress& progress) { display.show(progress); };
+    options.progress = [&display](const study::Progress& progress) { display.show(progress); };
     options.cancelled = &interruption();
     return options;
 }

@@ -22,7 +22,7 @@ ExitCode explained(const char* explanation) {
     return ExitCode::done;
 }
 
-void print_json(const workflow::Json& json) { print(json.dump(2) + "\n"); }
+void print_json(const output::Json& json) { print(json.dump(2) + "\n"); }
 
 void complain(const std::string& message) {
     std::fflush(stdout);  // so that both streams read in order where they meet
@@ -72,10 +72,10 @@ void FileOptions::add_to(CLI::App& verb) {
     verb.add_option("--channel", channel, "channel, counted from 0 as `setae info` lists them");
 }
 
-io::ReadOptions FileOptions::read_options() const {
-    io::ReadOptions options;
+formats::ReadOptions FileOptions::read_options() const {
+    formats::ReadOptions options;
     if (!unit.empty()) options.unit = unit;
-    if (!as.empty()) options.layout = as == "matrix" ? io::TextLayout::matrix : io::TextLayout::columns;
+    if (!as.empty()) options.layout = as == "matrix" ? formats::TextLayout::matrix : formats::TextLayout::columns;
     if (size.empty()) return options;
     std::vector<double> lengths;
     std::string rest = size;

@@ -11,9 +11,9 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/core/units.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/parallel/for_each.hpp"
-#include "setae/workflow/json.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::cli {
 
@@ -54,7 +54,7 @@ void on_named(CLI::App& verb, Action& action, std::shared_ptr<Arguments> argumen
 
 /// Prints data on standard output.
 void print(const std::string& text);
-void print_json(const workflow::Json& json);
+void print_json(const output::Json& json);
 
 /// Prints a message, "setae: …", on standard error.
 void complain(const std::string& message);
@@ -79,7 +79,7 @@ struct FileOptions {
 
     void add_to(CLI::App& verb);
     /// @throws InvalidArgument for a malformed size.
-    [[nodiscard]] io::ReadOptions read_options() const;
+    [[nodiscard]] formats::ReadOptions read_options() const;
 };
 
 }  // namespace setae::cli

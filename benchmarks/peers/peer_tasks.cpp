@@ -13,9 +13,9 @@
 #include "process_memory.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 #include "tasks.hpp"
 
 namespace {
@@ -37,18 +37,18 @@ const benchmarks::Task& task_named(const std::string& name) {
 
 /// A self-affine map of n x n points on a square of 1 m, rms slope 0.1; not periodic, as if measured.
 topography::HeightMap made(Index n) {
-    synthesis::SelfAffine model{1.0, 2.0 * pi * 4.0, 0.8, pi * static_cast<double>(n)};
+    spectra::SelfAffine model{1.0, 2.0 * pi * 4.0, 0.8, pi * static_cast<double>(n)};
     constexpr double slope = 0.1;
-    model.plateau = std::pow(slope / synthesis::rms_slope(model), 2);
-    auto map = synthesis::random_surface(synthesis::density(model), {n, n, 1.0, 1.0}, {.key = {1}});
+    model.plateau = std::pow(slope / spectra::rms_slope(model), 2);
+    auto map = synthesis::random_surface(spectra::density(model), {n, n, 1.0, 1.0}, {.key = {1}});
     map.periodic = false;
     return map;
 }
 
 topography::Measurement input_of(const Arguments& arguments) {
     if (arguments.points > 0) return made(arguments.points);
-    if (!arguments.input.empty()) return io::read(arguments.input, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"});
-    const auto columns = std::get<topography::HeightMap>(io::read(arguments.polyline, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"})).heights;
+    if (!arguments.input.empty()) return formats::read(arguments.input, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"});
+    const auto columns = std::get<topography::HeightMap>(formats::read(arguments.polyline, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"})).heights;
     return topography::Profile{columns.row(0).transpose(), columns.row(1).transpose(), {}};
 }
 

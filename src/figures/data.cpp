@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ranges.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::figures {
 namespace {
@@ -57,6 +57,6 @@ std::string data_text(const Figure& figure) {
     return text;
 }
 
-void write_data(const Figure& figure, const std::string& path) { io::write_whole_file(path, data_text(figure)); }
+void write_data(const Figure& figure, const std::string& path) { bytes::write_whole_file(path, data_text(figure)); }
 
 }  // namespace setae::figures

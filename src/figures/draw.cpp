@@ -14,7 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/figures/figure.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::figures {
 namespace {
@@ -98,15 +98,15 @@ std::string drawn(const Figure& figure, const std::string& ending) {
     const TemporaryFolder folder;
     // relative, so that no folder's name needs quoting
     const auto output = output_name(ending);
-    io::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
+    bytes::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
     const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
     if (outcome.start_error == ENOENT)
         throw FileError("a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
     if (outcome.start_error != 0) throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
     std::error_code missing;
     if (outcome.status != 0 || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
-        throw FileError(fmt::format("gnuplot failed: {}", trimmed(io::read_file(folder.file("words.txt")))));
-    auto content = io::read_file(folder.file(output.c_str()));
+        throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_file(folder.file("words.txt")))));
+    auto content = bytes::read_file(folder.file(output.c_str()));
     if (ending == "pdf") erase_date(content);
     if (ending == "svg") complete_svg(content);
     return content;
@@ -135,7 +135,7 @@ void draw(const Figure& figure, const std::string& path) {
     auto ending = std::filesystem::path(path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
     try {
-        io::write_whole_file(path, drawn(figure, ending));
+        bytes::write_whole_file(path, drawn(figure, ending));
     } catch (const FileError& error) {
         const std::string message = error.what();
         throw FileError(message.starts_with(path) ? message : path + ": " + message);

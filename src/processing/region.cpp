@@ -12,7 +12,7 @@
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "step_record.hpp"
+#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {

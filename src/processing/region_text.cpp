@@ -7,7 +7,7 @@
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/region.hpp"
-#include "value_text.hpp"
+#include "pipeline/value_text.hpp"
 
 namespace setae::processing {
 namespace {

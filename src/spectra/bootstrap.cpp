@@ -8,7 +8,7 @@
 
 #include "combination_mean.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_numbers.hpp"
+#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -24,9 +24,9 @@ std::vector<std::vector<std::size_t>> strata(const BinnedSpectra& spectra, bool 
 }
 
 Multiplicity draw(const std::vector<std::vector<std::size_t>>& strata, std::size_t members, const BootstrapOptions& options, std::size_t resample) {
-    const auto key = synthesis::substream({options.seed, 0}, resample);
+    const auto key = numerics::substream({options.seed, 0}, resample);
     std::uint64_t drawn_so_far = 0;
-    const auto index_below = [&](std::size_t n) { return static_cast<std::size_t>(synthesis::random_index(key, drawn_so_far++, static_cast<Index>(n))); };
+    const auto index_below = [&](std::size_t n) { return static_cast<std::size_t>(numerics::random_index(key, drawn_so_far++, static_cast<Index>(n))); };
     Multiplicity drawn(members, 0);
     for (std::size_t s = 0; s < strata.size(); ++s) {
         const auto& stratum = strata[options.draw == Draw::instruments_and_within ? index_below(strata.size()) : s];

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_numbers.hpp"
+#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::spectra {
 namespace {
 
-using synthesis::RandomKey;
+using numerics::RandomKey;
 
 /// Two sequences of a replica; each number of the result has `attempts` places of its own in both.
 struct Sequences {
@@ -24,10 +24,10 @@ constexpr std::uint64_t attempts = 16;  // each fails in less than 1 of 20
 double gamma_number(const Sequences& random, std::uint64_t index, double shape) {
     const double raised = shape < 1.0 ? shape + 1.0 : shape, d = raised - 1.0 / 3.0, c = 1.0 / std::sqrt(9.0 * d);
     const std::uint64_t first = index * (attempts + 1);
-    const double boost = shape < 1.0 ? std::pow(synthesis::uniform_number(random.uniform, first + attempts), 1.0 / shape) : 1.0;
+    const double boost = shape < 1.0 ? std::pow(numerics::uniform_number(random.uniform, first + attempts), 1.0 / shape) : 1.0;
     for (std::uint64_t a = 0; a < attempts; ++a) {
-        const double x = synthesis::normal_number(random.normal, first + a), root = 1.0 + c * x, v = root * root * root;
-        if (v > 0.0 && std::log(synthesis::uniform_number(random.uniform, first + a)) < 0.5 * x * x + d - d * v + d * std::log(v)) return boost * d * v / shape;
+        const double x = numerics::normal_number(random.normal, first + a), root = 1.0 + c * x, v = root * root * root;
+        if (v > 0.0 && std::log(numerics::uniform_number(random.uniform, first + a)) < 0.5 * x * x + d - d * v + d * std::log(v)) return boost * d * v / shape;
     }
     return boost * d / shape;
 }
@@ -42,7 +42,7 @@ Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& fre
     Array2D replicas(count, modes);
     for (Index r = 0; r < count; ++r) {
         const auto replica = static_cast<std::uint64_t>(r);
-        const Sequences random{synthesis::substream({seed, 0}, 2 * replica), synthesis::substream({seed, 0}, 2 * replica + 1)};
+        const Sequences random{numerics::substream({seed, 0}, 2 * replica), numerics::substream({seed, 0}, 2 * replica + 1)};
         for (Index k = 0; k < modes; ++k) replicas(r, k) = spectrum.C1D[k] * gamma_number(random, static_cast<std::uint64_t>(k), freedom[k]);
     }
     return replicas;

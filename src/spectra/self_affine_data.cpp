@@ -66,7 +66,7 @@ public:
         if (std::abs(wavevector_[modes - 1] / (static_cast<double>(modes) * fundamental_) - 1.0) < 1e-6 && modes >= 4) sampling_ = 2.0 * wavevector_[modes - 1];
     }
 
-    [[nodiscard]] Array1D operator()(const synthesis::SelfAffine& model) const {
+    [[nodiscard]] Array1D operator()(const spectra::SelfAffine& model) const {
         const SelfAffineLines lines(model, 0.4 * fundamental_, (sampling_ > 0.0 ? (aliases + 0.6) * sampling_ : 1.2 * wavevector_[wavevector_.size() - 1]) + fundamental_);
         Array1D result(static_cast<Index>(groups_.size()));
         for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -80,7 +80,7 @@ public:
 private:
     static constexpr int aliases = 4;
 
-    [[nodiscard]] double mode(const SelfAffineLines& lines, const synthesis::SelfAffine& model, double q) const {
+    [[nodiscard]] double mode(const SelfAffineLines& lines, const spectra::SelfAffine& model, double q) const {
         // |1 at k, −½ beside it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of it
         double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) + lines(q + fundamental_))) : lines(q);
         if (sampling_ == 0.0) return sum;
@@ -112,7 +112,7 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
         if (variance[b] > 0.0) data.freedom[b] = spectrum.count[b] / variance[b];
     if (!(data.freedom > 0.0).any())
         throw UndefinedDataError("no bin of the combined spectrum has a standard error: fit the one measurement's own spectrum, or combine at least two");
-    data.expected = [q = spectrum.wavevector](const synthesis::SelfAffine& model) { return synthesis::profile_power_spectrum(model, q); };
+    data.expected = [q = spectrum.wavevector](const spectra::SelfAffine& model) { return spectra::profile_power_spectrum(model, q); };
     return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
 }
 

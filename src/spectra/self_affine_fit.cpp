@@ -61,7 +61,7 @@ public:
         freedom_ = Array1D::NullaryExpr(n, [&](Index i) { return data_[used_[static_cast<std::size_t>(i)].set].freedom[used_[static_cast<std::size_t>(i)].index]; });
     }
 
-    [[nodiscard]] synthesis::SelfAffine model(const Parameters& p) const {
+    [[nodiscard]] spectra::SelfAffine model(const Parameters& p) const {
         const double q_r = 2.0 * pi * std::exp(-p[rolloff]), q_s = 2.0 * pi * std::exp(-p[cutoff]);
         return {std::exp(p[amplitude]) * std::pow(q_r / reference_, -2.0 - 2.0 * p[hurst]), q_r, p[hurst], q_s};
     }
@@ -354,8 +354,8 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
 
 ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) {
     ModelCurve curve{wavevector, Array1D(wavevector.size()), Array1D(wavevector.size()), std::vector<bool>(static_cast<std::size_t>(wavevector.size()))};
-    const auto value = [&](const synthesis::SelfAffine& model, double q) {
-        return q < model.short_wavevector ? synthesis::profile_power_spectrum(model, Array1D::Constant(1, q))[0] : 0.0;
+    const auto value = [&](const spectra::SelfAffine& model, double q) {
+        return q < model.short_wavevector ? spectra::profile_power_spectrum(model, Array1D::Constant(1, q))[0] : 0.0;
     };
     // the model with one of the covariance's parameters moved
     const auto moved = [&](Index parameter, double step) {
@@ -372,7 +372,7 @@ ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) 
     };
     const auto count = static_cast<Index>(fit.parameters.size());
     constexpr double step = 1e-4;
-    std::vector<synthesis::SelfAffine> up, down;
+    std::vector<spectra::SelfAffine> up, down;
     for (Index p = 0; p < count; ++p) {
         up.push_back(moved(p, step));
         down.push_back(moved(p, -step));

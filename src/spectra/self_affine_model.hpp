@@ -2,7 +2,7 @@
 #pragma once
 
 #include "setae/core/arrays.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::spectra {
 
@@ -10,7 +10,7 @@ namespace setae::spectra {
 /// Within 5e-4; 0 from q_s on.
 class SelfAffineLines {
 public:
-    SelfAffineLines(const synthesis::SelfAffine& model, double lowest, double highest);
+    SelfAffineLines(const spectra::SelfAffine& model, double lowest, double highest);
 
     [[nodiscard]] double operator()(double wavevector) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "amplitude_table.hpp"
+#include "setae/synthesis/amplitude_table.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -23,7 +23,7 @@ double number_at(std::uint64_t cell, double place) {
 
 }  // namespace
 
-AmplitudeTable::AmplitudeTable(const SpectralDensity& density, double lowest, double highest)
+AmplitudeTable::AmplitudeTable(const spectra::SpectralDensity& density, double lowest, double highest)
     : density_(density), first_(std::bit_cast<std::uint64_t>(lowest) >> place_bits) {
     constexpr double tolerance = 1e-6;
     const std::uint64_t last = std::bit_cast<std::uint64_t>(highest) >> place_bits;

@@ -32,7 +32,7 @@ struct Octave {
 /// Power of the mode cells of one octave in the octant 0 <= m <= k: ∫ C d²q/4π² over the part of the cell in the band.
 class CellPowers {
 public:
-    CellPowers(const SpectralDensity& C_iso, double spacing, const Band& band)
+    CellPowers(const spectra::SpectralDensity& C_iso, double spacing, const Band& band)
         : powers_(Array2D::Zero(highest_mode + 1, highest_mode + 1)) {
         constexpr int samples = 4;  // a side of the cell, so that a cutoff inside it counts with its share
         const double share = spacing * spacing / (4.0 * pi * pi * samples * samples);
@@ -73,9 +73,9 @@ void for_half_plane(const Body& body) {
 }
 
 /// exp(iφ) of a mode from its own pair of numbers.
-std::complex<double> phase(RandomKey key, Index k, Index m) {
+std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
     const auto block = static_cast<std::uint64_t>(k * (2 * highest_mode + 1) + m + highest_mode);
-    const double real = normal_number(key, 2 * block), imaginary = normal_number(key, 2 * block + 1);
+    const double real = numerics::normal_number(key, 2 * block), imaginary = numerics::normal_number(key, 2 * block + 1);
     return std::complex<double>(real, imaginary) / std::sqrt(real * real + imaginary * imaginary);
 }
 
@@ -90,7 +90,7 @@ struct MadeOctave {
 
 /// The octave that ends at q = 2^exponent rad/m. Its numbers belong to that exponent, so that other limits of wavelengths
 /// leave it as it is; the last one also takes all longer wavelengths.
-MadeOctave make_octave(const SpectralDensity& C_iso, RandomKey key, int exponent, const Band& band) {
+MadeOctave make_octave(const spectra::SpectralDensity& C_iso, numerics::RandomKey key, int exponent, const Band& band) {
     const double spacing = std::ldexp(1.0, exponent) / static_cast<double>(highest_mode);
     const CellPowers powers(C_iso, spacing, band);
     MadeOctave made;
@@ -100,7 +100,7 @@ MadeOctave make_octave(const SpectralDensity& C_iso, RandomKey key, int exponent
         made.moments.slope += power * q_squared;
     });
     if (made.moments.height == 0.0) return made;
-    const RandomKey own = substream(key, static_cast<std::uint64_t>(exponent + 4096));
+    const numerics::RandomKey own = numerics::substream(key, static_cast<std::uint64_t>(exponent + 4096));
     const auto turn = static_cast<std::size_t>(exponent + 4096) % (2 * slopes.size());
     const double slope = (turn < slopes.size() ? 1.0 : -1.0) * slopes[turn % slopes.size()];
     const double length = std::sqrt(1.0 + slope * slope);
@@ -156,7 +156,7 @@ struct MultiscaleSurface::Octaves {
     }
 };
 
-MultiscaleSurface::MultiscaleSurface(const SpectralDensity& C_iso, const MultiscaleOptions& options) : threads_(options.threads) {
+MultiscaleSurface::MultiscaleSurface(const spectra::SpectralDensity& C_iso, const MultiscaleOptions& options) : threads_(options.threads) {
     require_wavelengths(options);
     const Band band{2.0 * pi / options.longest_wavelength, 2.0 * pi / options.shortest_wavelength};
     const int highest = static_cast<int>(std::ceil(std::log2(band.upper)));

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "amplitude_table.hpp"
-#include "random_blocks.hpp"
-#include "rms_height.hpp"
+#include "setae/synthesis/amplitude_table.hpp"
+#include "setae/numerics/random_blocks.hpp"
+#include "setae/synthesis/rms_height.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
@@ -24,7 +24,7 @@ void check(const LineGrid& grid) {
 }
 
 /// √(C1D/L) of the modes 0 … n/2, zero for the mean.
-Array1D amplitudes(const SpectralDensity& C1D, const LineGrid& grid) {
+Array1D amplitudes(const spectra::SpectralDensity& C1D, const LineGrid& grid) {
     check(grid);
     const double unit = 2.0 * pi / grid.size, highest = unit * static_cast<double>(grid.points / 2);
     const AmplitudeTable table(C1D, unit * unit * (1.0 - 1e-9), highest * highest * (1.0 + 1e-9));
@@ -38,7 +38,7 @@ Array1D amplitudes(const SpectralDensity& C1D, const LineGrid& grid) {
 
 }  // namespace
 
-topography::LineScan random_line(const SpectralDensity& C1D, const LineGrid& grid, const SurfaceOptions& options) {
+topography::LineScan random_line(const spectra::SpectralDensity& C1D, const LineGrid& grid, const SurfaceOptions& options) {
     if (options.anisotropy.stretch != 1.0)
         throw InvalidArgument(fmt::format("a line of a surface stretched {} times; expected no stretch: give the line's own spectrum",
                                           options.anisotropy.stretch));
@@ -49,7 +49,7 @@ topography::LineScan random_line(const SpectralDensity& C1D, const LineGrid& gri
     std::vector<std::uint64_t> blocks(modes.size());
     for (std::size_t k = 0; k < blocks.size(); ++k) blocks[k] = k;
     const bool gaussian = options.amplitudes == Amplitudes::gaussian;
-    (gaussian ? complex_normals : unit_phases)(options.key, blocks.data(), modes.data(), amplitude.size());
+    (gaussian ? numerics::complex_normals : numerics::unit_phases)(options.key, blocks.data(), modes.data(), amplitude.size());
     for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= amplitude[static_cast<Index>(k)] * (gaussian ? std::sqrt(0.5) : 1.0);
     // the highest mode of an even number of points is real
     if (grid.points % 2 == 0)
@@ -62,7 +62,7 @@ topography::LineScan random_line(const SpectralDensity& C1D, const LineGrid& gri
     return scan;
 }
 
-ExpectedRoughness expected_roughness(const SpectralDensity& C1D, const LineGrid& grid) {
+ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C1D, const LineGrid& grid) {
     const Array1D amplitude = amplitudes(C1D, grid);
     Array1D height = 2.0 * amplitude.square();
     if (grid.points % 2 == 0) height[height.size() - 1] *= 0.5;

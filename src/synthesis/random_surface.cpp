@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "rms_height.hpp"
+#include "setae/synthesis/rms_height.hpp"
 #include "setae/core/summation.hpp"
 #include "setae/fourier/inverse_map_transform.hpp"
-#include "surface_modes.hpp"
+#include "setae/synthesis/surface_modes.hpp"
 
 namespace setae::synthesis {
 namespace {
@@ -23,7 +23,7 @@ double rms(const Array2D& heights, parallel::Threads threads) {
 
 }  // namespace
 
-topography::HeightMap random_surface(const SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
+topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
     if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const SurfaceModes modes(C_iso, grid, options);
     topography::HeightMap map{.heights = Array2D(grid.nx, grid.ny), .size = {grid.size_x, grid.size_y}, .periodic = true};
@@ -35,7 +35,7 @@ topography::HeightMap random_surface(const SpectralDensity& C_iso, const Surface
     return map;
 }
 
-ExpectedRoughness expected_roughness(const SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
+ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
     const SurfaceModes modes(C_iso, grid, options);
     Array1D height(grid.ny / 2 + 1), slope(grid.ny / 2 + 1);
     parallel::for_each_index(static_cast<std::size_t>(height.size()), options.threads, [&](std::size_t line) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rms_height.hpp"
+#include "setae/synthesis/rms_height.hpp"
 
 #include <cmath>
 

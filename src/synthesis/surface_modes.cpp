@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface_modes.hpp"
+#include "setae/synthesis/surface_modes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "random_blocks.hpp"
+#include "setae/numerics/random_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
@@ -25,7 +25,7 @@ void check(const SurfaceGrid& grid) {
                                           grid.nx, grid.ny, grid.size_x, grid.size_y));
 }
 
-void check(const Anisotropy& anisotropy) {
+void check(const spectra::Anisotropy& anisotropy) {
     if (!(anisotropy.stretch > 0.0) || !std::isfinite(anisotropy.stretch) || !std::isfinite(anisotropy.angle))
         throw InvalidArgument(fmt::format("features stretched {} times along {} rad; expected a positive factor and an angle",
                                           anisotropy.stretch, anisotropy.angle));
@@ -36,7 +36,7 @@ struct QuadraticForm {
 };
 
 /// (s q_∥)² + q_⊥² in terms of mode numbers.
-QuadraticForm stretched_form(const SurfaceGrid& grid, const Anisotropy& anisotropy) {
+QuadraticForm stretched_form(const SurfaceGrid& grid, const spectra::Anisotropy& anisotropy) {
     check(grid);
     check(anisotropy);
     const double unit_x = 2.0 * pi / grid.size_x, unit_y = 2.0 * pi / grid.size_y;
@@ -48,7 +48,7 @@ QuadraticForm stretched_form(const SurfaceGrid& grid, const Anisotropy& anisotro
 }
 
 /// Range of the stretched q² over all modes but the mean.
-AmplitudeTable table_for(const SpectralDensity& C_iso, const SurfaceGrid& grid, const Anisotropy& anisotropy) {
+AmplitudeTable table_for(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const spectra::Anisotropy& anisotropy) {
     (void)stretched_form(grid, anisotropy);
     const double unit_x = 2.0 * pi / grid.size_x, unit_y = 2.0 * pi / grid.size_y;
     const double half_x = 0.5 * static_cast<double>(grid.nx), half_y = 0.5 * static_cast<double>(grid.ny);
@@ -66,7 +66,7 @@ std::uint64_t block_of(Index kx, Index ky) {
 
 }  // namespace
 
-SurfaceModes::SurfaceModes(const SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options)
+SurfaceModes::SurfaceModes(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options)
     : grid_(grid), key_(options.key), amplitudes_(options.amplitudes), table_(table_for(C_iso, grid, options.anisotropy)) {
     const auto form = stretched_form(grid, options.anisotropy);
     xx_ = form.xx;
@@ -92,8 +92,8 @@ void SurfaceModes::line(Index ky, std::complex<double>* modes) const {
         const Index count = std::min(batch, drawn - from);
         const auto number = [&](Index i) { return from + i <= nx / 2 ? from + i : from + i - nx; };
         for (Index i = 0; i < count; ++i) blocks[static_cast<std::size_t>(i)] = block_of(number(i), ky);
-        if (amplitudes_ == Amplitudes::gaussian) complex_normals(key_, blocks.data(), modes + from, count);
-        else unit_phases(key_, blocks.data(), modes + from, count);
+        if (amplitudes_ == Amplitudes::gaussian) numerics::complex_normals(key_, blocks.data(), modes + from, count);
+        else numerics::unit_phases(key_, blocks.data(), modes + from, count);
         // two normal numbers of variance ½ each
         const double share = amplitudes_ == Amplitudes::gaussian ? std::sqrt(0.5) : 1.0;
         for (Index i = 0; i < count; ++i) modes[from + i] *= share * amplitude(number(i), ky);

@@ -62,7 +62,7 @@ private:
 };
 
 /// Expected |h_q|² of random_surface: those of the surface whose modes have exactly that.
-Array2D expected_powers(const SpectralDensity& C_iso, const SurfaceGrid& grid, SurfaceOptions options) {
+Array2D expected_powers(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, SurfaceOptions options) {
     options.amplitudes = Amplitudes::exact;
     options.exact_rms_height.reset();
     const double points = static_cast<double>(grid.nx) * static_cast<double>(grid.ny);
@@ -123,7 +123,7 @@ topography::HeightMap transformed_heights(const topography::HeightMap& map, cons
     return result;
 }
 
-NonGaussianSurface non_gaussian_surface(const SpectralDensity& C_iso, const SurfaceGrid& grid, const HeightTransform& transform,
+NonGaussianSurface non_gaussian_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const HeightTransform& transform,
                                         const SurfaceOptions& options) {
     const TransformCorrelation correlation(transform);
     const auto powers = expected_powers(C_iso, grid, options);

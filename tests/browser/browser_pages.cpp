@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "pages.hpp"
-#include "setae/io/whole_file.hpp"
+#include "../../src/output/report/tests/pages.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/report/report.hpp"
 
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using namespace setae;
 
 /// Sixty spectra of 600 points that scatter as measured ones do, each with a label; the numbers are those of a fixed sequence.
-gallery::StudyFigure many_spectra() {
+study_figures::StudyFigure many_spectra() {
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true}, .y = {.quantity = "*C*_1D", .unit = "m3", .logarithmic = true}};
     std::uint64_t state = 1;
     for (int i = 0; i < 60; ++i) {
@@ -39,11 +39,11 @@ int main(int count, char** arguments) {
     }
     const std::filesystem::path folder(arguments[1]);
     std::filesystem::create_directories(folder);
-    const auto write = [&](const char* name, const workflow::StudyResult& result, const std::vector<gallery::StudyFigure>& figures) {
-        io::write_whole_file((folder / name).string(), report::as_html(result, figures, {"setae study study.toml", "2026-11-21T18:40:20Z"}));
+    const auto write = [&](const char* name, const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures) {
+        bytes::write_whole_file((folder / name).string(), report::as_html(result, figures, {"setae study study.toml", "2026-11-21T18:40:20Z"}));
     };
-    const auto published = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
-    write("published.html", published, gallery::study_figures(published));
+    const auto published = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
+    write("published.html", published, study_figures::study_figures(published));
     auto hostile = published;
     hostile.study.title = hostile.study.description = tests::hostile_name;
     auto& measurement = hostile.surfaces[0].measurements.emplace_back();

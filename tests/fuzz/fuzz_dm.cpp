@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/imaging/digital_micrograph.hpp"
-#include "../../src/imaging/dm_tags.hpp"
+#include "files/digital_micrograph.hpp"
+#include "files/dm_tags.hpp"
 #include "fuzz_target.hpp"
 
 using namespace setae::imaging;

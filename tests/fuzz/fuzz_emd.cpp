@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "../../src/imaging/emd_file.hpp"
-#include "../../src/imaging/tests/emd_files.hpp"
+#include "files/emd_file.hpp"
+#include "tests/emd_files.hpp"
 #include "fuzz_target.hpp"
 
 using namespace setae::imaging;

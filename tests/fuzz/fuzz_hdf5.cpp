@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "../../src/io/tests/hdf5_builder.hpp"
+#include "hdf5_builder.hpp"
 #include "fuzz_heights.hpp"
-#include "setae/io/format.hpp"
+#include "setae/formats/format.hpp"
 
 using namespace setae;
 
@@ -73,7 +73,7 @@ constexpr const char* names[] = {
     "position-pattern.grid.vlength", "net-encoder.scaling.multiplier", "MATLAB_class", "MATLAB_empty", "channel.name", "retrace", "NAME",
     "_NCProperties", "Wavelength", "Z Converter", "add_offset", "net-encoder.scaling.unit.unit", "timing-settings.scanRate", "System Type"};
 
-void add_attribute(io::tests::Hdf5Builder& file, const Place& place, Description& described) {
+void add_attribute(tests::Hdf5Builder& file, const Place& place, Description& described) {
     const std::string name = names[described.next() % std::size(names)];
     const auto kind = described.next();
     const auto& object = place.objects[kind / 8 % place.objects.size()];
@@ -93,13 +93,13 @@ std::string hdf5_file(Description described) {
     const auto& place = places()[format];
     const auto structures = described.next();
     const bool matlab = format == 4;
-    io::tests::Hdf5Builder file({.newest = (structures & 1) != 0, .user_block = matlab || structures & 2 ? hsize_t{512} : 0});
+    tests::Hdf5Builder file({.newest = (structures & 1) != 0, .user_block = matlab || structures & 2 ? hsize_t{512} : 0});
     const auto type = types[described.next() % std::size(types)];
     std::vector<hsize_t> sides(1 + (described.next() + 3) % 4);
     hsize_t numbers = 1;
     for (auto& side : sides) side = described.next(), numbers *= side;
     if (structures & 4) sides.front() *= 1'000'000;
-    io::tests::Hdf5Builder::Layout layout;
+    tests::Hdf5Builder::Layout layout;
     const auto packing = described.next(), chunk = described.next();
     if (packing & 1) layout.compact = true;
     if (packing & 2) layout.chunk.assign(sides.size(), 1 + chunk % 16);
@@ -130,9 +130,9 @@ std::string hdf5_file(Description described) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const auto source = io::memory_source("input", hdf5_file(Description(fuzz::text_of(data, size))));
+    const auto source = bytes::memory_source("input", hdf5_file(Description(fuzz::text_of(data, size))));
     try {
-        for (const auto& channel : io::open(source, fuzz::given)) fuzz::read_heights(channel);
+        for (const auto& channel : formats::open(source, fuzz::given)) fuzz::read_heights(channel);
     } catch (const Error&) {
     }
     return 0;

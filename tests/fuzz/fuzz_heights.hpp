@@ -5,15 +5,15 @@
 
 #include "fuzz_input.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::fuzz {
 
 /// What the user says of heights whose file leaves it open.
-inline const io::ReadOptions given{.size = {{1e-6, 1e-6}}, .unit = "nm"};
+inline const formats::ReadOptions given{.size = {{1e-6, 1e-6}}, .unit = "nm"};
 
 /// A channel's heights are as it said, or refused; anything else ends the program.
-inline void read_heights(const io::Channel& channel) {
+inline void read_heights(const formats::Channel& channel) {
     try {
         const auto measurement = channel.read();
         topography::validate(measurement);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/imaging/picture.hpp"
-#include "../../src/imaging/plain_picture.hpp"
+#include "files/picture.hpp"
+#include "files/plain_picture.hpp"
 #include "fuzz_target.hpp"
 
 using namespace setae::imaging;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/imaging/ser_file.hpp"
+#include "files/ser_file.hpp"
 #include "fuzz_target.hpp"
 
 using namespace setae::imaging;

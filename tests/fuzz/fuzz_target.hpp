@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "../../src/imaging/random_access.hpp"
+#include "files/random_access.hpp"
 #include "fuzz_input.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/micrograph.hpp"

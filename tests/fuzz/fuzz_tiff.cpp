@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/imaging/tiff_micrograph.hpp"
+#include "files/tiff_micrograph.hpp"
 #include "fuzz_target.hpp"
 
 using namespace setae::imaging;

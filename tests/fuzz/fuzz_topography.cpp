@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "../../src/io/hdf5_file.hpp"
+#include "storage/hdf5_file.hpp"
 #include "fuzz_heights.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/format.hpp"
+#include "setae/formats/format.hpp"
 
 namespace {
 
@@ -20,8 +20,8 @@ const std::string& identifier() {
     return name;
 }
 
-const io::Format* chosen_format() {
-    for (const auto& format : io::formats())
+const formats::Format* chosen_format() {
+    for (const auto& format : formats::formats())
         if (format.identifier == identifier()) return &format;
     if (identifier() == "any") return nullptr;
     std::fprintf(stderr, "SETAE_FORMAT: no format '%s'\n", identifier().c_str());
@@ -32,11 +32,11 @@ const io::Format* chosen_format() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const auto* format = chosen_format();
-    if (io::find_hdf5(fuzz::text_of(data, size))) return 0;
-    const auto source = io::memory_source("input", std::string(fuzz::text_of(data, size)));
+    if (formats::find_hdf5(fuzz::text_of(data, size))) return 0;
+    const auto source = bytes::memory_source("input", std::string(fuzz::text_of(data, size)));
     try {
-        if (format && format->detect(source.head(io::detection_bytes), source) == io::Match::no) return 0;
-        for (const auto& channel : format ? format->open(source, fuzz::given) : io::open(source, fuzz::given)) fuzz::read_heights(channel);
+        if (format && format->detect(source.head(bytes::detection_bytes), source) == formats::Match::no) return 0;
+        for (const auto& channel : format ? format->open(source, fuzz::given) : formats::open(source, fuzz::given)) fuzz::read_heights(channel);
     } catch (const Error&) {
     }
     return 0;

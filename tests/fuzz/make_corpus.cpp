@@ -5,10 +5,10 @@
 #include <fstream>
 #include <string>
 
-#include "../../src/imaging/tests/micrograph_samples.hpp"
-#include "../../src/imaging/tests/recordings.hpp"
-#include "../../src/io/hdf5_file.hpp"
-#include "format_samples.hpp"
+#include "tests/micrograph_samples.hpp"
+#include "tests/recordings.hpp"
+#include "storage/hdf5_file.hpp"
+#include "tests/format_samples.hpp"
 
 namespace {
 
@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
     for (const auto& film : films()) samples.push_back(film);
     const std::filesystem::path corpus = argv[1];
     for (const auto& [name, content] : samples) write(corpus / target_of(name), name, content);
-    for (const auto& sample : setae::io::tests::format_samples()) {
-        if (setae::io::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
+    for (const auto& sample : setae::formats::tests::format_samples()) {
+        if (setae::formats::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fuzz_input.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace {
 
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     std::mt19937 random(20261122);
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
-        const auto content = setae::io::read_file(entry.path().string());
+        const auto content = setae::bytes::read_file(entry.path().string());
         call(content);
         for (int i = 0; i < copies; ++i) call(damaged(content, random));
         ++files;

@@ -20,8 +20,8 @@
 #include <thread>
 #include <vector>
 
-#include "setae/io/digest.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/digest.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae {
 namespace {
@@ -60,7 +60,7 @@ int status_of(pid_t process) {
 std::string content_of(const fs::path& folder) {
     std::vector<std::string> lines;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) lines.push_back(fs::relative(entry.path(), folder).string() + " " + io::sha256(io::read_file(entry.path().string())) + "\n");
+        if (entry.is_regular_file()) lines.push_back(fs::relative(entry.path(), folder).string() + " " + bytes::sha256(bytes::read_file(entry.path().string())) + "\n");
     std::sort(lines.begin(), lines.end());
     std::string text;
     for (const auto& line : lines) text += line;
@@ -91,7 +91,7 @@ protected:
     /// What an undisturbed run writes, and how long it takes.
     [[nodiscard]] std::pair<std::string, double> undisturbed() const {
         const auto begin = Clock::now();
-        EXPECT_EQ(status_of(start("", false)), 0) << io::read_file(log());
+        EXPECT_EQ(status_of(start("", false)), 0) << bytes::read_file(log());
         const double duration = std::chrono::duration<double>(Clock::now() - begin).count();
         auto content = content_of(out());
         fs::remove_all(out());
@@ -118,7 +118,7 @@ TEST_F(StoppedStudy, KilledAtAnyMomentEndsWithTheSameBytes) {
             EXPECT_EQ(content_of(out()), content) << "complete after " << moment << " s, but it is not";
         }
         const auto begin = Clock::now();
-        ASSERT_EQ(status_of(start(cache)), 0) << io::read_file(log());
+        ASSERT_EQ(status_of(start(cache)), 0) << bytes::read_file(log());
         const double rest = std::chrono::duration<double>(Clock::now() - begin).count();
         EXPECT_EQ(content_of(out()), content) << "killed after " << moment << " s";
         std::printf("killed %s after %5.2f of %.2f s, the rest took %5.2f s\n", WIFSIGNALED(killed) ? "      " : "(late)", moment, duration, rest);
@@ -133,11 +133,11 @@ TEST_F(StoppedStudy, InterruptedLeavesWholeFilesAndGoesOn) {
     std::this_thread::sleep_for(std::chrono::duration<double>(0.4 * duration));
     kill(process, SIGINT);
     const int status = status_of(process);
-    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << io::read_file(log());
-    EXPECT_NE(io::read_file(log()).find("the same command goes on from there"), std::string::npos) << io::read_file(log());
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << bytes::read_file(log());
+    EXPECT_NE(bytes::read_file(log()).find("the same command goes on from there"), std::string::npos) << bytes::read_file(log());
     for (const auto& file : fs::recursive_directory_iterator(folder)) EXPECT_NE(file.path().extension(), ".part") << file.path();
     EXPECT_FALSE(fs::exists(out() + "/report.html"));
-    ASSERT_EQ(status_of(start("cache")), 0) << io::read_file(log());
+    ASSERT_EQ(status_of(start("cache")), 0) << bytes::read_file(log());
     EXPECT_EQ(content_of(out()), content);
 }
 

@@ -13,7 +13,7 @@ namespace {
 using namespace setae;
 using namespace setae::synthesis;
 
-const SelfAffine model{1e-28, 2.0 * pi / 2e-7, 0.8, 2.0 * pi / 1e-8};
+const spectra::SelfAffine model{1e-28, 2.0 * pi / 2e-7, 0.8, 2.0 * pi / 1e-8};
 
 /// Rows with other bytes than those of one process, and how many rows all ranks hold together.
 struct Comparison {
@@ -22,8 +22,8 @@ struct Comparison {
 };
 
 Comparison compare(const SurfaceGrid& grid, const SurfaceOptions& options) {
-    const auto slab = random_surface_slab(MPI_COMM_WORLD, density(model), grid, options);
-    const auto whole = random_surface(density(model), grid, options);
+    const auto slab = random_surface_slab(MPI_COMM_WORLD, spectra::density(model), grid, options);
+    const auto whole = random_surface(spectra::density(model), grid, options);
     Comparison result;
     for (Index i = 0; i < slab.heights.rows(); ++i)
         if (std::memcmp(slab.heights.row(i).data(), whole.heights.row(slab.first_row + i).data(), static_cast<std::size_t>(grid.ny) * sizeof(double)) != 0)
@@ -49,7 +49,7 @@ TEST(RandomSurfaceSlab, HasThemWithEveryOption) {
 }
 
 TEST(RandomSurfaceSlab, FailsOnAllRanksTogether) {
-    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, density(model), {0, 4, 1e-6, 1e-6}), InvalidArgument);
+    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, spectra::density(model), {0, 4, 1e-6, 1e-6}), InvalidArgument);
     EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, [](double) { return -1.0; }, {8, 8, 1e-6, 1e-6}), InvalidArgument);
 }
 

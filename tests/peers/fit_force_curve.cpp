@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/experiment/force_curve_fit.hpp"
-#include "setae/io/force_curve.hpp"
+#include "setae/loops/force_curve_fit.hpp"
+#include "setae/tables/force_curve.hpp"
 
 int main(int count, char** words) try {
     const std::vector<std::string> arguments(words + 1, words + count);
@@ -19,19 +19,19 @@ int main(int count, char** words) try {
         return 2;
     }
     const auto optional = [](const std::string& word) { return word == "-" ? std::optional<double>() : std::stod(word); };
-    const setae::Table curve = setae::io::read_force_curve(
+    const setae::Table curve = setae::tables::read_force_curve(
         arguments[0], {.spring_constant = optional(arguments[3]), .sensitivity = optional(arguments[4])});
-    setae::experiment::ForceCurveFitOptions options{.fit_force_offset = true, .subtract_baseline_slope = false};
-    const auto segment = setae::experiment::segments_of_curve(curve, options).front();
+    setae::loops::ForceCurveFitOptions options{.fit_force_offset = true, .subtract_baseline_slope = false};
+    const auto segment = setae::loops::segments_of_curve(curve, options).front();
     if (arguments[5] != "free") {
         options.contact_point = segment.displacement[std::stol(arguments[5])];
         options.fit_contact_point = false;
     }
     options.range = {.from = -std::numeric_limits<double>::infinity(), .to = std::stod(arguments[6])};
-    const setae::experiment::LensAndCounterBody bodies{.radius = std::stod(arguments[1]),
+    const setae::loops::LensAndCounterBody bodies{.radius = std::stod(arguments[1]),
                                                        .lens_poisson_ratio = std::stod(arguments[2]),
                                                        .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
-    const auto fit = setae::experiment::fit_force_curve(segment, bodies, options);
+    const auto fit = setae::loops::fit_force_curve(segment, bodies, options);
     fmt::print(R"({{"youngs_modulus": {:.9g}, "standard_error": {:.3g}, "contact_point": {:.9g}, "first_displacement": {:.9g}, )"
                R"("force_offset": {:.6g}, "n": {}, "samples": {}, "rms": {:.6g}, "indentation": {:.6g}}})"
                "\n",

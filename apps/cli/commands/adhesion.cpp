@@ -6,7 +6,7 @@
 
 #include "setae/adhesion/stored_energy.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/workflow/study_result.hpp"
+#include "setae/study/study_result.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -32,14 +32,14 @@ struct Arguments {
     double rough_poisson_ratio = 0.0;
 };
 
-workflow::Study study_of(const Arguments& arguments) {
-    workflow::Study study;
+study::Study study_of(const Arguments& arguments) {
+    study::Study study;
     study.analysis = arguments.surface.analysis();
     study.surfaces = {arguments.surface.surface()};
     study.counter_youngs_modulus = arguments.rough_modulus.empty() ? std::numeric_limits<double>::infinity() : parse_quantity(arguments.rough_modulus, dimension::pressure);
     study.counter_poisson_ratio = arguments.rough_poisson_ratio;
     study.work_of_adhesion = parse_uncertain_quantity(arguments.work, dimension::surface_energy);
-    workflow::ElastomerInput elastomer;
+    study::ElastomerInput elastomer;
     elastomer.name = "soft solid";
     elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, dimension::pressure);
     elastomer.poisson_ratio = arguments.poisson_ratio;
@@ -49,11 +49,11 @@ workflow::Study study_of(const Arguments& arguments) {
 }
 
 /// Stored energy by the routes the prediction does not use: Eq. (11), and for one map its own transform.
-void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& result, parallel::Threads threads) {
+void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& result, parallel::Threads threads) {
     const double modulus = result.elastomers.front().contact_modulus.value;
     const auto& options = result.study.analysis;
     const auto add = [&](const char* name, double energy, const char* source) {
-        auto q = workflow::quantity(name, "U_el/A_app", energy, "J/m2");
+        auto q = output::quantity(name, "U_el/A_app", energy, "J/m2");
         q.source = source;
         list.push_back(std::move(q));
     };
@@ -69,15 +69,15 @@ void add_other_routes(std::vector<Quantity>& list, const workflow::StudyResult& 
     add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads), "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
 }
 
-std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::Threads threads) {
-    using workflow::quantity;
+std::vector<Quantity> quantities(const study::StudyResult& result, parallel::Threads threads) {
+    using output::quantity;
     const auto& pair = result.pairs.front();
     const auto& surface = result.surfaces.front();
-    auto list = workflow::surface_quantities(surface, surface.used(), result.study.analysis.conversion);
+    auto list = output::surface_quantities(surface, surface.used(), result.study.analysis.conversion);
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
     add_other_routes(list, result, threads);
-    const auto predicted = [&](const char* name, const std::optional<workflow::PredictedWork>& work, const char* source) {
+    const auto predicted = [&](const char* name, const std::optional<study::PredictedWork>& work, const char* source) {
         auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", work->estimate, "J/m2");
         raw.source = source;
         list.push_back(raw);
@@ -92,7 +92,7 @@ std::vector<Quantity> quantities(const workflow::StudyResult& result, parallel::
 ExitCode run(const Arguments& arguments) {
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
-    const auto result = workflow::run_study(study_of(arguments), {arguments.common.workers()});
+    const auto result = study::run_study(study_of(arguments), {arguments.common.workers()});
     const auto code = report_failures(result.surfaces.front());
     if (code == ExitCode::nothing_done) return code;
     const auto& pair = result.pairs.front();
@@ -104,14 +104,14 @@ ExitCode run(const Arguments& arguments) {
         show(alerts);
         return code;
     }
-    workflow::Json json;
-    for (const auto& q : quantities(result, arguments.common.workers())) json[q.quantity] = workflow::to_json(q);
+    output::Json json;
+    for (const auto& q : quantities(result, arguments.common.workers())) json[q.quantity] = output::to_json(q);
     json["conforms"] = pair.modified->work.conforms;
     const auto& scales = *pair.scales;
-    json["scales"] = {{"wavevector", workflow::numbers(scales.wavevector)}, {"gained", workflow::numbers(scales.gained)}, {"stored", workflow::numbers(scales.stored)},
-                      {"stored_share", workflow::numbers(scales.stored_share)}, {"area_share", workflow::numbers(scales.area_share)},
+    json["scales"] = {{"wavevector", output::numbers(scales.wavevector)}, {"gained", output::numbers(scales.gained)}, {"stored", output::numbers(scales.stored)},
+                      {"stored_share", output::numbers(scales.stored_share)}, {"area_share", output::numbers(scales.area_share)},
                       {"units", {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
-    json["alerts"] = workflow::to_json(alerts);
+    json["alerts"] = output::to_json(alerts);
     print_json(json);
     return code;
 }

@@ -5,7 +5,7 @@
 
 #include "run_arguments.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/workflow/provenance.hpp"
+#include "setae/study/provenance.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -27,16 +27,16 @@ struct Arguments {
 std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes)); }
 
 ExitCode run(const Arguments& arguments) {
-    const cache::Store store(arguments.folder.empty() ? cache::default_folder() : arguments.folder, workflow::version());
+    const cache::Store store(arguments.folder.empty() ? cache::default_folder() : arguments.folder, study::version());
     if (!store.enabled()) throw InvalidArgument("no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; name one by --cache");
     const bool show = arguments.what == "show";
     const auto content = show ? store.content() : store.remove(arguments.what == "prune");
     if (arguments.common.json)
         print_json({{"folder", store.folder()}, {show ? "entries" : "removed_entries", content.entries}, {"of_other_versions", content.of_other_versions},
-                    {show ? "bytes" : "removed_bytes", content.bytes}, {"version", workflow::version()}});
+                    {show ? "bytes" : "removed_bytes", content.bytes}, {"version", study::version()}});
     else if (show)
         print(fmt::format("{}: {} results, {}; {} of other versions than {}\n", store.folder(), content.entries, megabytes(content.bytes), content.of_other_versions,
-                          workflow::version()));
+                          study::version()));
     else
         print(fmt::format("{}: {} results removed, {}\n", store.folder(), content.entries, megabytes(content.bytes)));
     return ExitCode::done;

@@ -35,10 +35,10 @@ struct Arguments {
     bool strict = false;
 };
 
-workflow::Json as_json(const diagnostics::Finding& finding) {
-    workflow::Json json = workflow::to_json(std::vector<Alert>{finding.alert}).front();
-    json["effects"] = workflow::Json::array();
-    for (const auto& effect : finding.effects) json["effects"].push_back(workflow::to_json(effect));
+output::Json as_json(const diagnostics::Finding& finding) {
+    output::Json json = output::to_json(std::vector<Alert>{finding.alert}).front();
+    json["effects"] = output::Json::array();
+    for (const auto& effect : finding.effects) json["effects"].push_back(output::to_json(effect));
     return json;
 }
 
@@ -63,7 +63,7 @@ ExitCode run(const Arguments& arguments) {
         auto found = diagnostics::diagnose_overlap(all, options);
         findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
     }
-    workflow::Json json = workflow::Json::array();
+    output::Json json = output::Json::array();
     for (const auto& finding : findings) {
         if (arguments.common.json) json.push_back(as_json(finding));
         else print(fmt::format("{}: {}: {}; {}\n", finding.alert.subject, finding.alert.code, finding.alert.message, finding.alert.action));

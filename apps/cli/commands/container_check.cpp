@@ -5,7 +5,7 @@
 #include "channel_lines.hpp"
 #include "container.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/container_draft.hpp"
+#include "setae/formats/container_draft.hpp"
 
 namespace setae::cli {
 namespace {
@@ -25,8 +25,8 @@ struct Arguments {
 
 bool is_fault(const Alert& alert) { return alert.code == "UNREADABLE_MEMBER" || alert.code == "COPY_DIFFERS"; }
 
-workflow::Json surface_json(const io::ContainerSurface& surface, std::size_t& index, const std::vector<io::ChannelInfo>& channels) {
-    auto measurements = workflow::Json::array();
+output::Json surface_json(const formats::ContainerSurface& surface, std::size_t& index, const std::vector<formats::ChannelInfo>& channels) {
+    auto measurements = output::Json::array();
     for (const auto& topography : surface.topographies) {
         const auto& info = channels[index];
         measurements.push_back({{"channel", index++}, {"name", topography.name}, {"format", info.format}, {"shape", info.shape}, {"size", info.size}, {"unit", info.unit},
@@ -36,17 +36,17 @@ workflow::Json surface_json(const io::ContainerSurface& surface, std::size_t& in
     return {{"name", surface.name}, {"category", surface.category}, {"tags", surface.tags}, {"measurements", measurements}};
 }
 
-workflow::Json report_json(const std::string& file, const io::ContainerReport& report) {
-    auto surfaces = workflow::Json::array();
+output::Json report_json(const std::string& file, const formats::ContainerReport& report) {
+    auto surfaces = output::Json::array();
     std::size_t index = 0;
     for (const auto& surface : report.file.container.surfaces) surfaces.push_back(surface_json(surface, index, report.channels));
-    return {{"file", file}, {"generation", io::describe(report.file.generation)}, {"created_at", report.file.container.created_at}, {"surfaces", surfaces},
-            {"alerts", workflow::to_json(report.alerts)}, {"differences", report.differences}};
+    return {{"file", file}, {"generation", formats::describe(report.file.generation)}, {"created_at", report.file.container.created_at}, {"surfaces", surfaces},
+            {"alerts", output::to_json(report.alerts)}, {"differences", report.differences}};
 }
 
-std::string report_text(const std::string& file, const io::ContainerReport& report) {
+std::string report_text(const std::string& file, const formats::ContainerReport& report) {
     const auto& container = report.file.container;
-    auto text = fmt::format("{}: generation {}, surfaces {}, measurements {}{}\n", file, io::describe(report.file.generation), container.surfaces.size(), report.channels.size(),
+    auto text = fmt::format("{}: generation {}, surfaces {}, measurements {}{}\n", file, formats::describe(report.file.generation), container.surfaces.size(), report.channels.size(),
                             container.created_at.empty() ? "" : ", made " + container.created_at);
     std::size_t index = 0;
     for (const auto& surface : container.surfaces) {
@@ -61,10 +61,10 @@ std::string report_text(const std::string& file, const io::ContainerReport& repo
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty()) throw InvalidArgument("no file; expected containers, such as measurements.zip");
-    auto containers = workflow::Json::array();
+    auto containers = output::Json::array();
     bool fault = false;
     const auto code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto report = io::check_container(io::file_source(file));
+        const auto report = formats::check_container(bytes::file_source(file));
         for (const auto& alert : report.alerts) fault = fault || is_fault(alert);
         fault = fault || !report.differences.empty();
         if (arguments.common.json)

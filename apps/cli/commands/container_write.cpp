@@ -6,10 +6,10 @@
 
 #include "container.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/container_draft.hpp"
-#include "setae/io/format.hpp"
-#include "setae/workflow/provenance.hpp"
-#include "setae/workflow/study.hpp"
+#include "setae/formats/container_draft.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/study/provenance.hpp"
+#include "setae/study/study.hpp"
 
 namespace setae::cli {
 namespace {
@@ -53,12 +53,12 @@ void require_files(const Arguments& arguments, const FileValues& values, const c
     }
 }
 
-io::StoredMeasurement stored(const std::string& file, const Arguments& arguments) {
+formats::StoredMeasurement stored(const std::string& file, const Arguments& arguments) {
     FileOptions options;
     options.size = value_for(file, arguments.sizes);
     options.unit = value_for(file, arguments.units);
     options.as = arguments.as;
-    io::StoredMeasurement measurement{.path = file, .options = options.read_options()};
+    formats::StoredMeasurement measurement{.path = file, .options = options.read_options()};
     if (const auto channel = value_for(file, arguments.channels); !channel.empty()) {
         const bool counts = channel.size() < 6 && channel.find_first_not_of("0123456789") == std::string::npos;
         if (!counts) throw InvalidArgument(fmt::format("--channel '{}': expected a number counted from 0, as `setae info` lists them", channel));
@@ -68,8 +68,8 @@ io::StoredMeasurement stored(const std::string& file, const Arguments& arguments
     return measurement;
 }
 
-io::StoredMeasurement stored(const workflow::MeasurementInput& input, const std::filesystem::path& folder) {
-    io::StoredMeasurement measurement{.path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
+formats::StoredMeasurement stored(const study::MeasurementInput& input, const std::filesystem::path& folder) {
+    formats::StoredMeasurement measurement{.path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
     measurement.options.unit = input.unit;
     measurement.options.size = input.size;
     measurement.instrument.type = input.instrument;
@@ -79,12 +79,12 @@ io::StoredMeasurement stored(const workflow::MeasurementInput& input, const std:
     return measurement;
 }
 
-bool is_container(const std::string& file) { return io::detect_format(io::file_source(file)).identifier == "ce-container"; }
+bool is_container(const std::string& file) { return formats::detect_format(bytes::file_source(file)).identifier == "ce-container"; }
 
 std::string surface_name(const Arguments& arguments) { return arguments.name.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.name; }
 
 /// Surfaces of old containers may have no name, without which no program of today opens a container.
-void name_surfaces(const std::string& name, io::ContainerDraft& draft) {
+void name_surfaces(const std::string& name, formats::ContainerDraft& draft) {
     for (auto& surface : draft.container.surfaces) {
         if (!surface.name.empty()) continue;
         surface.name = name;
@@ -99,41 +99,41 @@ public:
 
     /// Files that are no containers, as one surface; containers as their own surfaces.
     void add_files() {
-        io::ContainerSurface surface{.name = surface_name(arguments_), .category = "exp",
+        formats::ContainerSurface surface{.name = surface_name(arguments_), .category = "exp",
                                      .description = arguments_.description, .is_published = false};
         for (const auto& file : arguments_.files)
             add(file, [&] {
                 if (is_container(file))
-                    io::add_container(draft_, io::file_source(file));
+                    formats::add_container(draft_, bytes::file_source(file));
                 else
-                    io::add_measurement(draft_, surface, stored(file, arguments_));
+                    formats::add_measurement(draft_, surface, stored(file, arguments_));
             });
         if (!surface.topographies.empty()) draft_.container.surfaces.push_back(std::move(surface));
     }
 
     void add_from(const std::string& file) {
         if (!file.ends_with(".toml")) {
-            add(file, [&] { io::add_container(draft_, io::file_source(file)); });
+            add(file, [&] { formats::add_container(draft_, bytes::file_source(file)); });
             return;
         }
-        workflow::Study study;
-        add(file, [&] { study = workflow::read_study(file); });
+        study::Study study;
+        add(file, [&] { study = study::read_study(file); });
         for (const auto& input : study.surfaces) add_surface(input, std::filesystem::path(file).parent_path());
     }
 
-    [[nodiscard]] io::ContainerDraft& draft() { return draft_; }
+    [[nodiscard]] formats::ContainerDraft& draft() { return draft_; }
     [[nodiscard]] bool any_failed() const { return failed_ > 0; }
 
 private:
-    void add_surface(const workflow::SurfaceInput& input, const std::filesystem::path& folder) {
-        io::ContainerSurface surface{.name = input.name, .category = "exp", .description = input.description, .is_published = false};
+    void add_surface(const study::SurfaceInput& input, const std::filesystem::path& folder) {
+        formats::ContainerSurface surface{.name = input.name, .category = "exp", .description = input.description, .is_published = false};
         for (const auto& measurement : input.measurements) {
             const auto wanted = stored(measurement, folder);
             add(wanted.path, [&] {
                 if (is_container(wanted.path))
-                    io::add_measurements_of(draft_, surface, wanted);
+                    formats::add_measurements_of(draft_, surface, wanted);
                 else
-                    io::add_measurement(draft_, surface, wanted);
+                    formats::add_measurement(draft_, surface, wanted);
             });
         }
         if (!surface.topographies.empty()) draft_.container.surfaces.push_back(std::move(surface));
@@ -144,7 +144,7 @@ private:
     }
 
     const Arguments& arguments_;
-    io::ContainerDraft draft_;
+    formats::ContainerDraft draft_;
     std::size_t failed_ = 0;
 };
 
@@ -160,11 +160,11 @@ ExitCode run(const Arguments& arguments) {
     writer.add_files();
     auto& draft = writer.draft();
     if (draft.container.surfaces.empty()) throw InvalidArgument(fmt::format("{}: nothing to put in, nothing was written", arguments.output));
-    draft.container.versions["setae"] = workflow::version();
+    draft.container.versions["setae"] = study::version();
     name_surfaces(surface_name(arguments), draft);
-    io::write_container(arguments.output, draft.container, draft.members);
+    formats::write_container(arguments.output, draft.container, draft.members);
 
-    auto violations = io::schema_violations(draft.container);
+    auto violations = formats::schema_violations(draft.container);
     show(draft.alerts);
     show(violations);
     std::size_t measurements = 0;
@@ -172,7 +172,7 @@ ExitCode run(const Arguments& arguments) {
     draft.alerts.insert(draft.alerts.end(), violations.begin(), violations.end());
     if (arguments.common.json)
         print_json({{"output", arguments.output}, {"surfaces", draft.container.surfaces.size()}, {"measurements", measurements}, {"members", draft.members.size()},
-                    {"alerts", workflow::to_json(draft.alerts)}});
+                    {"alerts", output::to_json(draft.alerts)}});
     else
         print(fmt::format("{}: surfaces {}, measurements {}\n", arguments.output, draft.container.surfaces.size(), measurements));
     const bool unreadable = std::any_of(draft.alerts.begin(), draft.alerts.end(), [](const Alert& alert) { return alert.code == "UNREADABLE_MEMBER"; });

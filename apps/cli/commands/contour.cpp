@@ -10,9 +10,9 @@
 #include "region_argument.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/calibration_file.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/parallel/for_each.hpp"
-#include "setae/workflow/contour_file.hpp"
+#include "setae/output/contour_file.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -48,17 +48,17 @@ imaging::PixelSize pixel_size_of(const std::string& text) {
     return {x, cross == std::string::npos ? x : parse_quantity(text.substr(cross + 3), dimension::length)};
 }
 
-workflow::ContourOptions options_of(const Arguments& a) {
-    workflow::ContourOptions options;
+study::ContourOptions options_of(const Arguments& a) {
+    study::ContourOptions options;
     if (a.image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
     options.micrograph.image = a.image - 1;
-    options.trace.vacuum = workflow::vacuum_from_name(a.vacuum);
+    options.trace.vacuum = output::vacuum_from_name(a.vacuum);
     options.trace.smoothing_length = a.smoothing;
     options.trace.denoise = a.denoise;
     options.trace.least_length = a.least_length;
     for (const auto& text : a.hidden) options.trace.hidden.push_back(parse_region("--hide", text));
     options.hide_annotations = !a.whole_picture;
-    options.shape = workflow::shape_from_name(a.shape);
+    options.shape = output::shape_from_name(a.shape);
     if (!a.foil_thickness.empty()) options.foil_thickness = parse_quantity(a.foil_thickness, dimension::length);
     if (!a.pixel.empty()) options.calibration.pixel_size = pixel_size_of(a.pixel);
     if (!a.scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(a.scale_bar, dimension::length);
@@ -89,9 +89,9 @@ void require_not_the_same(const fs::path& output, const std::string& input) {
 }
 
 /// Options of a trace's file in place of the command line's; anchors alone beside them.
-workflow::ContourOptions with_anchors(const Arguments& a, workflow::ContourOptions options, std::optional<std::string>& digest) {
+study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options, std::optional<std::string>& digest) {
     if (a.anchors.empty()) return options;
-    const auto stored = workflow::read_trace(a.anchors);
+    const auto stored = output::read_trace(a.anchors);
     if (!stored.options) {
         if (!a.output.empty()) require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
         options.trace.anchors = stored.anchors;
@@ -116,7 +116,7 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
     return {number - 1};
 }
 
-void write_picture(const Arguments& a, const workflow::TracedPicture& picture, const workflow::ContourOptions& options, const Outputs& to) {
+void write_picture(const Arguments& a, const study::TracedPicture& picture, const study::ContourOptions& options, const Outputs& to) {
     const auto chosen = chosen_segments(a, picture.profiles.size());
     const auto& input = picture.micrograph.file;
     require_not_the_same(to.stem.string() + to.extension, input);
@@ -124,10 +124,10 @@ void write_picture(const Arguments& a, const workflow::TracedPicture& picture, c
     if (!a.no_overlay) require_not_the_same(to.stem.string() + ".png", input);
     for (const auto i : chosen) {
         const auto path = chosen.size() == 1 ? to.stem.string() + to.extension : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
-        io::write_whole_file(path, workflow::profile_text(picture, i, options.shape));
+        bytes::write_whole_file(path, study::profile_text(picture, i, options.shape));
     }
-    io::write_whole_file(to.stem.string() + ".json", workflow::to_json(picture, options).dump(2) + "\n");
-    if (!a.no_overlay) io::write_whole_file(to.stem.string() + ".png", workflow::overlay_of(picture, options));
+    bytes::write_whole_file(to.stem.string() + ".json", output::to_json(picture, options).dump(2) + "\n");
+    if (!a.no_overlay) bytes::write_whole_file(to.stem.string() + ".png", study::overlay_of(picture, options));
 }
 
 std::vector<std::string> listed(const std::vector<std::string>& given) {
@@ -153,14 +153,14 @@ void require_different_stems(const std::vector<std::string>& pictures) {
 
 /// What one picture gave, or why nothing.
 struct Outcome {
-    std::optional<workflow::TracedPicture> picture;
+    std::optional<study::TracedPicture> picture;
     std::string error;
 };
 
-Outcome traced(const Arguments& a, const std::string& path, const workflow::ContourOptions& options, const std::optional<std::string>& digest, bool batch) {
+Outcome traced(const Arguments& a, const std::string& path, const study::ContourOptions& options, const std::optional<std::string>& digest, bool batch) {
     Outcome outcome;
     try {
-        outcome.picture = workflow::trace_picture(path, options);
+        outcome.picture = study::trace_picture(path, options);
         if (digest && *digest != outcome.picture->digest)
             throw InvalidArgument(fmt::format("{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here", path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
         if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
@@ -187,27 +187,27 @@ ExitCode run(const Arguments& a) {
     std::vector<Outcome> outcomes(pictures.size());
     parallel::for_each_index(pictures.size(), a.common.workers(), [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
 
-    auto table = workflow::contour_table();
-    auto json = workflow::Json::array();
+    auto table = study::contour_table();
+    auto json = output::Json::array();
     std::size_t failed = 0;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const auto& outcome = outcomes[i];
         if (!outcome.picture) {
             ++failed;
             complain(outcome.error);
-            workflow::add_failure(table, pictures[i], outcome.error);
+            study::add_failure(table, pictures[i], outcome.error);
             json.push_back({{"image", {{"file", pictures[i]}}}, {"error", outcome.error}});
             continue;
         }
         show(outcome.picture->alerts);
-        workflow::add_rows(table, *outcome.picture);
-        if (a.common.json) json.push_back(workflow::to_json(*outcome.picture, options));
+        study::add_rows(table, *outcome.picture);
+        if (a.common.json) json.push_back(output::to_json(*outcome.picture, options));
     }
     if (!a.save_calibration.empty() && failed == 0) imaging::write_calibration(a.save_calibration, imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
-    if (batch && !a.output.empty()) io::write_whole_file((fs::path(a.output) / "contours.csv").string(), workflow::as_csv(table));
+    if (batch && !a.output.empty()) bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
     if (a.common.json) print_json(batch ? json : json.front());
-    else if (batch || !a.output.empty()) print(workflow::as_text(table));
-    else if (failed == 0) print(workflow::profile_text(*outcomes.front().picture, chosen_segments(a, outcomes.front().picture->profiles.size()).front(), options.shape));
+    else if (batch || !a.output.empty()) print(tables::as_text(table));
+    else if (failed == 0) print(study::profile_text(*outcomes.front().picture, chosen_segments(a, outcomes.front().picture->profiles.size()).front(), options.shape));
     if (failed == pictures.size()) return ExitCode::nothing_done;
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;
 }

@@ -39,7 +39,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
 }
 
 /// The channel named, all of heights, or the first of these.
-std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input, const std::vector<io::Channel>& channels) {
+std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input, const std::vector<formats::Channel>& channels) {
     if (arguments.file.channel) {
         if (*arguments.file.channel < channels.size()) return {*arguments.file.channel};
         throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", input, *arguments.file.channel, channels.size()));
@@ -59,12 +59,12 @@ std::string numbered(const std::string& path, std::size_t channel) {
 
 /// What was written, and whether something was not.
 struct Outcome {
-    workflow::Json files = workflow::Json::array();
+    output::Json files = output::Json::array();
     bool failed = false;
 };
 
 void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) {
-    const auto channels = io::open(job.input, arguments.file.read_options());
+    const auto channels = formats::open(job.input, arguments.file.read_options());
     std::vector<std::string> numbers;
     for (const auto k : chosen_channels(arguments, job.input, channels)) numbers.push_back(fmt::format("{}", k));
     const auto code = for_each_item(numbers, [&](const std::string& number) {
@@ -91,7 +91,7 @@ ExitCode run(const Arguments& arguments) {
     });
     if (outcome.files.empty()) return ExitCode::nothing_done;
     const bool one = !arguments.into_folder() && !arguments.all_channels;
-    if (arguments.common.json) print_json(one ? outcome.files.front() : workflow::Json{{"files", outcome.files}});
+    if (arguments.common.json) print_json(one ? outcome.files.front() : output::Json{{"files", outcome.files}});
     return code != ExitCode::done || outcome.failed ? ExitCode::some_failed : ExitCode::done;
 }
 

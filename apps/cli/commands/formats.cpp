@@ -6,10 +6,10 @@
 
 #include "format_pages.hpp"
 #include "setae/imaging/micrograph.hpp"
-#include "setae/io/force_curve.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/workflow/tidy_table.hpp"
+#include "setae/tables/force_curve.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/tables/tidy_table.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -17,8 +17,8 @@ namespace {
 
 /// Formats that are read alone.
 template <class Formats>
-workflow::Json as_json(const Formats& formats) {
-    workflow::Json list = workflow::Json::array();
+output::Json as_json(const Formats& formats) {
+    output::Json list = output::Json::array();
     for (const auto& f : formats)
         list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
                         {"reference", f.reference}, {"tested_on_real_files", f.tested_on_real_files}});
@@ -28,8 +28,8 @@ workflow::Json as_json(const Formats& formats) {
 std::string yes(bool value) { return value ? "yes" : "no"; }
 
 template <class Formats>
-workflow::TidyTable as_table(const std::string& title, const Formats& formats) {
-    workflow::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
+tables::TidyTable as_table(const std::string& title, const Formats& formats) {
+    tables::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
     for (const auto& f : formats) table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
     return table;
 }
@@ -40,14 +40,14 @@ struct Arguments {
 };
 
 void explain() {
-    for (const auto& f : io::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-    for (const auto& f : io::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : formats::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : tables::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
     for (const auto& f : imaging::micrograph_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
 }
 
-workflow::Json topographies_json() {
-    auto list = workflow::Json::array();
-    for (const auto& f : io::formats())
+output::Json topographies_json() {
+    auto list = output::Json::array();
+    for (const auto& f : formats::formats())
         list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description}, {"heights", f.heights},
                         {"orientation", f.orientation}, {"not_read", f.not_read}, {"reference", f.reference}, {"reads", true}, {"writes", f.writes()},
                         {"tested_on_real_files", f.tested_on_real_files}});
@@ -55,9 +55,9 @@ workflow::Json topographies_json() {
 }
 
 /// Formats of topographies; those that no file of an instrument was read of stand out.
-workflow::TidyTable topographies_table() {
-    workflow::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
-    for (const auto& f : io::formats())
+tables::TidyTable topographies_table() {
+    tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+    for (const auto& f : formats::formats())
         table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()), f.tested_on_real_files ? "yes" : "NO", f.description});
     return table;
 }
@@ -65,7 +65,7 @@ workflow::TidyTable topographies_table() {
 ExitCode write_pages(const std::string& folder) {
     std::filesystem::create_directories(folder);
     const auto pages = format_pages();
-    for (const auto& [name, text] : pages) io::write_whole_file((std::filesystem::path(folder) / name).string(), text);
+    for (const auto& [name, text] : pages) bytes::write_whole_file((std::filesystem::path(folder) / name).string(), text);
     print(fmt::format("{}: {} pages\n", folder, pages.size()));
     return ExitCode::done;
 }
@@ -77,13 +77,13 @@ ExitCode run(const Arguments& arguments) {
         return ExitCode::done;
     }
     if (arguments.common.json) {
-        print_json({{"formats", topographies_json()}, {"force_curves", as_json(io::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
+        print_json({{"formats", topographies_json()}, {"force_curves", as_json(tables::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
         return ExitCode::done;
     }
-    const auto curves = as_table("force curves, for setae jkr", io::force_curve_formats());
+    const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
-    print(workflow::as_text(topographies_table()) + "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
-          workflow::as_text(curves) + "\n" + workflow::as_text(micrographs) +
+    print(tables::as_text(topographies_table()) + "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
+          tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
           "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
     return ExitCode::done;
 }

@@ -7,7 +7,7 @@
 #include "channel_lines.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/source.hpp"
+#include "setae/bytes/source.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -41,16 +41,16 @@ struct HeightSummary {
     [[nodiscard]] double undefined_share() const { return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined; }
 };
 
-bool is_missing(const io::ChannelInfo& info, const std::string& what) {
-    for (const auto& name : io::missing(info))
+bool is_missing(const formats::ChannelInfo& info, const std::string& what) {
+    for (const auto& name : formats::missing(info))
         if (name == what) return true;
     return false;
 }
 
-bool can_be_read(const io::ChannelInfo& info) { return info.is_height && !is_missing(info, "size") && !is_missing(info, "unit"); }
+bool can_be_read(const formats::ChannelInfo& info) { return info.is_height && !is_missing(info, "size") && !is_missing(info, "unit"); }
 
 /// A member of a container that cannot be opened is a channel of no format; an alert says why.
-bool is_bad_member(const io::ChannelInfo& info) { return info.format.empty(); }
+bool is_bad_member(const formats::ChannelInfo& info) { return info.format.empty(); }
 
 HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
     HeightSummary summary{.read = true, .undefined_count = heights.isNaN().count(), .points = heights.size()};
@@ -62,7 +62,7 @@ HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
     return summary;
 }
 
-HeightSummary summarise(const io::Channel& channel) {
+HeightSummary summarise(const formats::Channel& channel) {
     try {
         const auto measurement = channel.read();
         return std::visit([](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); }, measurement);
@@ -71,23 +71,23 @@ HeightSummary summarise(const io::Channel& channel) {
     }
 }
 
-workflow::Json optional_number(const std::optional<double>& value) { return value ? workflow::Json(*value) : workflow::Json(nullptr); }
+output::Json optional_number(const std::optional<double>& value) { return value ? output::Json(*value) : output::Json(nullptr); }
 
-workflow::Json channel_json(const std::string& file, std::size_t index, const io::ChannelInfo& info, const HeightSummary& heights) {
-    using workflow::number;
-    workflow::Json json{{"file", file}, {"channel", index}, {"format", info.format}, {"name", info.name}, {"shape", info.shape}, {"size", info.size},
+output::Json channel_json(const std::string& file, std::size_t index, const formats::ChannelInfo& info, const HeightSummary& heights) {
+    using output::number;
+    output::Json json{{"file", file}, {"channel", index}, {"format", info.format}, {"name", info.name}, {"shape", info.shape}, {"size", info.size},
                         {"unit", info.unit}, {"orientation", info.orientation}, {"is_height", info.is_height}, {"heights_read", heights.read},
-                        {"undefined_count", heights.read ? workflow::Json(heights.undefined_count) : workflow::Json(nullptr)},
+                        {"undefined_count", heights.read ? output::Json(heights.undefined_count) : output::Json(nullptr)},
                         {"undefined_share", number(heights.undefined_share())}, {"mean", number(heights.mean)},
                         {"standard_deviation", number(heights.standard_deviation)}, {"minimum", number(heights.least)}, {"maximum", number(heights.greatest)}};
     const auto& instrument = info.metadata.instrument;
     json["instrument"] = {{"name", instrument.name}, {"type", instrument.type}, {"tip_radius", optional_number(instrument.tip_radius)},
                           {"resolution", optional_number(instrument.resolution)}};
     json["acquisition_time"] = info.metadata.acquisition_time;
-    json["recommended_trend"] = info.recommended_trend ? workflow::Json(topography::name(*info.recommended_trend)) : workflow::Json(nullptr);
-    json["missing"] = io::missing(info);
+    json["recommended_trend"] = info.recommended_trend ? output::Json(topography::name(*info.recommended_trend)) : output::Json(nullptr);
+    json["missing"] = formats::missing(info);
     if (!heights.error.empty()) json["error"] = heights.error;
-    json["alerts"] = workflow::to_json(info.alerts);
+    json["alerts"] = output::to_json(info.alerts);
     return json;
 }
 
@@ -96,7 +96,7 @@ std::string bytes_for_readers(std::uint64_t bytes) {
     return bytes >= 1'000'000'000 ? fmt::format("{:.1f} GB", 1e-9 * value) : fmt::format("{:.0f} MB", 1e-6 * value);
 }
 
-std::string heights_words(const io::ChannelInfo& info, const HeightSummary& heights, std::uint64_t bytes) {
+std::string heights_words(const formats::ChannelInfo& info, const HeightSummary& heights, std::uint64_t bytes) {
     if (is_bad_member(info)) return {};
     if (!heights.error.empty()) return ", unreadable: " + heights.error;
     if (!info.is_height) return ", no heights";
@@ -112,8 +112,8 @@ public:
     explicit Lister(const Arguments& arguments) : arguments_(arguments) {}
 
     void add(const std::string& file) {
-        const auto bytes = io::file_source(file).size;
-        const auto found = io::open(file, arguments_.file.read_options());
+        const auto bytes = bytes::file_source(file).size;
+        const auto found = formats::open(file, arguments_.file.read_options());
         const bool wanted = !arguments_.no_heights && (arguments_.heights || bytes <= largest_read);
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (arguments_.file.channel && *arguments_.file.channel != i) continue;
@@ -129,12 +129,12 @@ public:
         }
     }
 
-    [[nodiscard]] const workflow::Json& channels() const { return channels_; }
+    [[nodiscard]] const output::Json& channels() const { return channels_; }
     [[nodiscard]] bool any_unreadable() const { return unreadable_; }
 
 private:
     const Arguments& arguments_;
-    workflow::Json channels_ = workflow::Json::array();
+    output::Json channels_ = output::Json::array();
     bool unreadable_ = false;
 };
 

@@ -5,19 +5,19 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/workflow/tidy_table.hpp"
+#include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
 
 /// "0 nm:500 nm", "1 nN:20 nN" or "0:1".
-experiment::CurveRange range_of(const std::string& text) {
-    using Measure = experiment::CurveRange::Measure;
+loops::CurveRange range_of(const std::string& text) {
+    using Measure = loops::CurveRange::Measure;
     const auto colon = text.find(':');
     if (colon == std::string::npos) throw InvalidArgument(fmt::format("--fit-range {}: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1", text));
     const auto from = text.substr(0, colon), to = text.substr(colon + 1);
     const auto as = [&](Measure measure, const Dimension& dimension) {
-        return experiment::CurveRange{.measure = measure, .from = parse_quantity(from, dimension), .to = parse_quantity(to, dimension)};
+        return loops::CurveRange{.measure = measure, .from = parse_quantity(from, dimension), .to = parse_quantity(to, dimension)};
     };
     for (const auto& [measure, dimension] : {std::pair{Measure::indentation, dimension::length}, std::pair{Measure::force, dimension::force}}) {
         try {
@@ -43,14 +43,14 @@ void CurveArguments::add_to(CLI::App& verb) {
 
 bool CurveArguments::concerns(const std::string& file) const {
     try {
-        return curve || io::force_curve_format(io::file_source(file)).has_value();
+        return curve || tables::force_curve_format(bytes::file_source(file)).has_value();
     } catch (const FileError&) {
         return false;  // whoever opens it says why
     }
 }
 
-experiment::ForceCurveFitOptions CurveArguments::options() const {
-    experiment::ForceCurveFitOptions options{.shape = experiment::tip_shape_named(tip), .half_angle = half_angle * pi / 180.0, .model = experiment::model_named(model)};
+loops::ForceCurveFitOptions CurveArguments::options() const {
+    loops::ForceCurveFitOptions options{.shape = loops::tip_shape_named(tip), .half_angle = half_angle * pi / 180.0, .model = loops::model_named(model)};
     if (!range.empty()) options.range = range_of(range);
     options.fit_contact_point = contact_point == "fit";
     if (contact_point != "fit" && contact_point != "found") options.contact_point = parse_quantity(contact_point, dimension::length);
@@ -58,14 +58,14 @@ experiment::ForceCurveFitOptions CurveArguments::options() const {
     return options;
 }
 
-std::vector<experiment::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve) {
-    const auto opened = workflow::open_loop(loops.source(file));
+std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve) {
+    const auto opened = study::open_loop(loops.source(file));
     const bool ball = curve.tip == "paraboloid";
-    return experiment::fit_force_curve(opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
+    return loops::fit_force_curve(opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
 }
 
-void print_curve(const std::string& file, const std::vector<experiment::NamedCurveFit>& segments) {
-    workflow::TidyTable table{file, {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]", "indentation [µm]", "n", "rms residual"}, {}};
+void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments) {
+    tables::TidyTable table{file, {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]", "indentation [µm]", "n", "rms residual"}, {}};
     std::string reasons;
     for (const auto& segment : segments) {
         if (!segment.fit) {
@@ -78,7 +78,7 @@ void print_curve(const std::string& file, const std::vector<experiment::NamedCur
                               fit.work_of_adhesion ? cell(*fit.work_of_adhesion, 1e3) : "–", cell(fit.contact_point, 1e6),
                               fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to), fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
     }
-    print(workflow::as_text(table) + reasons);
+    print(tables::as_text(table) + reasons);
 }
 
 }  // namespace setae::cli

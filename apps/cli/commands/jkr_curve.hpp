@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "loop_arguments.hpp"
-#include "setae/experiment/force_curve_fit.hpp"
+#include "setae/loops/force_curve_fit.hpp"
 
 namespace setae::cli {
 
@@ -21,11 +21,11 @@ struct CurveArguments {
     void add_to(CLI::App& verb);
     /// Whether a file is treated as one: asked for, or a force curve by its format.
     [[nodiscard]] bool concerns(const std::string& file) const;
-    [[nodiscard]] experiment::ForceCurveFitOptions options() const;
+    [[nodiscard]] loops::ForceCurveFitOptions options() const;
 };
 
 /// Every segment of a curve with its fit.
-[[nodiscard]] std::vector<experiment::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve);
-void print_curve(const std::string& file, const std::vector<experiment::NamedCurveFit>& segments);
+[[nodiscard]] std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve);
+void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments);
 
 }  // namespace setae::cli

@@ -11,10 +11,10 @@
 #include "loop_arguments.hpp"
 #include "loop_figures.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/gallery/loop_figures.hpp"
-#include "setae/io/table_file.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/workflow/loop_tables.hpp"
+#include "setae/study_figures/loop_figures.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/output/loop_tables.hpp"
 
 namespace setae::cli {
 namespace {
@@ -34,16 +34,16 @@ struct Arguments {
     std::string tidy, course, figures;
 };
 
-experiment::EnergyCourse course_of(const AnalysedLoop& loop) {
+loops::EnergyCourse course_of(const AnalysedLoop& loop) {
     const auto& analysis = loop.analysis;
     if (!analysis.contact_points) throw UndefinedDataError(analysis.contact_points.reason);
     const auto& fit = analysis.loading.primary();
-    return experiment::energy_course(analysis.corrected, analysis.segments.contacts.front(),
+    return loops::energy_course(analysis.corrected, analysis.segments.contacts.front(),
                                      {.contact = {loop.bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
                                       .contact_point = analysis.contact_points->contact_point.value});
 }
 
-Table table_of(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
+Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
     const auto& record = loop.analysis.corrected;
     const Index first = course.range.first, n = course.work.size();
     Table table;
@@ -58,8 +58,8 @@ Table table_of(const AnalysedLoop& loop, const experiment::EnergyCourse& course)
 }
 
 void print_ledger(const AnalysedLoop& loop) {
-    workflow::TidyTable table{loop.file, {"part", "energy [J]", "±", "noise", "drift", "sampling", "discretisation"}, {}};
-    const auto add = [&](const std::string& part, double energy, const experiment::LoopErrorBudget& e) {
+    tables::TidyTable table{loop.file, {"part", "energy [J]", "±", "noise", "drift", "sampling", "discretisation"}, {}};
+    const auto add = [&](const std::string& part, double energy, const loops::LoopErrorBudget& e) {
         table.rows.push_back({part, energy, e.total, e.noise, e.drift, e.sampling, e.discretisation});
     };
     const auto& ledger = loop.analysis.ledger;
@@ -74,7 +74,7 @@ void print_ledger(const AnalysedLoop& loop) {
     add("retraction", ledger->retraction.energy, ledger->retraction.standard_error);
     if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
     add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
-    std::string text = workflow::as_text(table);
+    std::string text = tables::as_text(table);
     const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<34} {}\n", what, value); };
     line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
     line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"), format_value(ledger->machine_stiffness, "N/m")));
@@ -93,33 +93,33 @@ class EnergyFigures {
 public:
     explicit EnergyFigures(const Arguments& arguments) : arguments_(arguments) {}
 
-    void add(const AnalysedLoop& loop, const experiment::EnergyCourse& course) {
+    void add(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
         const auto name = figure_name(loop.file);
-        figures_.push_back(gallery::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
+        figures_.push_back(study_figures::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
                                                   command_line()));
         if (const auto& ledger = loop.analysis.ledger) losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
     }
     void write() {
-        figures_.push_back(gallery::loss_figure(losses_, command_line()));
+        figures_.push_back(study_figures::loss_figure(losses_, command_line()));
         write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 
 private:
     const Arguments& arguments_;
-    std::vector<gallery::StudyFigure> figures_;
-    std::vector<gallery::NamedLoss> losses_;
+    std::vector<study_figures::StudyFigure> figures_;
+    std::vector<study_figures::NamedLoss> losses_;
 };
 
 ExitCode run(const Arguments& arguments) {
-    workflow::Json list = workflow::Json::array();
-    auto energies = workflow::energies_table();
+    output::Json list = output::Json::array();
+    auto energies = output::energies_table();
     EnergyFigures figures(arguments);
     const bool courses = !arguments.course.empty() || !arguments.figures.empty();
     if (!arguments.course.empty()) std::filesystem::create_directories(arguments.course);
     const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
-        workflow::add_energies(energies, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        output::add_energies(energies, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (arguments.common.json) {
-            auto json = workflow::energies_json(loop.analysis);
+            auto json = output::energies_json(loop.analysis);
             json["file"] = loop.file;
             list.push_back(std::move(json));
         } else {
@@ -130,7 +130,7 @@ ExitCode run(const Arguments& arguments) {
         try {
             const auto course = course_of(loop);
             const auto name = figure_name(loop.file) + "_course.csv";
-            if (!arguments.course.empty()) io::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
+            if (!arguments.course.empty()) tables::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
             if (!arguments.figures.empty()) figures.add(loop, course);
         } catch (const UndefinedDataError& error) {
             complain(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
@@ -139,7 +139,7 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);
     if (code == ExitCode::nothing_done) return code;
     if (!arguments.figures.empty()) figures.write();
-    if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(energies));
+    if (!arguments.tidy.empty()) bytes::write_whole_file(arguments.tidy, tables::as_csv(energies));
     return code;
 }
 

@@ -13,10 +13,10 @@
 #include "loop_arguments.hpp"
 #include "loop_figures.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/gallery/loop_figures.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/workflow/fit_json.hpp"
-#include "setae/workflow/loop_tables.hpp"
+#include "setae/study_figures/loop_figures.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/output/fit_json.hpp"
+#include "setae/output/loop_tables.hpp"
 
 namespace setae::cli {
 namespace {
@@ -38,8 +38,8 @@ struct Arguments {
     std::string tidy, figures;
 };
 
-void add_branch(workflow::TidyTable& table, const char* branch, const experiment::BranchAnalysis& analysis) {
-    const auto add = [&](const experiment::Outcome<experiment::JkrFit>& fit) {
+void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
+    const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
         if (!fit) return;
         const auto cell = [](const Estimate& v, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
         table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6), cell(fit->work_of_adhesion, 1e3),
@@ -53,11 +53,11 @@ void add_branch(workflow::TidyTable& table, const char* branch, const experiment
     add(analysis.joint);
 }
 
-void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
-    workflow::TidyTable table{file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
+    tables::TidyTable table{file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
     add_branch(table, "loading", a.loading);
     if (a.unloading) add_branch(table, "unloading", *a.unloading);
-    std::string text = workflow::as_text(table);
+    std::string text = tables::as_text(table);
     text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
     for (const auto& s : a.loading.sensitivity) text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
     text += '\n';
@@ -65,15 +65,15 @@ void print_loop(const std::string& file, const experiment::LoopAnalysis& a) {
     const auto value = [](const Estimate& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
     if (a.contact_points) {
         const auto& points = *a.contact_points;
-        workflow::TidyTable beside{"", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
+        tables::TidyTable beside{"", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
         for (const auto& estimate : points.estimates) {
             if (!estimate.contact_point) continue;
             const auto& fit = estimate.fit;
-            beside.rows.push_back({"  " + experiment::contact_point_name(estimate.method), fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
+            beside.rows.push_back({"  " + loops::contact_point_name(estimate.method), fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
                                    fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error), fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
                                    fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
         }
-        text += workflow::as_text(beside);
+        text += tables::as_text(beside);
         line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm", format_value(points.spread, "m"), 100.0 * points.spread_share,
                                             1e-6 * points.work_by_contact_point));
     }
@@ -95,62 +95,62 @@ public:
 
     void add(const AnalysedLoop& loop) {
         const auto name = figure_name(loop.file);
-        const gallery::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
-        for (auto& figure : gallery::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
+        const study_figures::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+        for (auto& figure : study_figures::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
         try {
-            scans_.push_back({name, experiment::scan_ranges(loop.analysis, loop.bodies, loop.options)});
+            scans_.push_back({name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
         } catch (const UndefinedDataError& error) {
             complain(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
         }
     }
 
     void write() {
-        figures_.push_back(gallery::range_figure(scans_, command_line()));
+        figures_.push_back(study_figures::range_figure(scans_, command_line()));
         write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
     }
 
 private:
     const Arguments& arguments_;
-    std::vector<gallery::StudyFigure> figures_;
-    std::vector<gallery::NamedScan> scans_;
+    std::vector<study_figures::StudyFigure> figures_;
+    std::vector<study_figures::NamedScan> scans_;
 };
 
 /// Force curves among the files.
-ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, workflow::Json& list) {
+ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, output::Json& list) {
     return for_each_item(files, [&](const std::string& file) {
         const auto segments = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
-        if (arguments.common.json) list.push_back({{"file", file}, {"segments", workflow::to_json(segments)}});
+        if (arguments.common.json) list.push_back({{"file", file}, {"segments", output::to_json(segments)}});
         else print_curve(file, segments);
     });
 }
 
-workflow::LoopModels models_of(const AnalysedLoop& loop, const workflow::LoopModelOptions& models) {
-    return workflow::loop_models(loop.analysis, loop.bodies, loop.options, models);
+study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    return study::loop_models(loop.analysis, loop.bodies, loop.options, models);
 }
 
 /// Adds a loop to those of a shared fit, where it has the branch.
-void share(const AnalysedLoop& loop, const workflow::LoopModelOptions& models, std::vector<experiment::GlobalBranch>& shared) {
+void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std::vector<loops::GlobalBranch>& shared) {
     try {
-        shared.push_back(workflow::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
+        shared.push_back(study::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
     } catch (const UndefinedDataError& error) {
         complain(fmt::format("{}: not in the shared fit: {}", loop.file, error.what()));
     }
 }
 
 /// Loops among them, with the fit they share where one is wanted.
-ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, workflow::Json& list, std::optional<experiment::GlobalFit>& global) {
-    auto fits = workflow::fits_table();
+ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list, std::optional<loops::GlobalFit>& global) {
+    auto fits = output::fits_table();
     FigureFolder figures(arguments);
     const auto models = arguments.models.options();
-    std::vector<experiment::GlobalBranch> shared;
+    std::vector<loops::GlobalBranch> shared;
     const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
-        workflow::add_fits(fits, workflow::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        output::add_fits(fits, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (!arguments.figures.empty()) figures.add(loop);
         if (models.shared()) share(loop, models, shared);
         if (arguments.common.json) {
-            auto json = workflow::to_json(loop.analysis);
+            auto json = output::to_json(loop.analysis);
             json["file"] = loop.file;
-            if (models.any()) json["models"] = workflow::to_json(models_of(loop, models));
+            if (models.any()) json["models"] = output::to_json(models_of(loop, models));
             list.push_back(std::move(json));
         } else {
             print_loop(loop.file, loop.analysis);
@@ -159,25 +159,25 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
         }
     });
     if (code == ExitCode::nothing_done) return code;
-    if (models.shared()) global = workflow::shared_fit(shared, models);
+    if (models.shared()) global = study::shared_fit(shared, models);
     if (!arguments.figures.empty()) figures.write();
-    if (!arguments.tidy.empty()) io::write_whole_file(arguments.tidy, workflow::as_csv(fits));
+    if (!arguments.tidy.empty()) bytes::write_whole_file(arguments.tidy, tables::as_csv(fits));
     return code;
 }
 
 ExitCode run(const Arguments& arguments) {
-    workflow::Json list = workflow::Json::array();
+    output::Json list = output::Json::array();
     auto loops = arguments.request;
     std::vector<std::string> curves;
     loops.loops.files.clear();
     for (const auto& file : arguments.request.loops.expanded()) (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
-    std::optional<experiment::GlobalFit> global;
+    std::optional<loops::GlobalFit> global;
     std::vector<ExitCode> codes;
     if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
     if (!loops.loops.files.empty()) codes.push_back(fit_loops(arguments, loops, list, global));
     if (arguments.common.json && !list.empty()) {
         const auto results = list.size() == 1 ? list.front() : list;
-        print_json(global ? workflow::Json{{"loops", results}, {"shared", workflow::to_json(*global)}} : results);
+        print_json(global ? output::Json{{"loops", results}, {"shared", output::to_json(*global)}} : results);
     } else if (global) {
         print_shared(*global);
     }

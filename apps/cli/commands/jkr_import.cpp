@@ -14,10 +14,10 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/io/clocks.hpp"
-#include "setae/io/column_guess.hpp"
-#include "setae/io/loop_file.hpp"
-#include "setae/workflow/tidy_table.hpp"
+#include "setae/tables/clocks.hpp"
+#include "setae/tables/column_guess.hpp"
+#include "setae/tables/loop_file.hpp"
+#include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
@@ -48,10 +48,10 @@ std::map<std::string, std::string> assignments(const std::vector<std::string>& t
     return all;
 }
 
-io::TableOptions table_options(const Arguments& arguments) {
+tables::TableOptions table_options(const Arguments& arguments) {
     static const std::map<std::string, char> separators{{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}}, decimals{{"point", '.'}, {"comma", ','}};
-    static const std::map<std::string, io::Encoding> encodings{{"utf-8", io::Encoding::utf8}, {"utf-16", io::Encoding::utf16}, {"latin-1", io::Encoding::latin1}};
-    io::TableOptions options;
+    static const std::map<std::string, bytes::Encoding> encodings{{"utf-8", bytes::Encoding::utf8}, {"utf-16", bytes::Encoding::utf16}, {"latin-1", bytes::Encoding::latin1}};
+    tables::TableOptions options;
     if (!arguments.encoding.empty()) options.encoding = encodings.at(arguments.encoding);
     if (!arguments.separator.empty()) options.separator = separators.at(arguments.separator);
     if (!arguments.decimal.empty()) options.decimal_point = decimals.at(arguments.decimal);
@@ -61,16 +61,16 @@ io::TableOptions table_options(const Arguments& arguments) {
 }
 
 bool is_foreign_table(const std::string& file) {
-    const auto source = io::file_source(file);
-    return !io::is_loop_file(source) && !io::force_curve_format(source);
+    const auto source = bytes::file_source(file);
+    return !tables::is_loop_file(source) && !tables::force_curve_format(source);
 }
 
-workflow::Json json_of(const io::ColumnGuess& guess) {
-    workflow::Json json{{"columns", workflow::Json::array()}, {"roles", workflow::Json::array()}};
+output::Json json_of(const tables::ColumnGuess& guess) {
+    output::Json json{{"columns", output::Json::array()}, {"roles", output::Json::array()}};
     for (const auto& column : guess.columns)
         json["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"first_values", column.first_values}, {"note", column.note}});
     for (const auto& role : guess.roles) {
-        workflow::Json candidates = workflow::Json::array();
+        output::Json candidates = output::Json::array();
         for (const auto& candidate : role.candidates)
             candidates.push_back({{"column", candidate.column + 1}, {"confidence", candidate.confidence}, {"reason", candidate.reason}, {"from_area", candidate.from_area}});
         json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
@@ -99,13 +99,13 @@ std::string summary(const Table& table) {
 /// The first rows of a loop, as they were understood.
 std::string first_rows(const Table& table) {
     constexpr Index shown = 5;
-    workflow::TidyTable rows;
+    tables::TidyTable rows;
     for (const auto& column : table.columns) rows.columns.push_back(fmt::format("{} [{}]", column.name, column.unit));
     for (Index i = 0; i < std::min(shown, table.rows()); ++i) {
         rows.rows.emplace_back();
         for (const auto& column : table.columns) rows.rows.back().emplace_back(column.values[i]);
     }
-    return workflow::as_text(rows, 6);
+    return tables::as_text(rows, 6);
 }
 
 std::string output_of(const Arguments& arguments, const std::string& file) {
@@ -117,38 +117,38 @@ std::string output_of(const Arguments& arguments, const std::string& file) {
 
 /// The mapping a file is read through: the one named, else what its columns seem to be.
 struct Understood {
-    std::optional<io::ColumnGuess> guess;
-    std::optional<io::Mapping> mapping;
+    std::optional<tables::ColumnGuess> guess;
+    std::optional<tables::Mapping> mapping;
 };
 
 Understood understood(const Arguments& arguments, const std::string& file) {
-    if (!arguments.loops.map.empty()) return {.mapping = io::read_mapping(arguments.loops.map)};
+    if (!arguments.loops.map.empty()) return {.mapping = tables::read_mapping(arguments.loops.map)};
     if (!is_foreign_table(file)) return {};
-    Understood result{.guess = io::guess_columns(file, table_options(arguments))};
-    if (!arguments.common.json) print(io::describe(*result.guess));
-    result.mapping = io::mapping_from(*result.guess, assignments(arguments.columns, "--column"),
-                                      arguments.loops.camera.empty() ? io::LoopColumns::complete : io::LoopColumns::force_record);
+    Understood result{.guess = tables::guess_columns(file, table_options(arguments))};
+    if (!arguments.common.json) print(tables::describe(*result.guess));
+    result.mapping = tables::mapping_from(*result.guess, assignments(arguments.columns, "--column"),
+                                      arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record);
     return result;
 }
 
-void import(const Arguments& arguments, const std::string& file, workflow::Json& list) {
+void import(const Arguments& arguments, const std::string& file, output::Json& list) {
     const auto how = understood(arguments, file);
-    if (how.mapping && !arguments.save_map.empty()) io::write_mapping(arguments.save_map, *how.mapping);
-    const auto opened = how.mapping ? workflow::open_loop(arguments.loops.source(file), *how.mapping) : workflow::open_loop(arguments.loops.source(file));
-    auto metadata = io::loop_metadata(opened.table);
+    if (how.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *how.mapping);
+    const auto opened = how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping) : study::open_loop(arguments.loops.source(file));
+    auto metadata = tables::loop_metadata(opened.table);
     metadata.emplace("source", std::filesystem::path(file).filename().string());
     for (const auto& [key, value] : assignments(arguments.entries, "--set")) metadata[key] = value;
     const auto output = output_of(arguments, file);
     if (!output.empty()) {
         if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty()) std::filesystem::create_directories(folder);
-        io::write_loop(output, opened.table, metadata);
+        tables::write_loop(output, opened.table, metadata);
     }
     if (arguments.common.json) {
-        workflow::Json json{{"file", file}, {"samples", opened.table.rows()}, {"metadata", metadata}, {"alerts", workflow::to_json(opened.alerts)}};
+        output::Json json{{"file", file}, {"samples", opened.table.rows()}, {"metadata", metadata}, {"alerts", output::to_json(opened.alerts)}};
         for (const auto& column : opened.table.columns) json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
         if (how.guess) json["guess"] = json_of(*how.guess);
-        if (how.mapping) json["mapping"] = io::as_toml(*how.mapping);
-        if (opened.clock) json["clock"] = {{"offset", workflow::to_json(workflow::quantity("clock_offset", "t0", opened.clock->offset, "s"))}, {"doubt", opened.clock->doubt}};
+        if (how.mapping) json["mapping"] = tables::as_toml(*how.mapping);
+        if (opened.clock) json["clock"] = {{"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))}, {"doubt", opened.clock->doubt}};
         if (!output.empty()) json["output"] = output;
         list.push_back(json);
         return;
@@ -161,7 +161,7 @@ void import(const Arguments& arguments, const std::string& file, workflow::Json&
 }
 
 ExitCode run(const Arguments& arguments) {
-    workflow::Json list = workflow::Json::array();
+    output::Json list = output::Json::array();
     const auto files = arguments.loops.expanded();
     const auto code = for_each_item(files, [&](const std::string& file) { import(arguments, file, list); });
     if (arguments.common.json && !list.empty()) print_json(files.size() == 1 ? list.front() : list);

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
-#include "setae/workflow/tidy_table.hpp"
+#include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
 
 std::string cell(const Estimate& estimate, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * estimate.value, factor * estimate.standard_error); }
-std::string cell(const experiment::Outcome<Estimate>& estimate, double factor) { return estimate ? cell(*estimate, factor) : "–"; }
+std::string cell(const loops::Outcome<Estimate>& estimate, double factor) { return estimate ? cell(*estimate, factor) : "–"; }
 
-void add_row(workflow::TidyTable& table, const experiment::ModelFit& fit, double akaike_difference) {
+void add_row(tables::TidyTable& table, const loops::ModelFit& fit, double akaike_difference) {
     table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e-6), cell(fit.work_of_adhesion, 1e3), cell(fit.transition_parameter, 1.0),
                           fmt::format("{:.3g}", fit.chi2_reduced), fmt::format("{}", fit.n), akaike_difference});
 }
@@ -34,27 +34,27 @@ void ModelArguments::add_to(CLI::App& verb) {
     verb.add_option("--share", shared, "one fit of all loops that share modulus, work, or both")->check(CLI::IsMember({"modulus", "work"}));
 }
 
-workflow::LoopModelOptions ModelArguments::options() const {
+study::LoopModelOptions ModelArguments::options() const {
     const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
-    workflow::LoopModelOptions options{.models = models, .profile = profile, .crack_speed = crack_speed, .exponent = exponent,
+    study::LoopModelOptions options{.models = models, .profile = profile, .crack_speed = crack_speed, .exponent = exponent,
                                        .share_contact_modulus = shares("modulus"), .share_work_of_adhesion = shares("work")};
-    options.branch = branch == "loading" ? experiment::LoopBranch::loading : experiment::LoopBranch::unloading;
-    options.errors = workflow::fit_errors_named(errors);
+    options.branch = branch == "loading" ? loops::LoopBranch::loading : loops::LoopBranch::unloading;
+    options.errors = study::fit_errors_named(errors);
     if (!contact_point.empty()) options.contact_point = parse_quantity(contact_point, dimension::length);
     if (!cohesive_stress.empty()) options.cohesive_stress = parse_quantity(cohesive_stress, dimension::pressure);
     return options;
 }
 
-void print_models(const workflow::LoopModels& models) {
+void print_models(const study::LoopModels& models) {
     std::string text, reasons;
-    workflow::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};
+    tables::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};
     for (const auto& fit : models.fits) add_row(table, fit, undefined);
     if (models.comparison) {
         for (const auto& model : models.comparison->models)
             if (model.fit) add_row(table, *model.fit, model.akaike_difference);
             else reasons += fmt::format("  {}: {}\n", to_string(model.model), model.fit.reason);
     }
-    if (!table.rows.empty()) text += workflow::as_text(table);
+    if (!table.rows.empty()) text += tables::as_text(table);
     text += reasons;
     for (const auto& fit : models.fits) {
         for (const auto& sentence : fit.undetermined) text += "  " + sentence + '\n';
@@ -74,13 +74,13 @@ void print_models(const workflow::LoopModels& models) {
     print(text);
 }
 
-void print_shared(const experiment::GlobalFit& fit) {
-    workflow::TidyTable table{fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
+void print_shared(const loops::GlobalFit& fit) {
+    tables::TidyTable table{fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
                               {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"}, {}};
     for (const auto& branch : fit.branches)
         table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3), cell(branch.separate.contact_modulus, 1e-6),
                               cell(branch.separate.work_of_adhesion, 1e3), fmt::format("{}", branch.n)});
-    print(workflow::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio, fit.sharing.p_value));
+    print(tables::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio, fit.sharing.p_value));
 }
 
 }  // namespace setae::cli

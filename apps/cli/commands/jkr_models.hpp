@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "loop_arguments.hpp"
-#include "setae/workflow/loop_models.hpp"
+#include "setae/study/loop_models.hpp"
 
 namespace setae::cli {
 
@@ -22,10 +22,10 @@ struct ModelArguments {
 
     void add_to(CLI::App& verb);
     /// @throws InvalidArgument for a malformed quantity.
-    [[nodiscard]] workflow::LoopModelOptions options() const;
+    [[nodiscard]] study::LoopModelOptions options() const;
 };
 
-void print_models(const workflow::LoopModels& models);
-void print_shared(const experiment::GlobalFit& fit);
+void print_models(const study::LoopModels& models);
+void print_shared(const loops::GlobalFit& fit);
 
 }  // namespace setae::cli

@@ -9,7 +9,7 @@
 #include "region_argument.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -74,24 +74,24 @@ void write_overlays(const Arguments& a, const imaging::FrameSource& source, cons
     });
 }
 
-workflow::Json as_json(const imaging::ContactRadii& radii) {
+output::Json as_json(const imaging::ContactRadii& radii) {
     const auto quantity = [](const char* name, const char* symbol, double value, double standard_error, const char* unit) {
-        workflow::Json json{{"quantity", name}, {"symbol", symbol}, {"value", value}, {"unit", unit}};
+        output::Json json{{"quantity", name}, {"symbol", symbol}, {"value", value}, {"unit", unit}};
         json["standard_error"] = standard_error;
         return json;
     };
     const auto& s = radii.summary;
-    workflow::Json json;
+    output::Json json;
     json["pixel_size"] = {{"value", radii.pixel_size}, {"unit", "m"}};
     json["frame_rate"] = {{"value", radii.frame_rate}, {"unit", "1/s"}};
     json["polarity"] = to_string(radii.polarity);
     json["summary"] = {{"frames", s.frames}, {"measured", s.measured}, {"no_contact", s.no_contact}, {"not_found", s.not_found}, {"bad", s.bad},
                        {"excluded", s.excluded}, {"partial", s.partial}, {"missing", s.missing}};
     json["notes"] = radii.notes;
-    json["frames"] = workflow::Json::array();
+    json["frames"] = output::Json::array();
     for (const auto& f : radii.frames) {
         const auto& c = f.contact;
-        workflow::Json frame{{"frame", f.number}, {"name", f.name}, {"time", f.time}, {"state", to_string(c.state)}, {"remark", c.reason}};
+        output::Json frame{{"frame", f.number}, {"name", f.name}, {"time", f.time}, {"state", to_string(c.state)}, {"remark", c.reason}};
         frame["contact_radius"] = quantity("contact radius", "a", f.radius, f.standard_error, "m");
         if (c.state == imaging::FrameState::measured) {
             const double pixel = radii.pixel_size;
@@ -134,7 +134,7 @@ ExitCode run(const Arguments& arguments) {
     const auto options = radius_options(arguments);
     const imaging::FrameSource source(arguments.frames, frame_options(arguments));
     const auto radii = imaging::measure_contact_radii(source, options);
-    if (!arguments.output.empty()) io::write_whole_file(arguments.output, imaging::as_csv(radii));
+    if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, imaging::as_csv(radii));
     if (!arguments.overlay.empty()) write_overlays(arguments, source, radii);
     if (arguments.common.json) print_json(as_json(radii));
     else if (arguments.output.empty()) print(imaging::as_csv(radii));

@@ -8,10 +8,10 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/replicates/forest_plot.hpp"
-#include "setae/workflow/replicate_reader.hpp"
-#include "setae/workflow/replicate_report.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/statistics/forest_plot.hpp"
+#include "setae/study/replicate_reader.hpp"
+#include "setae/output/replicate_report.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -32,7 +32,7 @@ struct Arguments {
     Common common;
     std::vector<std::string> files, exclude;
     std::string group_by, exclusions, output, figure;
-    workflow::ReplicateColumns columns;
+    study::ReplicateColumns columns;
     bool each_surface = false;
 };
 
@@ -46,37 +46,37 @@ std::vector<std::string> words_of(const std::string& list) {
     return words;
 }
 
-void write_figure(const std::string& path, const workflow::ReplicateTables& tables, const figures::Figure& figure) {
+void write_figure(const std::string& path, const study::ReplicateTables& tables, const figures::Figure& figure) {
     auto ending = fs::path(path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
-    if (ending == "csv") return io::write_whole_file(path, workflow::as_csv(workflow::replicate_table(tables.data)));
+    if (ending == "csv") return bytes::write_whole_file(path, tables::as_csv(output::replicate_table(tables.data)));
     constexpr std::array endings{"svg", "pdf", "png"};
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
         throw InvalidArgument(fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
-    io::write_whole_file(path, figures::drawn(figure, ending));
+    bytes::write_whole_file(path, figures::drawn(figure, ending));
 }
 
-void write_folder(const fs::path& folder, const workflow::ReplicateTables& tables, const replicates::MixedModel& model, const workflow::Json& json, const figures::Figure& figure) {
+void write_folder(const fs::path& folder, const study::ReplicateTables& tables, const statistics::MixedModel& model, const output::Json& json, const figures::Figure& figure) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) throw FileError(fmt::format("{}: cannot make the folder ({})", folder.string(), failure.message()));
-    io::write_whole_file((folder / "summary.json").string(), json.dump(2) + "\n");
-    io::write_whole_file((folder / "replicates.csv").string(), workflow::as_csv(workflow::replicate_table(tables.data)));
-    io::write_whole_file((folder / "means.csv").string(), workflow::as_csv(workflow::replicate_mean_table(tables.data, model)));
+    bytes::write_whole_file((folder / "summary.json").string(), json.dump(2) + "\n");
+    bytes::write_whole_file((folder / "replicates.csv").string(), tables::as_csv(output::replicate_table(tables.data)));
+    bytes::write_whole_file((folder / "means.csv").string(), tables::as_csv(output::replicate_mean_table(tables.data, model)));
     for (const char* ending : {"svg", "pdf", "png"}) write_figure((folder / (std::string("forest.") + ending)).string(), tables, figure);
 }
 
 ExitCode run(const Arguments& arguments) {
     auto columns = arguments.columns;
     columns.group_by = words_of(arguments.group_by);
-    std::vector<workflow::ExclusionRule> rules;
-    if (!arguments.exclusions.empty()) rules = workflow::read_exclusions(arguments.exclusions);
-    for (const auto& text : arguments.exclude) rules.push_back(workflow::parse_exclusion(text));
-    const auto tables = workflow::read_replicates(arguments.files, columns, rules);
-    const auto model = replicates::mixed_model(tables.data, {.pooling = arguments.each_surface ? replicates::Pooling::none : replicates::Pooling::surfaces});
-    const auto figure = replicates::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
-    auto json = workflow::to_json(tables.data, model);
-    json["bad_rows"] = workflow::Json::array();
+    std::vector<study::ExclusionRule> rules;
+    if (!arguments.exclusions.empty()) rules = study::read_exclusions(arguments.exclusions);
+    for (const auto& text : arguments.exclude) rules.push_back(study::parse_exclusion(text));
+    const auto tables = study::read_replicates(arguments.files, columns, rules);
+    const auto model = statistics::mixed_model(tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
+    const auto figure = statistics::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
+    auto json = output::to_json(tables.data, model);
+    json["bad_rows"] = output::Json::array();
     for (const auto& bad : tables.bad_rows) {
         json["bad_rows"].push_back({{"place", bad.place}, {"reason", bad.reason}});
         complain(fmt::format("{}: {}; left out, the rest is analysed", bad.place, bad.reason));
@@ -84,7 +84,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
     if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
     if (arguments.common.json) print_json(json);
-    else print(workflow::summary(tables.data, model));
+    else print(output::summary(tables.data, model));
     return tables.bad_rows.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/laboratory/data_set.hpp"
+#include "setae/simulation/data_set.hpp"
 #include "lab_area.hpp"
 #include "lab_causes.hpp"
 #include "lab_closure.hpp"
@@ -35,8 +35,8 @@ struct MakeArguments {
 
 ExitCode run_make(const MakeArguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
-    const auto recipe = laboratory::read_recipe(arguments.file, arguments.seed);
-    const auto files = laboratory::make(recipe, arguments.output, arguments.common.workers());
+    const auto recipe = simulation::read_recipe(arguments.file, arguments.seed);
+    const auto files = simulation::make(recipe, arguments.output, arguments.common.workers());
     if (arguments.common.json)
         print_json({{"recipe", arguments.file}, {"seed", recipe.seed}, {"folder", arguments.output}, {"files", files}});
     else

@@ -12,8 +12,8 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
-#include "setae/gallery/true_area_of_maps.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/study_figures/true_area_of_maps.hpp"
+#include "setae/tables/table_file.hpp"
 #include "setae/roughness/true_area.hpp"
 
 namespace setae::cli {
@@ -34,9 +34,9 @@ struct AreaArguments {
     std::uint64_t seed = 1;
 };
 
-using gallery::AreaOfMap;
-using gallery::MeanArea;
-using gallery::maps_each;
+using study_figures::AreaOfMap;
+using study_figures::MeanArea;
+using study_figures::maps_each;
 
 /// Means of one Hurst exponent, in order of slope.
 std::vector<MeanArea> of_exponent(const std::vector<MeanArea>& areas, double hurst_exponent) {
@@ -100,16 +100,16 @@ Table table_of(const std::vector<AreaOfMap>& areas) {
 }
 
 ExitCode run(const AreaArguments& arguments) {
-    const auto areas = gallery::true_area_of_maps({.points = arguments.points, .seed = arguments.seed, .threads = arguments.common.workers()});
-    const auto rows = gallery::means(areas);
+    const auto areas = study_figures::true_area_of_maps({.points = arguments.points, .seed = arguments.seed, .threads = arguments.common.workers()});
+    const auto rows = study_figures::means(areas);
     std::error_code ignored;
     std::filesystem::create_directories(arguments.output, ignored);
     const auto path = [&](const char* name) { return (std::filesystem::path(arguments.output) / name).string(); };
-    io::write_csv(path("area.csv"), table_of(areas));
+    tables::write_csv(path("area.csv"), table_of(areas));
     double largest = 0.0;
     for (const auto& row : rows) largest = std::max(largest, std::abs(row.deviation));
     if (arguments.common.json) {
-        workflow::Json json{{"points", {arguments.points, arguments.points}}, {"seed", arguments.seed}, {"maps_each", maps_each}, {"folder", arguments.output},
+        output::Json json{{"points", {arguments.points, arguments.points}}, {"seed", arguments.seed}, {"maps_each", maps_each}, {"folder", arguments.output},
                             {"largest_deviation", largest}};
         for (const auto& row : rows)
             json["areas"].push_back({{"H", row.hurst_exponent}, {"rms_slope", row.rms_slope}, {"excess_area", row.excess_area},

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
-#include "setae/closure/causes.hpp"
-#include "setae/closure/report.hpp"
+#include "setae/validation/causes.hpp"
+#include "setae/validation/report.hpp"
 
 namespace setae::cli {
 namespace {
@@ -26,14 +26,14 @@ constexpr const char* explanation =
 
 ExitCode run(const RepeatedRecipe& arguments) {
     require_recipe(arguments);
-    const auto rows = closure::summary(closure::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
+    const auto rows = validation::summary(validation::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
                                                                                      .first_seed = arguments.seed,
                                                                                      .folder = arguments.output,
                                                                                      .threads = arguments.common.workers(),
                                                                                      .progress = progress_of(arguments.runs)}));
     write_closure(rows, "causes", arguments.output);
     if (arguments.common.json) print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
-    else print(closure::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
+    else print(validation::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
     return ExitCode::done;
 }
 

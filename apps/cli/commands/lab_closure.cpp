@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
-#include "setae/closure/closure.hpp"
-#include "setae/closure/report.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/validation/closure.hpp"
+#include "setae/validation/report.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -27,11 +27,11 @@ constexpr const char* explanation =
 
 struct ClosureArguments : RepeatedRecipe {
     bool keep = false;
-    workflow::SpectrumMethod spectrum = workflow::SpectrumMethod::likelihood;
+    study::SpectrumMethod spectrum = study::SpectrumMethod::likelihood;
     std::vector<std::string> without;
 };
 
-closure::ClosureOptions options_of(const ClosureArguments& arguments) {
+validation::ClosureOptions options_of(const ClosureArguments& arguments) {
     const auto left_out = [&](const char* name) { return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end(); };
     return {.runs = arguments.runs,
             .first_seed = arguments.seed,
@@ -46,16 +46,16 @@ closure::ClosureOptions options_of(const ClosureArguments& arguments) {
 
 ExitCode run(const ClosureArguments& arguments) {
     require_recipe(arguments);
-    const auto found = closure::run_closure(arguments.recipe, options_of(arguments));
+    const auto found = validation::run_closure(arguments.recipe, options_of(arguments));
     for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.comparisons.empty()) return ExitCode::nothing_done;
-    const auto rows = closure::summary(found.comparisons);
+    const auto rows = validation::summary(found.comparisons);
     write_closure(rows, "closure", arguments.output);
-    io::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), closure::comparisons_csv(found.comparisons));
+    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), validation::comparisons_csv(found.comparisons));
     if (arguments.common.json)
         print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
     else
-        print(closure::summary_table(rows) + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
+        print(validation::summary_table(rows) + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
     return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -68,7 +68,7 @@ void add_closure(CLI::App& group, Action& action) {
     arguments->runs = 25;
     add_options(*verb, *arguments);
     verb->add_flag("--keep", arguments->keep, "leave the data sets in the folder");
-    const std::map<std::string, workflow::SpectrumMethod> methods{{"average", workflow::SpectrumMethod::average}, {"likelihood", workflow::SpectrumMethod::likelihood}};
+    const std::map<std::string, study::SpectrumMethod> methods{{"average", study::SpectrumMethod::average}, {"likelihood", study::SpectrumMethod::likelihood}};
     verb->add_option("--spectrum", arguments->spectrum, "what fits and predictions rest on")->transform(CLI::CheckedTransformer(methods));
     verb->add_option("--without", arguments->without, "leave an ingredient of the likelihood out")->check(CLI::IsMember({"tip-factor", "tip-band"}));
     on_named(*verb, action, arguments, explanation, run);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
-#include "setae/closure/contour_summary.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/validation/contour_summary.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -25,16 +25,16 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    closure::ContourTrialOptions options;
+    validation::ContourTrialOptions options;
     std::string output;
 };
 
-workflow::Json json_of(const closure::OverRuns& number) {
-    return {{"count", number.count}, {"mean", workflow::number(number.mean)}, {"standard_error", workflow::number(number.standard_error)}, {"worst", workflow::number(number.worst)}, {"worst_run", number.worst_run}};
+output::Json json_of(const validation::OverRuns& number) {
+    return {{"count", number.count}, {"mean", output::number(number.mean)}, {"standard_error", output::number(number.standard_error)}, {"worst", output::number(number.worst)}, {"worst_run", number.worst_run}};
 }
 
-workflow::Json json_of(const closure::ContourRow& row) {
-    workflow::Json json{{"kind", row.kind},
+output::Json json_of(const validation::ContourRow& row) {
+    output::Json json{{"kind", row.kind},
                         {"judged", row.judged},
                         {"runs", row.runs},
                         {"refused", row.refused},
@@ -50,10 +50,10 @@ workflow::Json json_of(const closure::ContourRow& row) {
                         {"overhangs_found", row.overhangs_found},
                         {"overhangs_false", row.overhangs_false},
                         {"overhang_depth_ratio", json_of(row.overhang_depth_ratio)},
-                        {"spectrum_ratio", workflow::Json::array()}};
+                        {"spectrum_ratio", output::Json::array()}};
     for (std::size_t band = 0; band < row.spectrum_ratio.size(); ++band) {
         auto ratio = json_of(row.spectrum_ratio[band]);
-        ratio["longest_wave_px"] = closure::spectrum_band_ends[band];
+        ratio["longest_wave_px"] = validation::spectrum_band_ends[band];
         json["spectrum_ratio"].push_back(ratio);
     }
     return json;
@@ -62,18 +62,18 @@ workflow::Json json_of(const closure::ContourRow& row) {
 ExitCode run(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
-    options.progress = progress_of(options.runs * static_cast<int>(options.kinds.empty() ? closure::contour_kinds(options.size).size() : options.kinds.size()));
-    const auto trials = closure::contour_trials(options);
-    const auto rows = closure::contour_summary(trials);
-    if (!arguments.output.empty()) io::write_whole_file(arguments.output, closure::contour_trials_csv(trials));
+    options.progress = progress_of(options.runs * static_cast<int>(options.kinds.empty() ? validation::contour_kinds(options.size).size() : options.kinds.size()));
+    const auto trials = validation::contour_trials(options);
+    const auto rows = validation::contour_summary(trials);
+    if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, validation::contour_trials_csv(trials));
     if (arguments.common.json) {
-        workflow::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"size", options.size}};
+        output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"size", options.size}};
         for (const auto& row : rows) json["rows"].push_back(json_of(row));
-        json["verdicts"] = workflow::Json::array();
-        for (const auto& v : closure::contour_verdicts(rows)) json["verdicts"].push_back({{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
+        json["verdicts"] = output::Json::array();
+        for (const auto& v : validation::contour_verdicts(rows)) json["verdicts"].push_back({{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
         print_json(json);
     } else {
-        print(closure::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n", options.runs, options.first_seed, options.size));
+        print(validation::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n", options.runs, options.first_seed, options.size));
     }
     return ExitCode::done;
 }

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
-#include "setae/closure/loop_coverage.hpp"
-#include "setae/closure/report.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/validation/loop_coverage.hpp"
+#include "setae/validation/report.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -24,7 +24,7 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    closure::LoopCoverageOptions options;
+    validation::LoopCoverageOptions options;
     std::string output = "loop_coverage";
 };
 
@@ -32,14 +32,14 @@ ExitCode run(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
     options.progress = progress_of(options.runs);
-    auto comparisons = closure::branch_coverage(options);
-    const auto records = closure::record_coverage(options);
+    auto comparisons = validation::branch_coverage(options);
+    const auto records = validation::record_coverage(options);
     comparisons.insert(comparisons.end(), records.begin(), records.end());
-    const auto rows = closure::summary(comparisons);
+    const auto rows = validation::summary(comparisons);
     write_closure(rows, "loop_coverage", arguments.output);
-    io::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), closure::comparisons_csv(comparisons));
+    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), validation::comparisons_csv(comparisons));
     if (arguments.common.json) print_json({{"runs", options.runs}, {"first_seed", options.first_seed}, {"samples", options.samples}, {"rows", json_of(rows)}});
-    else print(closure::summary_table(rows) + fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n", options.runs, options.first_seed, options.samples, arguments.output));
+    else print(validation::summary_table(rows) + fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n", options.runs, options.first_seed, options.samples, arguments.output));
     return ExitCode::done;
 }
 

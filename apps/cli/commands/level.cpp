@@ -9,8 +9,8 @@
 #include "output_jobs.hpp"
 #include "pipeline_option.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/workflow/pipeline_file.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/study/pipeline_file.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -38,7 +38,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
 }
 
 /// The channel named, or the first of heights.
-const io::Channel& chosen_channel(const Arguments& arguments, const std::string& path, const std::vector<io::Channel>& channels) {
+const formats::Channel& chosen_channel(const Arguments& arguments, const std::string& path, const std::vector<formats::Channel>& channels) {
     if (arguments.file.channel) {
         if (*arguments.file.channel < channels.size()) return channels[*arguments.file.channel];
         throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *arguments.file.channel, channels.size()));
@@ -49,11 +49,11 @@ const io::Channel& chosen_channel(const Arguments& arguments, const std::string&
 }
 
 /// Processes and writes one file; what was done, and that it was printed for a reader.
-workflow::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
+output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
     const auto options = arguments.file.read_options();
-    const auto channels = io::open(job.input, options);
+    const auto channels = formats::open(job.input, options);
     const auto& channel = chosen_channel(arguments, job.input, channels);
-    const auto result = processing::apply(pipeline, channel.read(), workflow::measurement_loader(options), arguments.common.workers());
+    const auto result = processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
     if (!job.output.empty()) write_heights(job.output, result.measurement);
     show(channel.info.alerts);
     std::string lines = fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
@@ -62,30 +62,30 @@ workflow::Json level_file(const Arguments& arguments, const processing::Pipeline
         show(record.alerts);
     }
     if (!arguments.common.json) print(lines);
-    return {{"input", job.input}, {"output", job.output.empty() ? workflow::Json(nullptr) : workflow::Json(job.output)}, {"channel", channel.info.name}, {"steps", workflow::to_json(result.records)}};
+    return {{"input", job.input}, {"output", job.output.empty() ? output::Json(nullptr) : output::Json(job.output)}, {"channel", channel.info.name}, {"steps", output::to_json(result.records)}};
 }
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
-        io::write_whole_file(arguments.documentation, step_page());
+        bytes::write_whole_file(arguments.documentation, step_page());
         return ExitCode::done;
     }
     const auto pipeline = arguments.processing.pipeline();
     if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
-    if (!arguments.written_pipeline.empty()) workflow::write_pipeline(arguments.written_pipeline, pipeline);
+    if (!arguments.written_pipeline.empty()) study::write_pipeline(arguments.written_pipeline, pipeline);
     if (arguments.paths.empty()) {
         if (!arguments.written_pipeline.empty()) return ExitCode::done;
         throw InvalidArgument("no file; expected at least one measurement");
     }
     const auto jobs = jobs_of(arguments);
-    workflow::Json files = workflow::Json::array();
+    output::Json files = output::Json::array();
     std::size_t index = 0;
     const auto code = for_each_item(arguments.paths, [&](const std::string&) {
         const auto current = index++;
         if (!jobs[current].output.empty()) require_own_output(jobs, current);
         files.push_back(level_file(arguments, pipeline, jobs[current]));
     });
-    if (arguments.common.json) print_json({{"pipeline", workflow::step_lines(pipeline)}, {"files", files}});
+    if (arguments.common.json) print_json({{"pipeline", study::step_lines(pipeline)}, {"files", files}});
     return code;
 }
 

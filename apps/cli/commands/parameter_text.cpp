@@ -8,7 +8,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
-#include "setae/workflow/tidy_table.hpp"
+#include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
@@ -105,12 +105,12 @@ std::string as_tsv(const std::vector<MeasuredTexture>& list) {
 }
 
 std::string as_text(const MeasuredTexture& measured) {
-    workflow::TidyTable table{title(measured), {columns.begin(), columns.end()}, {}};
+    tables::TidyTable table{title(measured), {columns.begin(), columns.end()}, {}};
     for (const auto& row : measured.parameters) {
         const auto texts = cells(row);
         table.rows.emplace_back(texts.begin(), texts.end());
     }
-    return workflow::as_text(table) + "\n";
+    return tables::as_text(table) + "\n";
 }
 
 constexpr std::string_view marker = "<!-- what stands above is made by `setae params --documentation docs/parameters.md` -->\n";
@@ -135,11 +135,11 @@ std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::
     return text;
 }
 
-workflow::Json parameter_json(const std::vector<MeasuredTexture>& list) {
-    workflow::Json json = workflow::Json::array();
+output::Json parameter_json(const std::vector<MeasuredTexture>& list) {
+    output::Json json = output::Json::array();
     for (const auto& measured : list)
         for (const auto& row : measured.parameters) {
-            auto entry = workflow::to_json(row.quantity);
+            auto entry = output::to_json(row.quantity);
             entry["filter"] = row.filter;
             entry["status"] = row.ok() ? "ok" : "warn";
             entry["file"] = measured.file;

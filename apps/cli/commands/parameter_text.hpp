@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "setae/texture/texture_parameter.hpp"
-#include "setae/workflow/json.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::cli {
 
@@ -19,7 +19,7 @@ struct MeasuredTexture {
 /// "md", "tsv", "latex" or "text". TSV holds SI numbers, the others numbers with prefixes for readers.
 [[nodiscard]] std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format);
 
-[[nodiscard]] workflow::Json parameter_json(const std::vector<MeasuredTexture>& list);
+[[nodiscard]] output::Json parameter_json(const std::vector<MeasuredTexture>& list);
 
 /// The page docs/parameters.md from the table of parameters, up to its marker.
 [[nodiscard]] std::string parameter_page();

@@ -5,7 +5,7 @@
 
 #include "parameter_text.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "surface_options.hpp"
 #include "texture_options.hpp"
 #include "verbs.hpp"
@@ -33,19 +33,19 @@ struct Arguments {
 };
 
 /// Spectral parameters by the conversion asked for, and by the other one.
-std::vector<Quantity> spectral_quantities(const workflow::SurfaceResult& surface, roughness::Conversion conversion) {
+std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, roughness::Conversion conversion) {
     const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
         for (auto& q : quantities) q.quantity += suffix;
         return quantities;
     };
     const auto& spectrum = surface.used();
-    auto list = named(workflow::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
+    auto list = named(output::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
     if (!spectrum.other_conversion) return list;
     auto other = spectrum;
     other.parameters = *spectrum.other_conversion;
     other.spread = {};
     const bool exact = conversion == roughness::Conversion::exact;
-    const auto others = named(workflow::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
+    const auto others = named(output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
                               exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
     list.insert(list.end(), others.begin(), others.end());
     return list;
@@ -58,7 +58,7 @@ ExitCode run_standard(const Arguments& arguments) {
     std::size_t failed = 0;
     for (const auto& input : arguments.surface.surface().measurements) {
         try {
-            for (const auto& source : workflow::measurement_sources(input)) {
+            for (const auto& source : study::measurement_sources(input)) {
                 const auto prepared = source.prepare();
                 list.push_back({input.file, topography::metadata(prepared.measurement).name, arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
                 alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
@@ -82,8 +82,8 @@ ExitCode run_standard(const Arguments& arguments) {
 }
 
 ExitCode write_page(const std::string& path) {
-    const auto existing = std::filesystem::exists(path) ? io::read_file(path) : std::string();
-    io::write_whole_file(path, parameter_page(existing));
+    const auto existing = std::filesystem::exists(path) ? bytes::read_file(path) : std::string();
+    bytes::write_whole_file(path, parameter_page(existing));
     print(path + "\n");
     return ExitCode::done;
 }
@@ -92,10 +92,10 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) return write_page(arguments.documentation);
     if (arguments.texture.asked()) return run_standard(arguments);
     const auto options = arguments.surface.analysis();
-    const auto surface = workflow::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
+    const auto surface = study::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
-    workflow::Json json = workflow::Json::array();
+    output::Json json = output::Json::array();
     const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list) {
         if (!arguments.common.json) print(file + (name.empty() || name == file ? "" : " (" + name + ")") + "\n");
         for (const auto& q : list) {
@@ -103,14 +103,14 @@ ExitCode run(const Arguments& arguments) {
                 print("  " + as_line(q));
                 continue;
             }
-            auto entry = workflow::to_json(q);
+            auto entry = output::to_json(q);
             entry["file"] = file;
             entry["measurement"] = name;
             json.push_back(std::move(entry));
         }
     };
     for (const auto& m : surface.measurements)
-        if (!m.failed()) emit(m.file, m.name, workflow::measurement_quantities(m));
+        if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m));
     emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));

@@ -8,9 +8,9 @@
 
 #include "run_arguments.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/gallery/write_figures.hpp"
-#include "setae/io/whole_file.hpp"
-#include "setae/workflow/study_result.hpp"
+#include "setae/study_figures/write_figures.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/study/study_result.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -37,8 +37,8 @@ struct PlotArguments {
     std::string width = "double";
     bool list = false;
 
-    [[nodiscard]] gallery::FigureWidth figure_width() const {
-        return width == "single" ? gallery::FigureWidth::single_column : gallery::FigureWidth::double_column;
+    [[nodiscard]] study_figures::FigureWidth figure_width() const {
+        return width == "single" ? study_figures::FigureWidth::single_column : study_figures::FigureWidth::double_column;
     }
 };
 
@@ -50,8 +50,8 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
-workflow::Json as_json(const gallery::StudyFigure& figure) {
-    workflow::Json json{{"identifier", figure.identifier}, {"name", figure.name}, {"title", figure.title}, {"drawable", figure.drawable()}};
+output::Json as_json(const study_figures::StudyFigure& figure) {
+    output::Json json{{"identifier", figure.identifier}, {"name", figure.name}, {"title", figure.title}, {"drawable", figure.drawable()}};
     if (figure.drawable()) {
         json["caption"] = figure.caption;
         json["width"] = {{"value", 1e-3 * figure.figure.width_mm}, {"unit", "m"}};
@@ -62,9 +62,9 @@ workflow::Json as_json(const gallery::StudyFigure& figure) {
     return json;
 }
 
-ExitCode list(const PlotArguments& arguments, const std::vector<gallery::StudyFigure>& figures) {
+ExitCode list(const PlotArguments& arguments, const std::vector<study_figures::StudyFigure>& figures) {
     if (arguments.common.json) {
-        workflow::Json json{{"figures", workflow::Json::array()}};
+        output::Json json{{"figures", output::Json::array()}};
         for (const auto& figure : figures) json["figures"].push_back(as_json(figure));
         print_json(json);
         return ExitCode::done;
@@ -77,15 +77,15 @@ ExitCode list(const PlotArguments& arguments, const std::vector<gallery::StudyFi
 }
 
 ExitCode plot(const PlotArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto result = workflow::run_study(workflow::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto result = study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
     display.finish();
-    const gallery::GalleryOptions options{.width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
-    if (arguments.list) return list(arguments, gallery::study_figures(result, options));
-    const auto figure = gallery::study_figure(result, arguments.figure, options);
+    const study_figures::GalleryOptions options{.width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
+    if (arguments.list) return list(arguments, study_figures::study_figures(result, options));
+    const auto figure = study_figures::study_figure(result, arguments.figure, options);
     if (!figure.drawable()) throw UndefinedDataError(fmt::format("figure {} cannot be drawn: {}", figure.identifier, figure.reason));
     const auto output = arguments.output.empty() ? figure.name + ".svg" : arguments.output;
     const auto ending = ending_of(output);
-    io::write_whole_file(output, ending == "csv" ? gallery::data_of(figure, arguments.study, arguments.figure_width()) : gallery::bytes_of(figure, ending, &store));
+    bytes::write_whole_file(output, ending == "csv" ? study_figures::data_of(figure, arguments.study, arguments.figure_width()) : study_figures::bytes_of(figure, ending, &store));
     if (arguments.common.json) {
         auto json = as_json(figure);
         json["file"] = output;

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/tables/table_file.hpp"
 #include "setae/processing/line_profile.hpp"
 #include "verbs.hpp"
 
@@ -77,11 +77,11 @@ ExitCode run(const Arguments& arguments) {
                      {"y", "m", profile.y},
                      {"height", "m", profile.scan.heights}};
     table.metadata["lines_averaged"] = std::to_string(profile.tracks);
-    if (!arguments.output.empty()) io::write_csv(arguments.output, table);
+    if (!arguments.output.empty()) tables::write_csv(arguments.output, table);
     if (arguments.common.json) {
-        workflow::Json json, units;
+        output::Json json, units;
         for (const auto& column : table.columns) {
-            json[column.name] = workflow::numbers(column.values);
+            json[column.name] = output::numbers(column.values);
             units[column.name] = column.unit;
         }
         json["units"] = units;
@@ -89,7 +89,7 @@ ExitCode run(const Arguments& arguments) {
         json["file"] = arguments.path;
         print_json(json);
     } else if (arguments.output.empty()) {
-        print(io::as_csv(table));
+        print(tables::as_csv(table));
     }
     return ExitCode::done;
 }

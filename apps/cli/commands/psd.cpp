@@ -4,10 +4,10 @@
 
 #include "psd_fit.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/netcdf.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/formats/netcdf.hpp"
+#include "setae/tables/table_file.hpp"
 #include "setae/spectra/inverse_abel.hpp"
-#include "setae/synthesis/abel.hpp"
+#include "setae/spectra/abel.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -33,7 +33,7 @@ struct Arguments {
 };
 
 /// Columns of the spectrum, in the order of printing.
-Table spectrum(const workflow::SurfaceResult& surface, const Arguments& arguments) {
+Table spectrum(const study::SurfaceResult& surface, const Arguments& arguments) {
     const auto& only = surface.measurements.front();
     Table table;
     table.metadata["normalisation"] = "two-sided, averaged over +-q: h_rms^2 = (1/pi) int C1D dq";
@@ -49,7 +49,7 @@ Table spectrum(const workflow::SurfaceResult& surface, const Arguments& argument
     return table;
 }
 
-void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Arguments& arguments) {
+void add_isotropic(Table& table, const study::SurfaceInput& input, const Arguments& arguments) {
     const auto options = arguments.surface.analysis();
     const auto& q = table.at("wavevector");
     if (const auto map = single_map(input, options)) {
@@ -59,11 +59,11 @@ void add_isotropic(Table& table, const workflow::SurfaceInput& input, const Argu
         return;
     }
     const double end = q[q.size() - 1] * std::pow(10.0, 0.05);
-    table.columns.push_back({"C_iso", "m4", synthesis::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
+    table.columns.push_back({"C_iso", "m4", spectra::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
     table.metadata["C_iso"] = "[D19] (11) from C1D";
 }
 
-void add_inverse_abel(Table& table, const workflow::SurfaceResult& surface) {
+void add_inverse_abel(Table& table, const study::SurfaceResult& surface) {
     const auto isotropic = spectra::isotropic_from_lines(*surface.combined);
     table.columns.push_back({"C_iso_abel", "m4", isotropic.C_iso});
     table.columns.push_back({"C_iso_abel_standard_error", "m4", isotropic.standard_error});
@@ -71,19 +71,19 @@ void add_inverse_abel(Table& table, const workflow::SurfaceResult& surface) {
     table.metadata["C_iso_abel"] = "inverse Abel transform of C1D, local parabolas over 0.6 decades";
 }
 
-workflow::Json as_json(const Table& table, const workflow::SurfaceResult& surface) {
-    workflow::Json json, units;
+output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
+    output::Json json, units;
     for (const auto& column : table.columns) {
-        json[column.name] = workflow::numbers(column.values);
+        json[column.name] = output::numbers(column.values);
         units[column.name] = column.unit;
     }
     json["units"] = units;
     for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
     json["band"] = {{"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
-    json["measurements"] = workflow::Json::array();
+    json["measurements"] = output::Json::array();
     for (const auto& m : surface.measurements)
-        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}, {"processing", workflow::to_json(m.processing)}});
-    json["alerts"] = workflow::to_json(alerts_of(surface));
+        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}, {"processing", output::to_json(m.processing)}});
+    json["alerts"] = output::to_json(alerts_of(surface));
     return json;
 }
 
@@ -91,7 +91,7 @@ ExitCode run(const Arguments& arguments) {
     const auto input = arguments.surface.surface();
     auto options = arguments.surface.analysis();
     options.bootstrap_resamples = 0;
-    const auto surface = workflow::analyse_surface(input, options, arguments.common.workers());
+    const auto surface = study::analyse_surface(input, options, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     auto table = spectrum(surface, arguments);
@@ -103,8 +103,8 @@ ExitCode run(const Arguments& arguments) {
         add_model(table, *fit);
     }
     if (!arguments.output.empty()) {
-        if (arguments.output.ends_with(".nc")) io::write_netcdf(arguments.output, table);
-        else if (arguments.output.ends_with(".csv")) io::write_csv(arguments.output, table);
+        if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
+        else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
         else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
     if (arguments.common.json) {
@@ -113,7 +113,7 @@ ExitCode run(const Arguments& arguments) {
         print_json(json);
         return code;
     }
-    if (arguments.output.empty()) print(io::as_csv(table));
+    if (arguments.output.empty()) print(tables::as_csv(table));
     else if (fit)
         for (const auto& q : parameters_of(*fit)) print(as_line(q));
     show(alerts_of(surface));

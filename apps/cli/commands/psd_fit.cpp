@@ -35,9 +35,9 @@ const char* text(spectra::ScaleStatus status) {
     throw InternalError("a status of a scale without a name");
 }
 
-workflow::Json rows(const Eigen::MatrixXd& matrix) {
-    workflow::Json json = workflow::Json::array();
-    for (Index i = 0; i < matrix.rows(); ++i) json.push_back(workflow::numbers(matrix.row(i).transpose().array()));
+output::Json rows(const Eigen::MatrixXd& matrix) {
+    output::Json json = output::Json::array();
+    for (Index i = 0; i < matrix.rows(); ++i) json.push_back(output::numbers(matrix.row(i).transpose().array()));
     return json;
 }
 
@@ -50,7 +50,7 @@ void FitOptions::add_to(CLI::App& verb) {
     verb.add_flag("--short-cutoff", short_cutoff, "also fit where the spectrum ends");
 }
 
-spectra::SelfAffineFit fitted(const workflow::SurfaceResult& surface, const FitOptions& options) {
+spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOptions& options) {
     spectra::SelfAffineFitOptions fit;
     if (!options.range.empty()) fit.range = parsed_range(options.range);
     fit.rolloff = !options.no_rolloff;
@@ -92,10 +92,10 @@ void add_model(Table& table, const spectra::SelfAffineFit& fit) {
     }
 }
 
-workflow::Json fit_json(const spectra::SelfAffineFit& fit) {
-    workflow::Json json;
-    json["parameters"] = workflow::Json::array();
-    for (const auto& q : parameters_of(fit)) json["parameters"].push_back(workflow::to_json(q));
+output::Json fit_json(const spectra::SelfAffineFit& fit) {
+    output::Json json;
+    json["parameters"] = output::Json::array();
+    for (const auto& q : parameters_of(fit)) json["parameters"].push_back(output::to_json(q));
     json["rolloff"] = text(fit.rolloff);
     json["short_cutoff"] = text(fit.short_cutoff);
     json["reference_wavevector"] = {{"value", fit.reference_wavevector}, {"unit", "1/m"}};
@@ -106,8 +106,8 @@ workflow::Json fit_json(const spectra::SelfAffineFit& fit) {
     json["degrees_of_freedom"] = fit.degrees_of_freedom;
     json["probability"] = fit.probability;
     json["status"] = fit.status == spectra::FitStatus::converged ? "converged" : "not_converged";
-    json["residuals"] = {{"wavevector", workflow::numbers(fit.wavevector)}, {"residual", workflow::numbers(fit.residual)}};
-    json["alerts"] = workflow::to_json(fit.alerts);
+    json["residuals"] = {{"wavevector", output::numbers(fit.wavevector)}, {"residual", output::numbers(fit.residual)}};
+    json["alerts"] = output::to_json(fit.alerts);
     return json;
 }
 

@@ -4,7 +4,7 @@
 #include "session.hpp"
 #include "setae/core/table.hpp"
 #include "setae/spectra/self_affine_fit.hpp"
-#include "setae/workflow/surface_analysis.hpp"
+#include "setae/study/surface_analysis.hpp"
 
 namespace setae::cli {
 
@@ -19,7 +19,7 @@ struct FitOptions {
 
 /// A self-affine surface fitted to the spectra of all measurements, each where neither window nor sampling bends it.
 /// @throws InvalidArgument for a malformed range; what the fit throws.
-[[nodiscard]] spectra::SelfAffineFit fitted(const workflow::SurfaceResult& surface, const FitOptions& options);
+[[nodiscard]] spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOptions& options);
 
 /// Its parameters that were fitted.
 [[nodiscard]] std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit);
@@ -28,6 +28,6 @@ struct FitOptions {
 /// parameters in its header.
 void add_model(Table& table, const spectra::SelfAffineFit& fit);
 
-[[nodiscard]] workflow::Json fit_json(const spectra::SelfAffineFit& fit);
+[[nodiscard]] output::Json fit_json(const spectra::SelfAffineFit& fit);
 
 }  // namespace setae::cli

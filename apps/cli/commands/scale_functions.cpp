@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/io/netcdf.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/formats/netcdf.hpp"
+#include "setae/tables/table_file.hpp"
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
@@ -110,7 +110,7 @@ struct Found {
     bool some_failed = false;
 };
 
-scales::FunctionOfScale large_map_function(const workflow::LargeMap& large, const ScaleArguments& arguments, FunctionOfLargeMap function) {
+scales::FunctionOfScale large_map_function(const study::LargeMap& large, const ScaleArguments& arguments, FunctionOfLargeMap function) {
     if (!function)
         throw InvalidArgument(topography::label(large.map.metadata) + ": this function needs the map as a whole, which is larger than --memory allows; allow more or crop it");
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(arguments.surface.analysis().largest_map));
@@ -137,9 +137,9 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
     const auto options = arguments.surface.analysis();
     for (const auto& input : arguments.surface.surface().measurements)
         attempt([&] {
-            for (const auto& source : workflow::measurement_sources(input))
+            for (const auto& source : study::measurement_sources(input))
                 attempt([&] {
-                    if (workflow::too_large(source, options)) {
+                    if (study::too_large(source, options)) {
                         take(large_map_function(*source.by_bands, arguments, verb.of_large_map), source.by_bands->alerts);
                         return;
                     }
@@ -167,18 +167,18 @@ Table table_of(Found& found, const ScaleArguments& arguments) {
     return table;
 }
 
-workflow::Json as_json(const Table& table, const Found& found) {
-    workflow::Json json, units;
+output::Json as_json(const Table& table, const Found& found) {
+    output::Json json, units;
     for (const auto& column : table.columns) {
-        json[column.name] = workflow::numbers(column.values);
+        json[column.name] = output::numbers(column.values);
         units[column.name] = column.unit;
     }
     json["units"] = units;
-    json["measurements"] = workflow::Json::array();
+    json["measurements"] = output::Json::array();
     for (const auto& function : found.functions)
-        json["measurements"].push_back({{"file", function.metadata.file}, {"name", function.metadata.name}, {"reliable_from", workflow::number(function.reliable_from)}});
+        json["measurements"].push_back({{"file", function.metadata.file}, {"name", function.metadata.name}, {"reliable_from", output::number(function.reliable_from)}});
     if (!found.contributors.empty()) json["contributors"] = found.contributors;
-    json["alerts"] = workflow::to_json(found.alerts);
+    json["alerts"] = output::to_json(found.alerts);
     return json;
 }
 
@@ -187,12 +187,12 @@ ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
     if (found.functions.empty()) return ExitCode::nothing_done;
     const auto table = table_of(found, arguments);
     if (!arguments.output.empty()) {
-        if (arguments.output.ends_with(".nc")) io::write_netcdf(arguments.output, table);
-        else if (arguments.output.ends_with(".csv")) io::write_csv(arguments.output, table);
+        if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
+        else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
         else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
     if (arguments.common.json) print_json(as_json(table, found));
-    else if (arguments.output.empty()) print(io::as_csv(table));
+    else if (arguments.output.empty()) print(tables::as_csv(table));
     if (!arguments.common.json) show(found.alerts);
     return found.some_failed ? ExitCode::some_failed : ExitCode::done;
 }

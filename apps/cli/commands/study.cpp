@@ -12,10 +12,10 @@
 #include "run_time.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/gallery/write_figures.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/study_figures/write_figures.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/report/report.hpp"
-#include "setae/workflow/study_tables.hpp"
+#include "setae/output/study_tables.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -42,7 +42,7 @@ struct Arguments {
     bool no_figures = false;
 };
 
-void show_failures(const workflow::StudyResult& result) {
+void show_failures(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
         for (const auto& m : surface.measurements)
@@ -53,8 +53,8 @@ void show_failures(const workflow::StudyResult& result) {
 }
 
 /// One line a kind of alert, with its first; all of them stand in alerts.csv.
-void show_alerts(const workflow::StudyResult& result) {
-    const auto alerts = workflow::alert_table(result);
+void show_alerts(const study::StudyResult& result) {
+    const auto alerts = output::alert_table(result);
     std::vector<std::pair<std::string, std::size_t>> kinds;
     const auto code_of = [](const auto& row) { return std::get<std::string>(row[0]); };
     for (const auto& row : alerts.rows) {
@@ -73,13 +73,13 @@ void show_alerts(const workflow::StudyResult& result) {
 void remove_marks(const std::string& folder) {
     std::error_code ignored;
     for (const char* name : {"report.html", "study.json"}) std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
-    io::remove_leftovers(folder);
-    io::remove_leftovers((std::filesystem::path(folder) / "figures").string());
+    bytes::remove_leftovers(folder);
+    bytes::remove_leftovers((std::filesystem::path(folder) / "figures").string());
 }
 
-workflow::Study study_of(const Arguments& arguments) {
+study::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
-    auto study = workflow::read_study(arguments.file);
+    auto study = study::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
     return study;
 }
@@ -88,14 +88,14 @@ workflow::Study study_of(const Arguments& arguments) {
 ExitCode show_plan(const Arguments& arguments) {
     const auto study = study_of(arguments);
     const auto store = arguments.run.store();
-    workflow::RunOptions options;
+    study::RunOptions options;
     options.threads = arguments.common.workers();
     options.store = &store;
-    const auto steps = workflow::planned_steps(study, options);
-    const auto state = [](const workflow::PlannedStep& step) { return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do"; };
+    const auto steps = study::planned_steps(study, options);
+    const auto state = [](const study::PlannedStep& step) { return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do"; };
     const auto count = [&](const std::string& what) { return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; }); };
     if (arguments.common.json) {
-        workflow::Json json{{"study", study.path}, {"output", study.output}, {"cache", store.folder()}, {"steps", workflow::Json::array()}};
+        output::Json json{{"study", study.path}, {"output", study.output}, {"cache", store.folder()}, {"steps", output::Json::array()}};
         for (const auto& step : steps) {
             json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
             if (!step.error.empty()) json["steps"].back()["error"] = step.error;
@@ -110,7 +110,7 @@ ExitCode show_plan(const Arguments& arguments) {
 }
 
 /// Draws every figure of a study; returns how many failed.
-int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflow::Study& study, const Arguments& arguments, const cache::Store& store,
+int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const study::Study& study, const Arguments& arguments, const cache::Store& store,
                  ProgressDisplay& display) {
     constexpr double share_of_figures = 0.2;
     const auto before = display.last();
@@ -118,7 +118,7 @@ int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflo
     auto step = before;
     step.total += static_cast<std::size_t>(drawable);
     step.stage = "figure";
-    gallery::WriteOptions options;
+    study_figures::WriteOptions options;
     options.folder = (std::filesystem::path(study.output) / "figures").string();
     options.study = study.path;
     options.threads = arguments.common.workers();
@@ -133,7 +133,7 @@ int draw_figures(const std::vector<gallery::StudyFigure>& figures, const workflo
         display.show(step);
     };
     int failed = 0;
-    for (const auto& figure : gallery::write_figures(figures, options)) {
+    for (const auto& figure : study_figures::write_figures(figures, options)) {
         if (figure.error.empty()) continue;
         display.finish();
         // one missing program fails them all alike
@@ -150,20 +150,20 @@ std::string command_of(const Arguments& arguments) {
 
 ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
     const auto time = time_of_run();
-    const auto result = workflow::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
-    const auto figures = gallery::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
+    const auto result = study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+    const auto figures = study_figures::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
     const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
     // a folder that holds them holds all the rest, too
     remove_marks(result.study.output);
     const int failed_figures = arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
     display.finish();
     show_failures(result);
-    workflow::write_results(result);
-    io::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
+    output::write_results(result);
+    bytes::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
     if (arguments.common.json) {
-        print_json(workflow::to_json(result));
+        print_json(output::to_json(result));
     } else {
-        print(workflow::summary(result));
+        print(output::summary(result));
         show_alerts(result);
         print(fmt::format("Results: {}\nReport:  {}\n", result.study.output, report));
     }

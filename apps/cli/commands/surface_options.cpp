@@ -5,7 +5,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/spectra/isotropic.hpp"
-#include "setae/workflow/pipeline_file.hpp"
+#include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli {
 
@@ -30,14 +30,14 @@ void SurfaceOptions::add_to(CLI::App& verb) {
     verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")->check(CLI::Range(0, 1000000));
 }
 
-workflow::SurfaceInput SurfaceOptions::surface() const {
+study::SurfaceInput SurfaceOptions::surface() const {
     if (files.empty()) throw InvalidArgument("no file; expected at least one measurement");
     const auto read = file.read_options();
-    const auto steps = workflow::step_lines(processing.pipeline());
-    workflow::SurfaceInput surface;
+    const auto steps = study::step_lines(processing.pipeline());
+    study::SurfaceInput surface;
     surface.name = "surface";
     for (const auto& path : files) {
-        workflow::MeasurementInput input;
+        study::MeasurementInput input;
         input.file = path;
         input.channel = file.channel;
         input.instrument = instrument;
@@ -53,9 +53,9 @@ workflow::SurfaceInput SurfaceOptions::surface() const {
     return surface;
 }
 
-workflow::AnalysisOptions SurfaceOptions::analysis() const {
-    workflow::AnalysisOptions options;
-    options.spectrum = workflow::SpectrumMethod::average;  // what these verbs show is the combined spectrum
+study::AnalysisOptions SurfaceOptions::analysis() const {
+    study::AnalysisOptions options;
+    options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
     if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
     if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);
     if (!window.empty()) options.window = spectra::window_from_name(window);
@@ -66,16 +66,16 @@ workflow::AnalysisOptions SurfaceOptions::analysis() const {
     return options;
 }
 
-std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input, const workflow::AnalysisOptions& options) {
+std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input, const study::AnalysisOptions& options) {
     if (input.measurements.size() != 1) return std::nullopt;
-    const auto members = workflow::measurement_sources(input.measurements.front());
-    if (members.size() != 1 || workflow::too_large(members.front(), options)) return std::nullopt;
+    const auto members = study::measurement_sources(input.measurements.front());
+    if (members.size() != 1 || study::too_large(members.front(), options)) return std::nullopt;
     const auto prepared = members.front().prepare();
     const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
     return map ? std::optional(*map) : std::nullopt;
 }
 
-roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const workflow::AnalysisOptions& options, parallel::Threads threads) {
+roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const study::AnalysisOptions& options, parallel::Threads threads) {
     spectra::SpectrumOptions spectrum;
     spectrum.window = options.window;
     spectrum.threads = threads;
@@ -83,7 +83,7 @@ roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const
     return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
 }
 
-ExitCode report_failures(const workflow::SurfaceResult& surface) {
+ExitCode report_failures(const study::SurfaceResult& surface) {
     const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); });
     for (const auto& m : surface.measurements)
         if (m.failed()) complain(m.error);
@@ -94,7 +94,7 @@ ExitCode report_failures(const workflow::SurfaceResult& surface) {
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;
 }
 
-std::vector<Alert> alerts_of(const workflow::SurfaceResult& surface) {
+std::vector<Alert> alerts_of(const study::SurfaceResult& surface) {
     std::vector<Alert> alerts;
     for (const auto& m : surface.measurements) alerts.insert(alerts.end(), m.alerts.begin(), m.alerts.end());
     alerts.insert(alerts.end(), surface.alerts.begin(), surface.alerts.end());

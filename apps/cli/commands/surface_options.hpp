@@ -3,7 +3,7 @@
 
 #include "pipeline_option.hpp"
 #include "session.hpp"
-#include "setae/workflow/surface_analysis.hpp"
+#include "setae/study/surface_analysis.hpp"
 
 namespace setae::cli {
 
@@ -20,20 +20,20 @@ struct SurfaceOptions {
     /// Only what says which measurements there are and how each is prepared.
     void add_measurements_to(CLI::App& verb);
     /// @throws InvalidArgument for a malformed option.
-    [[nodiscard]] workflow::SurfaceInput surface() const;
-    [[nodiscard]] workflow::AnalysisOptions analysis() const;
+    [[nodiscard]] study::SurfaceInput surface() const;
+    [[nodiscard]] study::AnalysisOptions analysis() const;
 };
 
 /// The measurement if it is one single map that may be held in memory: then C_iso and stored energy come from its transform.
-[[nodiscard]] std::optional<topography::HeightMap> single_map(const workflow::SurfaceInput& input, const workflow::AnalysisOptions& options);
+[[nodiscard]] std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input, const study::AnalysisOptions& options);
 
 /// C_iso of a map by transform.
-[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const workflow::AnalysisOptions& options, parallel::Threads threads);
+[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const study::AnalysisOptions& options, parallel::Threads threads);
 
 /// Prints what failed; done, some failed or nothing done.
-[[nodiscard]] ExitCode report_failures(const workflow::SurfaceResult& surface);
+[[nodiscard]] ExitCode report_failures(const study::SurfaceResult& surface);
 
 /// All alerts of a surface and its measurements.
-[[nodiscard]] std::vector<Alert> alerts_of(const workflow::SurfaceResult& surface);
+[[nodiscard]] std::vector<Alert> alerts_of(const study::SurfaceResult& surface);
 
 }  // namespace setae::cli

@@ -10,10 +10,10 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/io/power_spectrum_table.hpp"
-#include "setae/io/table_file.hpp"
-#include "setae/synthesis/abel.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::cli {
 namespace {
@@ -49,32 +49,32 @@ std::array<double, 2> lengths(const std::string& text) {
 }
 
 /// A model's C_iso without the wavevectors below `longest`.
-synthesis::SpectralDensity without_longer(synthesis::SpectralDensity density, double longest) {
+spectra::SpectralDensity without_longer(spectra::SpectralDensity density, double longest) {
     if (!(longest > 0.0)) return density;
     return [density = std::move(density), longest](double q) { return q < longest * (1.0 - 1e-12) ? 0.0 : density(q); };
 }
 
 /// C_iso or C1D from columns q, C.
-synthesis::SpectralDensity from_table(const std::string& path, bool line) {
-    const auto columns = io::read_table(path).columns;
+spectra::SpectralDensity from_table(const std::string& path, bool line) {
+    const auto columns = tables::read_table(path).columns;
     if (columns.size() >= 2 && columns[1].unit == "m4") {
         if (columns[0].unit != "1/m") throw InvalidArgument(fmt::format("{}: first column '{}' in '{}', expected wavevectors in 1/m", path, columns[0].name, columns[0].unit));
-        const auto C_iso = synthesis::tabulated_density(columns[0].values, columns[1].values);
+        const auto C_iso = spectra::tabulated_density(columns[0].values, columns[1].values);
         const auto& q = columns[0].values;
-        return line ? synthesis::profile_density(C_iso, {q[0], q[q.size() - 1]}) : C_iso;
+        return line ? spectra::profile_density(C_iso, {q[0], q[q.size() - 1]}) : C_iso;
     }
-    const auto table = io::read_power_spectrum_table(path);
+    const auto table = tables::read_power_spectrum_table(path);
     const auto &q = table.at("wavevector"), &C1D = table.at("C1D");
-    const auto of_lines = synthesis::tabulated_density(q, C1D);
+    const auto of_lines = spectra::tabulated_density(q, C1D);
     if (line) return of_lines;
     // the surface's cutoff: where the next wavevector of the table would be
     const Index n = q.size();
     const double cutoff = q[n - 1] * (q[n - 1] / q[n - 2]);
     Array1D nodes(n + 1), values(n + 1);
     nodes << q, cutoff;
-    const Array1D inverted = synthesis::isotropic_from_profile(q, C1D, cutoff);
+    const Array1D inverted = spectra::isotropic_from_profile(q, C1D, cutoff);
     values << inverted, inverted[n - 1] * std::pow(cutoff / q[n - 1], std::log(inverted[n - 1] / inverted[n - 2]) / std::log(q[n - 1] / q[n - 2]));
-    return synthesis::tabulated_density(nodes, values);
+    return spectra::tabulated_density(nodes, values);
 }
 
 }  // namespace
@@ -134,25 +134,25 @@ SynthesisPlan SynthesisOptions::plan(parallel::Threads threads) const {
     return plan;
 }
 
-synthesis::SpectralDensity SynthesisOptions::self_affine(const synthesis::SurfaceGrid& grid) const {
+spectra::SpectralDensity SynthesisOptions::self_affine(const synthesis::SurfaceGrid& grid) const {
     if (!hurst || rolloff.empty() || short_cutoff.empty())
         throw InvalidArgument("no spectrum; expected --hurst, --rolloff and --short-cutoff, or --spectrum table.csv");
     if (rms_height.empty() + rms_slope.empty() + plateau.empty() != 2)
         throw InvalidArgument("how rough? expected one of --rms-height, --rms-slope and --plateau");
-    synthesis::SelfAffine model{1.0, wavevector_of(rolloff, "--rolloff"), *hurst, wavevector_of(short_cutoff, "--short-cutoff")};
-    (void)synthesis::density(model);
+    spectra::SelfAffine model{1.0, wavevector_of(rolloff, "--rolloff"), *hurst, wavevector_of(short_cutoff, "--short-cutoff")};
+    (void)spectra::density(model);
     const double longest = long_cutoff.empty() ? 0.0 : wavevector_of(long_cutoff, "--long-cutoff");
     if (longest > model.rolloff_wavevector * (1.0 + 1e-12))
         throw InvalidArgument(fmt::format("--long-cutoff {} is shorter than --rolloff {}; expected it longer, or no other than it", long_cutoff, rolloff));
     // moments of the unit plateau without the wavevectors that are cut
-    const double unit_height = synthesis::moment(model, 0.0) - longest * longest / 2.0, unit_slope = synthesis::moment(model, 2.0) - std::pow(longest, 4.0) / 4.0;
+    const double unit_height = spectra::moment(model, 0.0) - longest * longest / 2.0, unit_slope = spectra::moment(model, 2.0) - std::pow(longest, 4.0) / 4.0;
     if (!plateau.empty()) model.plateau = parse_quantity(plateau, dimension::power_spectrum_2d);
     else if (!rms_height.empty()) model.plateau = 2.0 * pi * std::pow(parse_quantity(rms_height, dimension::length), 2.0) / unit_height;
     else model.plateau = 2.0 * pi * std::pow(parse_quantity(rms_slope, dimension::none), 2.0) / unit_slope;
-    const auto C_iso = without_longer(synthesis::density(model), longest);
+    const auto C_iso = without_longer(spectra::density(model), longest);
     if (!line) return C_iso;
     if (longest > 0.0) throw InvalidArgument("--long-cutoff is for surfaces; a line crosses its long waves at any angle, give --spectrum with C1D instead");
-    return synthesis::profile_density(C_iso, {std::min(0.01 * model.rolloff_wavevector, 2.0 * pi / grid.size_x), model.short_wavevector});
+    return spectra::profile_density(C_iso, {std::min(0.01 * model.rolloff_wavevector, 2.0 * pi / grid.size_x), model.short_wavevector});
 }
 
 }  // namespace setae::cli

@@ -10,7 +10,7 @@ namespace setae::cli {
 
 /// What is to be made: spectrum, grid, and the window written where that is not the whole surface.
 struct SynthesisPlan {
-    synthesis::SpectralDensity density;  ///< C_iso of a surface, C1D of a line
+    spectra::SpectralDensity density;  ///< C_iso of a surface, C1D of a line
     synthesis::SurfaceGrid grid;         ///< of a line: nx and size_x
     synthesis::SurfaceOptions options;
     bool line = false;
@@ -36,7 +36,7 @@ struct SynthesisOptions {
     [[nodiscard]] SynthesisPlan plan(parallel::Threads threads) const;
 
 private:
-    [[nodiscard]] synthesis::SpectralDensity self_affine(const synthesis::SurfaceGrid& grid) const;
+    [[nodiscard]] spectra::SpectralDensity self_affine(const synthesis::SurfaceGrid& grid) const;
 };
 
 }  // namespace setae::cli

@@ -67,20 +67,20 @@ ExitCode run(const Arguments& arguments) {
     write_heights(arguments.output, measurement);
     const auto made = std::holds_alternative<topography::HeightMap>(measurement) ? measured(std::get<topography::HeightMap>(measurement))
                                                                                  : measured(std::get<topography::LineScan>(measurement));
-    const Quantity quantities[] = {workflow::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
-                                   workflow::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
-                                   workflow::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
-                                   workflow::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
+    const Quantity quantities[] = {output::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
+                                   output::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
+                                   output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
+                                   output::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
     const auto points = topography::shape(measurement);
     if (!arguments.common.json) {
         print(fmt::format("{}: {} x {} points\n", arguments.output, points[0], points[1]));
         for (const auto& q : quantities) print("  " + as_line(q));
         return ExitCode::done;
     }
-    workflow::Json json{{"output", arguments.output}, {"points", points}, {"periodic", !plan.window}, {"seed", plan.options.key.seed}};
+    output::Json json{{"output", arguments.output}, {"points", points}, {"periodic", !plan.window}, {"seed", plan.options.key.seed}};
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) json["size"] = map->size;
     else json["size"] = std::get<topography::LineScan>(measurement).size;
-    for (const auto& q : quantities) json["quantities"].push_back(workflow::to_json(q));
+    for (const auto& q : quantities) json["quantities"].push_back(output::to_json(q));
     print_json(json);
     return ExitCode::done;
 }

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -41,10 +41,10 @@ TEST(StoredEnergy, OfAMapIgnoresOffset) {
 }
 
 TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
-    const synthesis::SelfAffine model{5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
+    const spectra::SelfAffine model{5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
-    const roughness::SpectrumCurve curve{q, synthesis::isotropic_power_spectrum(model, q), {q[0], q[2]}, roughness::Density::C_iso};
+    const roughness::SpectrumCurve curve{q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, roughness::Density::C_iso};
     const auto p = roughness::spectral_parameters(curve);
     EXPECT_LT(stored_energy(1e6, curve), stored_energy_bound(1e6, p.rms_height, p.rms_slope));
     EXPECT_GT(stored_energy(1e6, curve), 0.3 * stored_energy_bound(1e6, p.rms_height, p.rms_slope));
@@ -53,9 +53,9 @@ TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
 }
 
 roughness::CumulativeParameters rough(double factor) {
-    const synthesis::SelfAffine model{factor * 5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
+    const spectra::SelfAffine model{factor * 5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
     const Array1D q = Array1D::LinSpaced(200, std::log(1e4), std::log(model.short_wavevector)).exp();
-    return roughness::cumulative_parameters({q, synthesis::isotropic_power_spectrum(model, q), {q[0], q[199]}, roughness::Density::C_iso});
+    return roughness::cumulative_parameters({q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, roughness::Density::C_iso});
 }
 
 TEST(ScaleBalance, RunsFromNothingToTheWhole) {

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "../tests/rendered_contact.hpp"
+#include "rendered_contact.hpp"
 #include "setae/imaging/contact_radius.hpp"
 
 namespace setae::imaging {

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
-#include "../tests/rendered_edge.hpp"
+#include "rendered_edge.hpp"
 #include "setae/imaging/contour_overlay.hpp"
 #include "setae/imaging/contour_trace.hpp"
 

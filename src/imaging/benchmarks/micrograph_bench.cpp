@@ -8,7 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "../tests/micrograph_files.hpp"
+#include "micrograph_files.hpp"
 
 namespace setae::imaging {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../micrograph_file.hpp"
+#include "files/micrograph_file.hpp"
 #include "micrograph_files.hpp"
 #include "setae/core/errors.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "../png_chunks.hpp"
+#include "files/png_chunks.hpp"
 #include "electron_files.hpp"
 #include "emd_files.hpp"
 #include "micrograph_files.hpp"

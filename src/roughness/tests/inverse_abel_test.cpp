@@ -6,19 +6,19 @@
 #include <gtest/gtest.h>
 
 #include "setae/roughness/spectral_moments.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::roughness {
 namespace {
 
 TEST(InverseAbel, KeepsTheMomentsOfTheSurface) {
-    const synthesis::SelfAffine model{1e-26, 1e6, 0.8, 1e12};
+    const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e12};
     const Array1D q = (Array1D::LinSpaced(161, std::log(1e4), std::log(1e8))).exp();
-    const Array1D C1D = synthesis::profile_power_spectrum(model, q);
+    const Array1D C1D = spectra::profile_power_spectrum(model, q);
     const auto isotropic = spectra::isotropic_from_lines(q, C1D);
     const Band band{1e4, 1e8};
     const auto from_C_iso = spectral_parameters({q, isotropic.C_iso, band, Density::C_iso});
-    const auto truth = spectral_parameters({q, synthesis::isotropic_power_spectrum(model, q), band, Density::C_iso});
+    const auto truth = spectral_parameters({q, spectra::isotropic_power_spectrum(model, q), band, Density::C_iso});
     EXPECT_NEAR(from_C_iso.rms_height / truth.rms_height, 1.0, 0.01);
     EXPECT_NEAR(from_C_iso.rms_slope / truth.rms_slope, 1.0, 0.01);
     EXPECT_NEAR(from_C_iso.rms_curvature / truth.rms_curvature, 1.0, 0.01);

@@ -7,12 +7,12 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::roughness {
 namespace {
 
-const synthesis::SelfAffine model{5.000e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
+const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
 
 Array1D log_spaced(double lower, double upper, Index n) { return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp(); }
 
@@ -20,7 +20,7 @@ Array1D log_spaced(double lower, double upper, Index n) { return Array1D::LinSpa
 SpectrumCurve isotropic_curve() {
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
-    return {q, synthesis::isotropic_power_spectrum(model, q), {q[0], q[2]}, Density::C_iso};
+    return {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, Density::C_iso};
 }
 
 /// C1D falls to zero at q_s like a square root: nodes crowd there.
@@ -30,7 +30,7 @@ SpectrumCurve profile_curve() {
     const Array1D fine = q_s * (1.0 - log_spaced(1e-9, 0.0999, 4000).reverse());
     Array1D q(8000);
     q << coarse, fine;
-    return {q, synthesis::profile_power_spectrum(model, q), {q[0], q_s}, Density::C1D};
+    return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}, Density::C1D};
 }
 
 TEST(SpectralParameters, OfTheLaterNcdModelAreThosePublished) {

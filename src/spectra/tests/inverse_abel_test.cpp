@@ -7,9 +7,9 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/abel.hpp"
-#include "setae/synthesis/random_numbers.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -41,10 +41,10 @@ TEST(InverseAbel, OfAGaussianAutocorrelationHasTheClosedForm) {
 }
 
 TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
-    const synthesis::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
+    const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     const Array1D q = decades(1e5, 1e9, 20);
-    const auto result = isotropic_from_lines(q, synthesis::profile_power_spectrum(model, q));
-    const Array1D exact = synthesis::isotropic_power_spectrum(model, q);
+    const auto result = isotropic_from_lines(q, spectra::profile_power_spectrum(model, q));
+    const Array1D exact = spectra::isotropic_power_spectrum(model, q);
     for (Index k = 0; k < q.size(); ++k) {
         const bool bend = std::abs(std::log10(q[k] / 1e6)) < 0.16;  // C_iso bends there within one interval
         EXPECT_NEAR(result.C_iso[k] / exact[k], 1.0, bend ? 0.12 : 0.01) << q[k];
@@ -59,7 +59,7 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
     const Array1D nodes = decades(1e4, 1e9, 40);
     const Array1D C_iso = 1e-26 * (1.0 + (nodes / 1e6).square()).pow(-1.7) * (1.0 + 2.0 * (-((nodes / 1e7).log() / 0.8).square()).exp());
     const Array1D q = decades(2e4, 2e7, 20);
-    const auto result = isotropic_from_lines(q, synthesis::profile_from_isotropic(nodes, C_iso, q));
+    const auto result = isotropic_from_lines(q, spectra::profile_from_isotropic(nodes, C_iso, q));
     for (Index k = 0; k < q.size(); ++k) {
         if (q[k] > 1e7) continue;  // the last third of a decade rests on the power law beyond
         const double place = std::log(q[k] / nodes[0]) / std::log(nodes[1] / nodes[0]);
@@ -70,21 +70,21 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
 }
 
 TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
-    const synthesis::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
-    const Array1D q = decades(1e6, 1e9, 10), C1D = synthesis::profile_power_spectrum(model, q);  // where C1D is flat it hardly tells of C_iso
+    const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
+    const Array1D q = decades(1e6, 1e9, 10), C1D = spectra::profile_power_spectrum(model, q);  // where C1D is flat it hardly tells of C_iso
     const Index n = q.size();
     constexpr int trials = 300;
     const double relative = 0.08;
     Array1D sum = Array1D::Zero(n), squares = Array1D::Zero(n), stated = Array1D::Zero(n);
     for (int t = 0; t < trials; ++t) {
-        const Array1D noisy = C1D * (1.0 + relative * synthesis::normal_numbers({5, static_cast<std::uint64_t>(t)}, 0, n));
+        const Array1D noisy = C1D * (1.0 + relative * numerics::normal_numbers({5, static_cast<std::uint64_t>(t)}, 0, n));
         const auto result = isotropic_from_lines(q, noisy, relative * noisy, {.smoothing = 0.6});
         ASSERT_FALSE(result.C_iso.isNaN().any());
         sum += result.C_iso / trials;
         squares += result.C_iso.square() / trials;
         stated += result.standard_error / trials;
     }
-    const Array1D scatter = (squares - sum.square()).sqrt(), exact = synthesis::isotropic_power_spectrum(model, q);
+    const Array1D scatter = (squares - sum.square()).sqrt(), exact = spectra::isotropic_power_spectrum(model, q);
     for (Index k = 0; k < n; ++k) {
         EXPECT_NEAR(stated[k] / scatter[k], 1.0, 0.2) << q[k];
         if (q[k] > 2.5e6 && q[k] < 4e8) {
@@ -94,10 +94,10 @@ TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
 }
 
 TEST(InverseAbel, SmoothsCombinedSpectraWhoseBinsMayBeOfOneMeasurement) {
-    const synthesis::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
+    const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     CombinedSpectrum spectrum;
     spectrum.wavevector = decades(1e5, 1e9, 10);
-    spectrum.C1D = synthesis::profile_power_spectrum(model, spectrum.wavevector);
+    spectrum.C1D = spectra::profile_power_spectrum(model, spectrum.wavevector);
     spectrum.count = Array1D::Constant(spectrum.C1D.size(), 3.0);
     spectrum.standard_error = 0.1 * spectrum.C1D;
     spectrum.standard_error[5] = undefined;

@@ -9,19 +9,19 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/synthesis/spectral_density.hpp"
+#include "setae/spectra/spectral_density.hpp"
 
 namespace setae::spectra {
 namespace {
 
-using synthesis::SelfAffine;
+using spectra::SelfAffine;
 
 /// Bins of a tenth of a decade without scatter.
 CombinedSpectrum exact(const SelfAffine& model, double from, double to) {
     const auto count = static_cast<Index>(std::round(10.0 * std::log10(to / from)));
     CombinedSpectrum spectrum;
     spectrum.wavevector = from * (Array1D::LinSpaced(count, 0.0, static_cast<double>(count - 1)) * 0.1 * std::log(10.0)).exp();
-    spectrum.C1D = synthesis::profile_power_spectrum(model, spectrum.wavevector);
+    spectrum.C1D = spectra::profile_power_spectrum(model, spectrum.wavevector);
     spectrum.standard_error = 0.1 * spectrum.C1D;
     spectrum.count = Array1D::Constant(count, 4.0);
     spectrum.instrument_count = Array1D::Ones(count);
@@ -86,7 +86,7 @@ TEST(SelfAffineFit, KeepsToItsRange) {
     const auto curve = model_curve(fit, Array1D{{1e5, 1e7, 1e9}});
     EXPECT_EQ(curve.extrapolated, (std::vector<bool>{true, false, true}));
     EXPECT_LT(curve.standard_error[1] / curve.C1D[1], curve.standard_error[2] / curve.C1D[2]);
-    EXPECT_NEAR(curve.C1D[1], synthesis::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0], 0.05 * curve.C1D[1]);
+    EXPECT_NEAR(curve.C1D[1], spectra::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0], 0.05 * curve.C1D[1]);
 }
 
 TEST(SelfAffineFit, WidensItsErrorsWhereTheModelMisses) {
@@ -110,7 +110,7 @@ TEST(SelfAffineFit, DoesNotDependOnTheUnitOfLength) {
 TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
     // sampled from a surface that goes on beyond its pixels
     const SelfAffine model{1e-27, 2.0 * pi / 4e-7, 0.8, 2.0 * pi / 5e-9};
-    const auto whole = synthesis::random_surface(synthesis::density(model), {1024, 1024, 4e-6, 4e-6}, {.key = {3, 0}});
+    const auto whole = synthesis::random_surface(spectra::density(model), {1024, 1024, 4e-6, 4e-6}, {.key = {3, 0}});
     topography::HeightMap map{Array2D(128, 128), {2e-6, 2e-6}, false, {}};
     for (Index i = 0; i < 128; ++i)
         for (Index j = 0; j < 128; ++j) map.heights(i, j) = whole.heights(4 * i, 4 * j);

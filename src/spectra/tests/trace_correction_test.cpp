@@ -29,7 +29,7 @@ double truth(double q) { return std::pow(1.0 + std::pow(q / 0.02, 2), -1.7); }
 
 double transfer(double q) { return topography::trace_transfer(response, Array1D::Constant(1, q))[0]; }
 
-topography::LineScan line(const synthesis::SpectralDensity& C1D, Index refinement, std::uint64_t seed) {
+topography::LineScan line(const spectra::SpectralDensity& C1D, Index refinement, std::uint64_t seed) {
     synthesis::SurfaceOptions options;
     options.key.seed = seed;
     return synthesis::random_line(C1D, {4096 * refinement, 4096.0}, options);

@@ -10,9 +10,9 @@ using namespace setae;
 using namespace setae::synthesis;
 
 constexpr int octaves = 24;
-const SelfAffine model{1e-28, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
+const spectra::SelfAffine model{1e-28, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
 
-MultiscaleSurface surface(int threads) { return {density(model), {.longest_wavelength = 4e-3, .shortest_wavelength = 4e-10, .threads = {threads}}}; }
+MultiscaleSurface surface(int threads) { return {spectra::density(model), {.longest_wavelength = 4e-3, .shortest_wavelength = 4e-10, .threads = {threads}}}; }
 
 /// Seven decades of wavelengths.
 void multiscale_surface(benchmark::State& state) {

@@ -16,7 +16,7 @@ using namespace setae;
 void random_surface(benchmark::State& state) {
     const Index n = state.range(0);
     const double extent = 1e-9 * static_cast<double>(n);
-    const auto C_iso = synthesis::density(synthesis::SelfAffine{1e-27, 6.28e9 * 16.0 / static_cast<double>(n), 0.8, 1.57e9});
+    const auto C_iso = spectra::density(spectra::SelfAffine{1e-27, 6.28e9 * 16.0 / static_cast<double>(n), 0.8, 1.57e9});
     for (auto _ : state) {
         const auto map = synthesis::random_surface(C_iso, {n, n, extent, extent}, {.threads = {static_cast<int>(state.range(1))}});
         benchmark::DoNotOptimize(map.heights.data());
@@ -53,10 +53,10 @@ void copying_the_map(benchmark::State& state) {
 }
 BENCHMARK(copying_the_map)->Arg(4096)->Arg(16384)->Unit(benchmark::kMillisecond);
 
-void normal_numbers(benchmark::State& state) {
+void numerics::normal_numbers(benchmark::State& state) {
     Array1D numbers(1 << 16);
     for (auto _ : state) {
-        synthesis::fill_normal({1, 2}, 0, numbers);
+        numerics::fill_normal({1, 2}, 0, numbers);
         benchmark::DoNotOptimize(numbers.data());
     }
     state.SetItemsProcessed(state.iterations() * numbers.size());

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "../rms_height.hpp"
-#include "../surface_modes.hpp"
+#include "setae/synthesis/rms_height.hpp"
+#include "setae/synthesis/surface_modes.hpp"
 #include "setae/core/summation.hpp"
 
 namespace setae::synthesis {
@@ -27,7 +27,7 @@ double rms(MPI_Comm communicator, const fourier::MapSlab& slab, const SurfaceGri
 
 }  // namespace
 
-fourier::MapSlab random_surface_slab(MPI_Comm communicator, const SpectralDensity& C_iso, const SurfaceGrid& grid,
+fourier::MapSlab random_surface_slab(MPI_Comm communicator, const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                      const SurfaceOptions& options) {
     if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const SurfaceModes modes(C_iso, grid, options);

@@ -7,7 +7,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_numbers.hpp"
+#include "setae/numerics/random_numbers.hpp"
 
 namespace {
 
@@ -42,7 +42,7 @@ TEST(JohnsonHeights, OnTheLognormalLineAreLognormal) {
 TEST(JohnsonHeights, OfRandomNumbersHaveMeanZeroAndUnitVariance) {
     constexpr Index n = 100000;
     const auto transform = johnson_heights({0.8, 3.5});
-    const Array1D values = normal_numbers({3, 0}, 0, n).unaryExpr([&](double z) { return transform(z); });
+    const Array1D values = numerics::normal_numbers({3, 0}, 0, n).unaryExpr([&](double z) { return transform(z); });
     EXPECT_LT(std::abs(values.mean()), 4.0 / std::sqrt(n));
     EXPECT_LT(std::abs(values.square().mean() - 1.0), 4.0 * std::sqrt(2.5 / n));
 }

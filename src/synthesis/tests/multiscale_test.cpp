@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../periodic_patch.hpp"
+#include "periodic_patch.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/nonuniform.hpp"
@@ -36,24 +36,24 @@ TEST(PeriodicPatch, IsTheSumOfItsModesAnywhere) {
 }
 
 // seven decades of wavelengths: 0.4 nm to 4 mm, roll-off at 2 µm
-const SelfAffine model{1e-28, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
+const spectra::SelfAffine model{1e-28, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
 
 const MultiscaleSurface& surface() {
-    static const MultiscaleSurface made(density(model), {{11, 0}, 4e-3, 4e-10, {1}});
+    static const MultiscaleSurface made(spectra::density(model), {{11, 0}, 4e-3, 4e-10, {1}});
     return made;
 }
 
 TEST(MultiscaleSurface, HasTheMomentsOfItsSpectrum) {
     // cells of the modes cut by q_s count with their share, to about 1e-4 of a part of the power
-    EXPECT_NEAR(surface().rms_height() / rms_height(model), 1.0, 1e-4);
-    EXPECT_NEAR(surface().rms_slope() / rms_slope(model), 1.0, 1e-3);
+    EXPECT_NEAR(surface().rms_height() / spectra::rms_height(model), 1.0, 1e-4);
+    EXPECT_NEAR(surface().rms_slope() / spectra::rms_slope(model), 1.0, 1e-3);
 }
 
 TEST(MultiscaleSurface, IsTheSameThroughWindowsOfAnySizeAndPixel) {
     const double x = 2.5e-3, y = -1.7e-3;
     const auto coarse = surface().window({x, y, 5, 4, 1e-6}), fine = surface().window({x + 2e-6, y + 1e-6, 30, 20, 1e-7});
     const auto finest = surface().window({x + 2e-6 + 1e-7, y + 1e-6, 12, 3, 1e-9});
-    const double rounding = 1e-7 * rms_height(model);  // positions of millimetres, wavelengths of 0.4 nm
+    const double rounding = 1e-7 * spectra::rms_height(model);  // positions of millimetres, wavelengths of 0.4 nm
     EXPECT_NEAR(coarse.heights(2, 1), fine.heights(0, 0), rounding);
     EXPECT_NEAR(coarse.heights(4, 2), fine.heights(20, 10), rounding);
     EXPECT_NEAR(fine.heights(1, 0), finest.heights(0, 0), rounding);
@@ -67,15 +67,15 @@ TEST(MultiscaleSurface, HasTheSameBytesForAnyNumberOfThreads) {
     auto single = options;
     single.threads = {1};
     const Window window{1e-5, 2e-5, 60, 40, 3e-9};
-    EXPECT_TRUE((MultiscaleSurface(density(model), options).window(window).heights ==
-                 MultiscaleSurface(density(model), single).window(window).heights).all());
+    EXPECT_TRUE((MultiscaleSurface(spectra::density(model), options).window(window).heights ==
+                 MultiscaleSurface(spectra::density(model), single).window(window).heights).all());
 }
 
 TEST(MultiscaleSurface, KeepsItsLongerWavelengthsWhereTheShorterAreLeftOut) {
-    const MultiscaleSurface blurred(density(model), {{11, 0}, 4e-3, 1e-8, {1}});
+    const MultiscaleSurface blurred(spectra::density(model), {{11, 0}, 4e-3, 1e-8, {1}});
     const Array1D x = Array1D::LinSpaced(400, 0.0, 2e-6), y = Array1D::Constant(400, 3e-4);
     const double left_out = std::sqrt((surface().heights_at(x, y) - blurred.heights_at(x, y)).square().mean());
-    const double expected = std::sqrt(moment(model, 0.0) / (2.0 * pi) - blurred.rms_height() * blurred.rms_height());
+    const double expected = std::sqrt(spectra::moment(model, 0.0) / (2.0 * pi) - blurred.rms_height() * blurred.rms_height());
     EXPECT_NEAR(left_out / expected, 1.0, 0.2);  // about 100 independent values of ± 7 % each way
 }
 
@@ -83,7 +83,7 @@ TEST(MultiscaleSurface, KeepsItsLongerWavelengthsWhereTheShorterAreLeftOut) {
 double increment_variance(double distance) {
     constexpr int pieces = 40000;
     const double from = std::log(2.0 * pi / 4e-3), to = std::log(model.short_wavevector);
-    const auto C = density(model);
+    const auto C = spectra::density(model);
     double sum = 0.0;
     for (int i = 0; i < pieces; ++i) {
         const double q = std::exp(from + (to - from) * (i + 0.5) / pieces);
@@ -107,13 +107,13 @@ TEST(MultiscaleSurface, AliasesLikeAnInstrumentWhereItsPixelIsCoarse) {
     constexpr Index n = 4096;
     const auto line = surface().line({0.0, 0.0, 0.3, n, 4e-5});
     const double variance = line.heights.square().mean();
-    EXPECT_NEAR(variance / (rms_height(model) * rms_height(model)), 1.0, 4.0 * std::sqrt(2.0 / n));
+    EXPECT_NEAR(variance / (spectra::rms_height(model) * spectra::rms_height(model)), 1.0, 4.0 * std::sqrt(2.0 / n));
     for (const Index lag : {1, 2, 5, 100})
         EXPECT_LT(std::abs((line.heights.head(n - lag) * line.heights.tail(n - lag)).mean()) / variance, 4.0 / std::sqrt(static_cast<double>(n - lag))) << lag;
 }
 
 TEST(MultiscaleSurface, RefusesWavelengthsAndWindowsThatAreNone) {
-    const auto C = density(model);
+    const auto C = spectra::density(model);
     EXPECT_THROW(MultiscaleSurface(C, {{}, 1e-9, 1e-6}), InvalidArgument);
     EXPECT_THROW(MultiscaleSurface(C, {{}, 1e-6, 0.0}), InvalidArgument);
     EXPECT_THROW(MultiscaleSurface(C, {{}, 1e-10, 1e-11}), InvalidArgument);  // all shorter than the cutoff

@@ -11,7 +11,7 @@ namespace {
 using namespace setae;
 using namespace setae::synthesis;
 
-const SpectralDensity C_iso = density(SelfAffine{1e-27, 2e7, 0.8, 2e9});
+const spectra::SpectralDensity C_iso = spectra::density(spectra::SelfAffine{1e-27, 2e7, 0.8, 2e9});
 
 SurfaceGrid any_grid() {
     return {*rc::gen::inRange<Index>(2, 60), *rc::gen::inRange<Index>(2, 60), 1e-6, 1e-7 * *rc::gen::inRange(1, 100)};
@@ -35,11 +35,11 @@ RC_GTEST_PROP(RandomSurface, ScalesWithTheRootOfTheSpectrum, (std::uint64_t seed
 }
 
 RC_GTEST_PROP(NormalNumbers, AreFiniteAndTheSameWhereverTheFillBegins, (std::uint64_t seed, std::uint64_t stream, std::uint64_t counter)) {
-    const RandomKey key{seed, stream};
-    const auto numbers = normal_numbers(key, counter, 9);
+    const numerics::RandomKey key{seed, stream};
+    const auto numbers = numerics::normal_numbers(key, counter, 9);
     RC_ASSERT(numbers.isFinite().all());
     RC_ASSERT(numbers.abs().maxCoeff() < 8.6);
-    for (Index i = 0; i < 9; ++i) RC_ASSERT(numbers[i] == normal_number(key, counter + static_cast<std::uint64_t>(i)));
+    for (Index i = 0; i < 9; ++i) RC_ASSERT(numbers[i] == numerics::normal_number(key, counter + static_cast<std::uint64_t>(i)));
 }
 
 }  // namespace

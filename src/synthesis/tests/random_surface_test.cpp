@@ -20,7 +20,7 @@ using fourier::Complex;
 
 using ComplexMap = Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr SelfAffine model{1e-27, 2e7, 0.8, 4e8};
+constexpr spectra::SelfAffine model{1e-27, 2e7, 0.8, 4e8};
 constexpr SurfaceGrid grid{48, 36, 1.2e-6, 0.9e-6};
 
 /// c_q of lines ky = 0 … ny/2: line(ky), mode kx.
@@ -42,7 +42,7 @@ double wavevector(Index kx, Index ky, const SurfaceGrid& of) {
 }
 
 TEST(RandomSurface, WithExactAmplitudesHasTheSpectrumInEveryMode) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     for (const auto& [nx, ny] : {std::pair<Index, Index>{48, 36}, {47, 36}, {48, 35}, {31, 33}, {2, 2}, {3, 64}}) {
         const SurfaceGrid shape{nx, ny, 1.2e-6, 0.9e-6};
         const auto map = random_surface(C_iso, shape, {.key = {4}, .amplitudes = Amplitudes::exact});
@@ -57,7 +57,7 @@ TEST(RandomSurface, WithExactAmplitudesHasTheSpectrumInEveryMode) {
 }
 
 TEST(RandomSurface, WithGaussianAmplitudesHasTheSpectrumOnAverage) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     constexpr int surfaces = 200;
     Array2D power = Array2D::Zero(19, 48), fourth = power;
     for (std::uint64_t seed = 0; seed < surfaces; ++seed) {
@@ -86,7 +86,7 @@ TEST(RandomSurface, WithGaussianAmplitudesHasTheSpectrumOnAverage) {
 }
 
 TEST(RandomSurface, HasZeroMeanAndTheRoughnessExpected) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     const SurfaceOptions options{.key = {9}, .amplitudes = Amplitudes::exact};
     const auto map = random_surface(C_iso, grid, options);
     const auto expected = expected_roughness(C_iso, grid, options);
@@ -102,15 +102,15 @@ TEST(RandomSurface, HasZeroMeanAndTheRoughnessExpected) {
 
 TEST(RandomSurface, OnALargeGridHasTheRoughnessOfTheModel) {
     // sums over modes against integrals of the closed form: the band holds 20 modes below the roll-off
-    const SelfAffine wide{1e-27, 2e7, 0.7, 2.5e8};
+    const spectra::SelfAffine wide{1e-27, 2e7, 0.7, 2.5e8};
     const SurfaceGrid large{512, 512, 6.4e-6, 6.4e-6};
-    const auto expected = expected_roughness(density(wide), large);
-    EXPECT_NEAR(expected.rms_height / rms_height(wide), 1.0, 3e-3);
-    EXPECT_NEAR(expected.rms_slope / rms_slope(wide), 1.0, 3e-3);
+    const auto expected = expected_roughness(spectra::density(wide), large);
+    EXPECT_NEAR(expected.rms_height / spectra::rms_height(wide), 1.0, 3e-3);
+    EXPECT_NEAR(expected.rms_slope / spectra::rms_slope(wide), 1.0, 3e-3);
 }
 
 TEST(RandomSurface, OnAFinerGridIsTheSameSurfaceWithMoreModes) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     const SurfaceGrid fine{96, 75, grid.size_x, grid.size_y};
     for (const auto amplitudes : {Amplitudes::gaussian, Amplitudes::exact}) {
         const auto coarse_modes = modes_of(random_surface(C_iso, grid, {.key = {11, 5}, .amplitudes = amplitudes}));
@@ -124,7 +124,7 @@ TEST(RandomSurface, OnAFinerGridIsTheSameSurfaceWithMoreModes) {
 }
 
 TEST(RandomSurface, IsTheSameBytesForAnyNumberOfThreads) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     const SurfaceGrid odd{129, 70, 1e-6, 1e-6};
     const auto one = random_surface(C_iso, odd, {.key = {3}, .exact_rms_height = 1e-9, .threads = {1}});
     const auto three = random_surface(C_iso, odd, {.key = {3}, .exact_rms_height = 1e-9, .threads = {3}});
@@ -134,7 +134,7 @@ TEST(RandomSurface, IsTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(RandomSurface, IsScaledToTheRmsHeightAskedFor) {
-    const auto map = random_surface(density(model), grid, {.key = {1}, .exact_rms_height = 5e-9});
+    const auto map = random_surface(spectra::density(model), grid, {.key = {1}, .exact_rms_height = 5e-9});
     EXPECT_NEAR(std::sqrt(map.heights.square().mean()), 5e-9, 1e-22);
     EXPECT_TRUE(map.periodic);
     EXPECT_EQ(map.size[1], grid.size_y);
@@ -142,11 +142,11 @@ TEST(RandomSurface, IsScaledToTheRmsHeightAskedFor) {
 
 TEST(RandomSurface, StretchedHasLongerFeaturesAlongTheDirection) {
     // ⟨(∂h/∂along)²⟩ falls by s² against across, rms height stays; modes enough for sums to be integrals
-    const SelfAffine inside{1e-27, 4e7, 0.9, 1e8};
+    const spectra::SelfAffine inside{1e-27, 4e7, 0.9, 1e8};
     const SurfaceGrid large{256, 256, 2e-6, 2e-6};
     for (const double angle : {0.0, 0.5 * pi, 0.4}) {
         const SurfaceOptions options{.key = {2}, .amplitudes = Amplitudes::exact, .anisotropy = {3.0, angle}};
-        const auto modes = modes_of(random_surface(density(inside), large, options));
+        const auto modes = modes_of(random_surface(spectra::density(inside), large, options));
         double height = 0.0, along = 0.0, across = 0.0, mixed = 0.0;
         for (Index ky = 0; ky <= 128; ++ky)
             for (Index k = 0; k < 256; ++k) {
@@ -158,14 +158,14 @@ TEST(RandomSurface, StretchedHasLongerFeaturesAlongTheDirection) {
                 across += power * q_across * q_across;
                 mixed += power * q_along * q_across;
             }
-        EXPECT_NEAR(std::sqrt(height) / rms_height(inside), 1.0, 0.01) << angle;
+        EXPECT_NEAR(std::sqrt(height) / spectra::rms_height(inside), 1.0, 0.01) << angle;
         EXPECT_NEAR(std::sqrt(across / along), 3.0, 0.03) << angle;
         EXPECT_LT(std::abs(mixed), 0.01 * across) << angle;
     }
 }
 
 TEST(RandomSurface, RefusesGridsAndSpectraThatAreNone) {
-    const auto C_iso = density(model);
+    const auto C_iso = spectra::density(model);
     EXPECT_THROW((void)random_surface(C_iso, {1, 8, 1e-6, 1e-6}), InvalidArgument);
     EXPECT_THROW((void)random_surface(C_iso, {8, 8, 0.0, 1e-6}), InvalidArgument);
     EXPECT_THROW((void)random_surface(C_iso, {8, 8, 1e-6, INFINITY}), InvalidArgument);
@@ -184,7 +184,7 @@ Complex mode_of(const topography::LineScan& scan, Index k) {
 }
 
 TEST(RandomLine, HasTheSpectrumInEveryMode) {
-    const auto C1D = tabulated_density(Array1D{{1e6, 1e8, 1e9}}, Array1D{{1e-20, 1e-20, 1e-23}});
+    const auto C1D = spectra::tabulated_density(Array1D{{1e6, 1e8, 1e9}}, Array1D{{1e-20, 1e-20, 1e-23}});
     for (const Index points : {2, 64, 65}) {
         const auto scan = random_line(C1D, {points, 1e-6}, {.key = {6}, .amplitudes = Amplitudes::exact});
         EXPECT_TRUE(scan.periodic);
@@ -197,13 +197,13 @@ TEST(RandomLine, HasTheSpectrumInEveryMode) {
 }
 
 TEST(RandomLine, OnAFinerGridIsTheSameLineWithMoreModes) {
-    const auto C1D = tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
+    const auto C1D = spectra::tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto coarse = random_line(C1D, {50, 1e-6}, {.key = {8}}), fine = random_line(C1D, {101, 1e-6}, {.key = {8}});
     for (Index k = 1; k < 25; ++k) EXPECT_LT(std::abs(mode_of(coarse, k) - mode_of(fine, k)), 1e-12 * std::abs(mode_of(fine, k)) + 1e-22);
 }
 
 TEST(RandomLine, HasTheRoughnessExpectedAndTheOneAskedFor) {
-    const auto C1D = tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
+    const auto C1D = spectra::tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto expected = expected_roughness(C1D, LineGrid{500, 1e-5});
     const auto scan = random_line(C1D, {500, 1e-5}, {.key = {8}, .amplitudes = Amplitudes::exact});
     EXPECT_NEAR(std::sqrt(scan.heights.square().mean()) / expected.rms_height, 1.0, 2e-6);

@@ -16,7 +16,7 @@ namespace {
 using namespace setae;
 using namespace setae::synthesis;
 
-const SelfAffine model{1e-28, 2.0 * pi / 2e-7, 0.8, 2.0 * pi / 1.6e-8};
+const spectra::SelfAffine model{1e-28, 2.0 * pi / 2e-7, 0.8, 2.0 * pi / 1.6e-8};
 const SurfaceGrid grid{256, 192, 1e-6, 0.75e-6};
 
 /// Σ |h_q|² over rings of q a factor 1.5 apart.
@@ -67,8 +67,8 @@ Ensemble ensemble(int samples, const Make& make) {
 TEST(NonGaussianSurface, WithTheIdentityIsTheRandomSurface) {
     for (const auto amplitudes : {Amplitudes::gaussian, Amplitudes::exact}) {
         const SurfaceOptions options{.key = {5, 1}, .amplitudes = amplitudes, .threads = {1}};
-        const auto gaussian = random_surface(density(model), grid, options);
-        const auto same = non_gaussian_surface(density(model), grid, [](double z) { return z; }, options);
+        const auto gaussian = random_surface(spectra::density(model), grid, options);
+        const auto same = non_gaussian_surface(spectra::density(model), grid, [](double z) { return z; }, options);
         EXPECT_LT(same.dropped_share, 1e-12);
         EXPECT_LT((same.map.heights - gaussian.heights).abs().maxCoeff(), 1e-6 * std::sqrt(gaussian.heights.square().mean()));
     }
@@ -78,14 +78,14 @@ TEST(NonGaussianSurface, HasTheSpectrumAndTheShapeAskedFor) {
     constexpr int samples = 12;
     const auto transform = lognormal_heights(1.5);
     double dropped = 0.0;
-    const auto gaussian = ensemble(samples, [&](const SurfaceOptions& options) { return random_surface(density(model), grid, options); });
+    const auto gaussian = ensemble(samples, [&](const SurfaceOptions& options) { return random_surface(spectra::density(model), grid, options); });
     const auto shaped = ensemble(samples, [&](const SurfaceOptions& options) {
-        auto made = non_gaussian_surface(density(model), grid, transform, options);
+        auto made = non_gaussian_surface(spectra::density(model), grid, transform, options);
         dropped = made.dropped_share;
         return made.map;
     });
     const auto plain = ensemble(samples, [&](const SurfaceOptions& options) {
-        return transformed_heights(random_surface(density(model), grid, options), transform, expected_roughness(density(model), grid).rms_height);
+        return transformed_heights(random_surface(spectra::density(model), grid, options), transform, expected_roughness(spectra::density(model), grid).rms_height);
     });
     EXPECT_LT(dropped, 0.002);
     // 12 maps of some 60 independent patches: the mean square of such heights (kurtosis 7) scatters by √(6/720) = 9 %, and
@@ -110,12 +110,12 @@ TEST(NonGaussianSurface, DropsWhatNoGaussianParentHas) {
 
 TEST(NonGaussianSurface, MeetsAnExactRmsHeightWithZeroMeanForAnyNumberOfThreads) {
     SurfaceOptions options{.key = {2, 2}, .exact_rms_height = 3e-9, .threads = {1}};
-    const auto single = non_gaussian_surface(density(model), grid, lognormal_heights(-1.0), options);
+    const auto single = non_gaussian_surface(spectra::density(model), grid, lognormal_heights(-1.0), options);
     EXPECT_NEAR(std::sqrt(single.map.heights.square().mean()), 3e-9, 1e-20);
     EXPECT_LT(std::abs(single.map.heights.mean()), 1e-20);
     EXPECT_TRUE(single.map.periodic);
     options.threads = {3};
-    EXPECT_TRUE((non_gaussian_surface(density(model), grid, lognormal_heights(-1.0), options).map.heights == single.map.heights).all());
+    EXPECT_TRUE((non_gaussian_surface(spectra::density(model), grid, lognormal_heights(-1.0), options).map.heights == single.map.heights).all());
 }
 
 TEST(TransformedHeights, ReplaceEveryHeightAndKeepUndefinedOnes) {

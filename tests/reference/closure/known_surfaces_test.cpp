@@ -8,14 +8,14 @@
 
 #include <unistd.h>
 
-#include "setae/closure/closure.hpp"
-#include "setae/closure/report.hpp"
+#include "setae/validation/closure.hpp"
+#include "setae/validation/report.hpp"
 #include "setae/core/errors.hpp"
 
 namespace {
 
 using namespace setae;
-using namespace setae::closure;
+using namespace setae::validation;
 
 Closure closure_with(ClosureOptions options, const std::string& name) {
     options.runs = 1;

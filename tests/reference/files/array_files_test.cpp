@@ -8,9 +8,9 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 constexpr const char* folder = "topography/surfacetopography/";
@@ -77,4 +77,4 @@ TEST(WrongNpy, IsRefusedByItsFirstBytes) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -7,10 +7,10 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
 // WSxM, Sensofar and Alicona files of instruments against another reader and against what their source publishes.
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -61,4 +61,4 @@ TEST(NtMdt, ForceCurvesAsTextAreNoTopography) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

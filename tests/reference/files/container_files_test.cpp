@@ -10,12 +10,12 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/container_draft.hpp"
-#include "setae/io/format.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/formats/container_draft.hpp"
+#include "setae/formats/format.hpp"
 
 // The heights inside are compared in topographies_test.cpp.
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 std::vector<std::string> codes(const std::vector<Alert>& alerts) {
@@ -32,7 +32,7 @@ struct TemporaryPath {
 
 TEST(UncdContainer, IndexIsUnderstoodWhole) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
-    const auto file = read_container(file_source(path.string()));
+    const auto file = read_container(bytes::file_source(path.string()));
     EXPECT_TRUE(file.alerts.empty());
     EXPECT_EQ(file.generation, ContainerGeneration::yaml);
     EXPECT_EQ(file.container.versions.at("topobank"), "0.13.0");
@@ -47,14 +47,14 @@ TEST(UncdContainer, IndexIsUnderstoodWhole) {
 
 TEST(UncdContainer, CheckFindsTheScaleThatIsThereTwice) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
-    const auto report = check_container(file_source(path.string()));
+    const auto report = check_container(bytes::file_source(path.string()));
     EXPECT_EQ(codes(report.alerts), (std::vector<std::string>{"NOT_IN_SCHEMA", "SCALE_TWICE"}));  // its surface has no name
     EXPECT_TRUE(report.differences.empty());
 }
 
 TEST(UncdContainer, UpgradedHasTheSameHeightsAndItsFilesByteForByte) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
-    const auto source = file_source(path.string());
+    const auto source = bytes::file_source(path.string());
     const TemporaryPath written;
     ContainerDraft draft;
     add_container(draft, source);
@@ -65,20 +65,20 @@ TEST(UncdContainer, UpgradedHasTheSameHeightsAndItsFilesByteForByte) {
     const auto& topographies = draft.container.surfaces[0].topographies;
     EXPECT_EQ(topographies[1].height_scale, std::nullopt);
     for (const auto& topography : topographies)
-        EXPECT_EQ(container_member(file_source(written.path), topography.datafile.original).all(), container_member(source, topography.datafile.original).all());
-    EXPECT_EQ(codes(check_container(file_source(written.path)).alerts), std::vector<std::string>{"NOT_IN_SCHEMA"});
+        EXPECT_EQ(container_member(bytes::file_source(written.path), topography.datafile.original).all(), container_member(source, topography.datafile.original).all());
+    EXPECT_EQ(codes(check_container(bytes::file_source(written.path)).alerts), std::vector<std::string>{"NOT_IN_SCHEMA"});
     // the copy that programs without a reader of the original take: 4.68792 nm with the scale applied once
-    const auto copy = open(container_member(file_source(written.path), topographies[1].datafile.squeezed), {}).at(0).read();
+    const auto copy = open(container_member(bytes::file_source(written.path), topographies[1].datafile.squeezed), {}).at(0).read();
     EXPECT_NEAR(std::sqrt(topography::all_heights(copy).square().mean()) / units::nm, 4.68792, 1e-4 * 4.68792);
 }
 
 TEST(IndexJsonContainer, CheckFindsNothing) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
-    const auto report = check_container(file_source(path.string()));
+    const auto report = check_container(bytes::file_source(path.string()));
     EXPECT_EQ(report.file.generation, ContainerGeneration::skeleton);
     EXPECT_TRUE(report.alerts.empty());
     EXPECT_TRUE(report.differences.empty());
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

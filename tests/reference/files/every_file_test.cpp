@@ -9,10 +9,10 @@
 
 #include "reference_data.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/bytes/whole_file.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,7 +122,7 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
 /// What opening and reading all channels of bytes says is wrong; nothing where they are read.
 std::string error_of(const std::string& content, const ReadOptions& options) {
     try {
-        for (const auto& channel : open(memory_source("cut", content), options))
+        for (const auto& channel : open(bytes::memory_source("cut", content), options))
             if (channel.info.is_height || !channel.info.alerts.empty()) (void)channel.read();
     } catch (const FormatError& error) {
         return error.what();
@@ -137,7 +137,7 @@ TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
     int looked_at = 0;
     for (const auto& path : all_files()) {
         if (refused().contains(path.filename().string())) continue;
-        const auto content = read_file(path.string());
+        const auto content = bytes::read_file(path.string());
         if (looks_like_text_file(content) || path.extension() == ".csv") continue;  // a shorter text, also in UTF-16, is a whole one, too
         const auto footer = footers.find(path.filename().string());
         const auto announced = content.size() - (footer == footers.end() ? 0 : footer->second);
@@ -156,4 +156,4 @@ TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

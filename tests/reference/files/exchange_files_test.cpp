@@ -6,9 +6,9 @@
 
 #include "reference_data.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -115,4 +115,4 @@ TEST(TestGwy, HoldsTheHeightsItsPackageReads) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -11,14 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "reference_data.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/whole_file.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 
 /// The entry of a file's channel in expected/topography_files.json; null where there is none.
 inline nlohmann::json expected_entry(const std::string& file, std::size_t channel = 0) {
-    auto text = read_file((tests::reference_data_folder() / "expected" / "topography_files.json").string());
+    auto text = bytes::read_file((tests::reference_data_folder() / "expected" / "topography_files.json").string());
     for (auto at = text.find(": NaN"); at != std::string::npos; at = text.find(": NaN", at)) text.replace(at, 5, ": null");
     for (const auto& entry : nlohmann::json::parse(text))
         if (entry.at("file") == file && entry.at("channel_index") == channel) return entry;
@@ -68,4 +68,4 @@ inline void expect_entry_of(const Channel& channel, const nlohmann::json& entry,
     expect_size_of(channel, entry, factor);
 }
 
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -3,33 +3,33 @@
 
 #include "reference_data.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/column_guess.hpp"
-#include "setae/io/force_curve.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/tables/column_guess.hpp"
+#include "setae/tables/force_curve.hpp"
+#include "setae/tables/table_file.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/pdms_a.txt");
-    const auto guess = guess_columns(path.string());
+    const auto guess = tables::guess_columns(path.string());
     EXPECT_EQ(guess.columns.size(), 6u);
     EXPECT_EQ(guess.file.decimal_point, ',');
-    EXPECT_TRUE(holds(describe(guess), "displacement: undecided between column 1 'Piezo position' [nm] and column 2 'MEMS displ.' [nm]")) << describe(guess);
-    EXPECT_TRUE(holds(describe(guess), "time: column 3 'Time' [ms]"));
-    EXPECT_THROW((void)mapping_from(guess), FormatError);
+    EXPECT_TRUE(holds(tables::describe(guess), "displacement: undecided between column 1 'Piezo position' [nm] and column 2 'MEMS displ.' [nm]")) << tables::describe(guess);
+    EXPECT_TRUE(holds(tables::describe(guess), "time: column 3 'Time' [ms]"));
+    EXPECT_THROW((void)tables::mapping_from(guess), FormatError);
 }
 
 TEST(RealFiles, LadybugSummaryIsReadWithItsWords) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/ladybug_pad_summary.txt");
-    const auto table = read_raw_table(file_source(path.string()));
+    const auto table = tables::read_raw_table(bytes::file_source(path.string()));
     ASSERT_EQ(table.columns.size(), 42u);
     const auto column = [&](const std::string& name) {
         for (const auto& found : table.columns)
             if (found.name == name) return found;
-        return RawTable::RawColumn{};
+        return tables::RawTable::RawColumn{};
     };
     EXPECT_EQ(column("Beam Spring Constant").unit, "μN/μm");
     EXPECT_DOUBLE_EQ(column("Beam Spring Constant").values[0], 31.79);
@@ -42,7 +42,7 @@ TEST(RealFiles, LadybugSummaryIsReadWithItsWords) {
 
 TEST(RealForceCurves, JpkAgreesWithAfmformats) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-jpk-fd_spot3-0192.jpk-force");
-    const auto table = read_force_curve(path.string());
+    const auto table = tables::read_force_curve(path.string());
     ASSERT_EQ(table.rows(), 4000);
     const auto& force = table.at("force");
     const auto& height = table.at("height");
@@ -59,7 +59,7 @@ TEST(RealForceCurves, JpkAgreesWithAfmformats) {
 
 TEST(RealForceCurves, AfmWorkshopAgreesWithAfmformats) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-afm-workshop-fd_single_2020-02-14_13.41.25.csv");
-    const auto table = read_force_curve(path.string());
+    const auto table = tables::read_force_curve(path.string());
     ASSERT_EQ(table.rows(), 2030);
     EXPECT_NEAR(table.at("force")[0], 1.2764373000000002e-06, 1e-20);
     EXPECT_NEAR(table.at("force").mean(), 1.3890711267487685e-06, 1e-18);
@@ -69,7 +69,7 @@ TEST(RealForceCurves, AfmWorkshopAgreesWithAfmformats) {
 
 TEST(RealForceCurves, NtMdtAgreesWithAfmformats) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
-    const auto table = read_force_curve(path.string(), {.spring_constant = 0.04, .sensitivity = 60.0});
+    const auto table = tables::read_force_curve(path.string(), {.spring_constant = 0.04, .sensitivity = 60.0});
     ASSERT_EQ(table.rows(), 1644);
     EXPECT_NEAR(table.at("force")[0], -2.6479199999999997e-09, 1e-22);
     EXPECT_NEAR(table.at("force").mean(), -2.087460875912409e-09, 1e-21);
@@ -78,4 +78,4 @@ TEST(RealForceCurves, NtMdtAgreesWithAfmformats) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -7,12 +7,12 @@
 #include "expected_file.hpp"
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/source.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/tables/table_file.hpp"
 
 // Files of stylus and optical profilers against another reader, a text export and what is known of the objects measured.
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -42,7 +42,7 @@ TEST(OpdxFile, AgreesWithItsExport) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opdx-3.opdx"));
     SETAE_REQUIRE_REFERENCE_DATA(export_path, in_folder("opdx-3.txt"));
     const auto scan = std::get<LineScan>(read(path.string()));
-    const auto exported = read_raw_table(file_source(export_path.string()));
+    const auto exported = tables::read_raw_table(bytes::file_source(export_path.string()));
     const auto& positions = exported.columns.at(0).values;
     const auto& heights = exported.columns.at(1).values;
     ASSERT_EQ(scan.heights.size(), 3001);
@@ -144,4 +144,4 @@ TEST(TrueMapFile, UnitAssumedMakesTheCoinAsLargeAsItIs) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

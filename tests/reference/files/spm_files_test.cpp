@@ -7,11 +7,11 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/source.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -99,7 +99,7 @@ TEST(ParkFile, HasShapeSizeAndHeightsOfAnotherReader) {
 TEST(ParkFile, OrientationIsThatOfThePictureInTheSameFile) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/example_ps.tiff");
     const auto map = map_of(open(path.string()).at(0));
-    const auto bytes = file_source(path.string()).bytes(1051403, 256 * 256);  // the only page: 8 bits, strips side by side
+    const auto bytes = bytes::file_source(path.string()).bytes(1051403, 256 * 256);  // the only page: 8 bits, strips side by side
     Array2D heights(256, 256), picture(256, 256);
     for (Index i = 0; i < 256; ++i)
         for (Index j = 0; j < 256; ++j) {
@@ -222,4 +222,4 @@ TEST(NanoscopeFile, AmplitudeInVoltsIsNoHeight) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

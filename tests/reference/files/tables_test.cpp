@@ -7,10 +7,10 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/mapping.hpp"
-#include "setae/io/table_file.hpp"
+#include "setae/tables/mapping.hpp"
+#include "setae/tables/table_file.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 constexpr const char* mapping_path = "examples/mappings/eoh.toml";
@@ -36,8 +36,8 @@ double median_of_start(const Array1D& values) {
 
 TEST_P(MemsLoop, IsReadThroughTheMapping) {
     SETAE_REQUIRE_REFERENCE_DATA(path, std::string("jkr/") + GetParam().file);
-    const auto table = read_mapped_table(path.string(), read_mapping(mapping_path));
-    require_loop_columns(table, path.string());
+    const auto table = tables::read_mapped_table(path.string(), tables::read_mapping(mapping_path));
+    tables::require_loop_columns(table, path.string());
     ASSERT_EQ(table.rows(), GetParam().points);
     const Array1D force = (table.at("force") - median_of_start(table.at("force"))) / units::nN;
     EXPECT_NEAR(force.maxCoeff(), GetParam().largest_force, 0.6);
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Files, MemsLoop,
 TEST(MemsTable, OfDriftOnlyIsRefusedForItsMissingColumn) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/drift_only.txt");
     try {
-        (void)read_mapped_table(path.string(), read_mapping(mapping_path));
+        (void)tables::read_mapped_table(path.string(), tables::read_mapping(mapping_path));
         FAIL() << "read";
     } catch (const FormatError& error) {
         EXPECT_NE(std::string(error.what()).find("'Piezo position'"), std::string::npos) << error.what();
@@ -65,8 +65,8 @@ TEST(MemsTable, OfDriftOnlyIsRefusedForItsMissingColumn) {
 
 TEST(MemsTable, WithoutForceIsNoLoop) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/pdms_a.txt");
-    EXPECT_THROW((void)read_loop_table(path.string()), FormatError);
+    EXPECT_THROW((void)tables::read_loop_table(path.string()), FormatError);
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -8,12 +8,12 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -149,7 +149,7 @@ TEST(Dabam, NumbersAloneOpenByTheirHeader) {
     for (const auto* name : {"dabam-010", "dabam-014", "dabam-041"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, std::string("topography/profiles/") + name + ".dat");
         const auto beside = open(path.string());
-        const auto alone = open(memory_source("alone.dat", read_file(path.string())), {});
+        const auto alone = open(bytes::memory_source("alone.dat", bytes::read_file(path.string())), {});
         double described = 0.0, by_header = INFINITY;
         for (const auto& channel : beside)
             if (channel.info.is_height && channel.info.alerts.empty()) described = rms_without_parabola(channel.read());
@@ -161,7 +161,7 @@ TEST(Dabam, NumbersAloneOpenByTheirHeader) {
 
 TEST(Dabam, NumbersWithoutDescriptionNorNamesAskForTheirUnit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/profiles/dabam-045.dat");
-    const auto channel = open(memory_source("alone.dat", read_file(path.string())), {}).at(0);
+    const auto channel = open(bytes::memory_source("alone.dat", bytes::read_file(path.string())), {}).at(0);
     EXPECT_EQ(channel.info.format, "xy");
     EXPECT_EQ(channel.info.shape, std::vector<Index>{1301});
     EXPECT_TRUE(channel.info.unit.empty());
@@ -173,4 +173,4 @@ TEST(TextFile, NonsenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

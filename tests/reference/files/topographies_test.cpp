@@ -8,13 +8,13 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/format.hpp"
-#include "setae/io/table_file.hpp"
-#include "setae/io/whole_file.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 using topography::HeightMap;
@@ -148,7 +148,7 @@ TEST(Nanoscope, PhaseAndAmplitudeAreListedOnly) {
 }
 
 /// Largest difference in units of what the export can resolve: half a raw step and half its third digit.
-double worst_difference(const HeightMap& flattened, const RawTable& exported, double step) {
+double worst_difference(const HeightMap& flattened, const tables::RawTable& exported, double step) {
     double worst = 0.0;
     const auto ny = flattened.heights.cols();
     for (Index i = 0; i < flattened.heights.rows(); ++i)
@@ -165,7 +165,7 @@ TEST(Nanoscope, FlatteningOfFirstOrderReproducesTheExport) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanoscope/full_multiple_images.txt");
     SETAE_REQUIRE_REFERENCE_DATA(export_path, "topography/nanoscope/reference_converted.csv");
     const auto map = std::get<HeightMap>(read(path.string()));
-    const auto exported = read_raw_table(file_source(export_path.string()));
+    const auto exported = tables::read_raw_table(bytes::file_source(export_path.string()));
     const double step = 438.6572 * 12.95302 / 65536.0;  // nm, from the file's header
     EXPECT_LE(worst_difference(topography::flattened_lines(map, 1), exported, step), 1.0);
     for (const int other : {0, 2, 3}) EXPECT_GT(worst_difference(topography::flattened_lines(map, other), exported, step), 50.0) << other;
@@ -220,4 +220,4 @@ TEST(OtherFormats, AreRefusedWithOneLine) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

@@ -6,10 +6,10 @@
 #include "expected_file.hpp"
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/io/channel.hpp"
-#include "setae/io/format.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/formats/format.hpp"
 
-namespace setae::io {
+namespace setae::formats {
 namespace {
 
 struct VendorFile {
@@ -61,4 +61,4 @@ TEST(Mnt, HeightsAreNoHundredThousandTimesTooLarge) {
 }
 
 }  // namespace
-}  // namespace setae::io
+}  // namespace setae::formats

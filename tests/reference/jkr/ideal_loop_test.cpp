@@ -6,9 +6,9 @@
 
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/experiment/loop_energy.hpp"
+#include "setae/loops/loop_energy.hpp"
 
-namespace setae::experiment {
+namespace setae::loops {
 namespace {
 
 constexpr contact::jkr::Contact unit{.radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0 / pi};
@@ -63,4 +63,4 @@ TEST(IdealLoop, ConvergesWithOrderThreeHalvesEvenlyInDisplacement) {
 }
 
 }  // namespace
-}  // namespace setae::experiment
+}  // namespace setae::loops

@@ -12,11 +12,11 @@
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/experiment/analysis.hpp"
-#include "setae/experiment/machine_stiffness.hpp"
-#include "setae/io/mapping.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/loops/machine_stiffness.hpp"
+#include "setae/tables/mapping.hpp"
 
-namespace setae::experiment {
+namespace setae::loops {
 namespace {
 
 constexpr const char* mapping_file = "examples/mappings/eoh.toml";
@@ -26,7 +26,7 @@ LensAndCounterBody glass_sphere_on_rubber() {
 }
 
 Loop read_loop(const std::filesystem::path& path) {
-    return loop_from_table(io::read_mapped_table(path.string(), io::read_mapping(mapping_file)));
+    return loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(mapping_file)));
 }
 
 LoopAnalysis analysed(const std::filesystem::path& path) {
@@ -154,7 +154,7 @@ TEST(RealLoops, MeasureTheMachineOnSapphire) {
                                "[constants]\nspring_constant = \"3.01 N/m\"\n"
                                "[columns.piezo]\nheader = \"Piezo position\"\nunit = \"um\"\n[columns.mems]\nheader = \"MEMS displ.\"\n"
                                "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"piezo\"\n";
-    const Loop loop = loop_from_table(io::read_mapped_table(path.string(), io::read_mapping(by_stage.string())));
+    const Loop loop = loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_stage.string())));
     const MachineStiffness found = machine_stiffness_from_rigid_contact(loop);
     // sensor and contact give way in series: 1/k = 1/(3.01 N/m) + 1/k_contact, whose force against piezo − mems is far less straight
     const Loop contact = read_loop(path);
@@ -166,7 +166,7 @@ TEST(RealLoops, MeasureTheMachineOnSapphire) {
     EXPECT_LT(std::abs(found.nonlinearity), 0.05);
     // rubber in its place gives way itself
     SETAE_REQUIRE_REFERENCE_DATA(soft, "jkr/pdms_c.txt");
-    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop_from_table(io::read_mapped_table(soft.string(), io::read_mapping(mapping_file)))),
+    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop_from_table(tables::read_mapped_table(soft.string(), tables::read_mapping(mapping_file)))),
                  UndefinedDataError);
 }
 
@@ -208,11 +208,11 @@ TEST(RealLoops, RefuseADriftWithoutContact) {
                                   "[constants]\nspring_constant = \"3.01 N/m\"\n"
                                   "[columns.mems]\nposition = 1\nunit = \"nm\"\n"
                                   "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"-mems\"\n";
-    const Loop loop = loop_from_table(io::read_mapped_table(path.string(), io::read_mapping(by_position.string())));
+    const Loop loop = loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_position.string())));
     EXPECT_THROW((void)analyse(loop, glass_sphere_on_rubber()), UndefinedDataError);
     // nor where the drifting start is not looked at
     EXPECT_THROW((void)analyse(loop, glass_sphere_on_rubber(), {.segments = {.force_baseline = 0.0}}), UndefinedDataError);
 }
 
 }  // namespace
-}  // namespace setae::experiment
+}  // namespace setae::loops

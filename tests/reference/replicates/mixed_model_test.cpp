@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers and their origins: README.md.
-#include "setae/replicates/mixed_model.hpp"
+#include "setae/statistics/mixed_model.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -14,7 +14,7 @@
 namespace {
 
 using namespace setae;
-using namespace setae::replicates;
+using namespace setae::statistics;
 
 constexpr const char* folder = "tests/reference/replicates/";
 

@@ -8,7 +8,7 @@
 #include "reference_data.hpp"
 #include "sampled_polyline.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
@@ -32,7 +32,7 @@ class Uncd : public testing::Test {
 protected:
     void SetUp() override {
         SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
-        const auto channels = io::open(path.string());
+        const auto channels = formats::open(path.string());
         ASSERT_EQ(channels.size(), 3u);
         for (const auto& channel : channels) members.push_back(topography::detrended(channel.read(), channel.info.recommended_trend.value()));
         tem = std::get<Profile>(members[0]);

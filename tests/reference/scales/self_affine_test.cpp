@@ -19,8 +19,8 @@ using namespace setae::scales;
 constexpr Index points = 512;
 
 topography::HeightMap surface(double hurst, std::uint64_t seed) {
-    const synthesis::SelfAffine model{1.0, 2.0 * pi / static_cast<double>(points), hurst, pi};
-    return synthesis::random_surface(synthesis::density(model), {points, points, points, points}, {.key = {seed}});
+    const spectra::SelfAffine model{1.0, 2.0 * pi / static_cast<double>(points), hurst, pi};
+    return synthesis::random_surface(spectra::density(model), {points, points, points, points}, {.key = {seed}});
 }
 
 /// Exponent of a mean over seeds between two distances, by a line through logarithms.

@@ -10,7 +10,7 @@
 #include "setae/scales/half_derivative.hpp"
 #include "setae/spectra/power_spectrum.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace {
 
@@ -18,13 +18,13 @@ using namespace setae;
 using namespace setae::scales;
 
 constexpr Index points = 512;
-const synthesis::SelfAffine model{1.0, 2.0 * pi / 128.0, 0.8, 2.0 * pi / 8.0};
+const spectra::SelfAffine model{1.0, 2.0 * pi / 128.0, 0.8, 2.0 * pi / 8.0};
 
 topography::HeightMap surface(std::uint64_t seed) {
-    return synthesis::random_surface(synthesis::density(model), {points, points, points, points}, {.key = {seed}});
+    return synthesis::random_surface(spectra::density(model), {points, points, points, points}, {.key = {seed}});
 }
 
-double model_variance() { return synthesis::moment(model, 1.0) / (2.0 * pi); }
+double model_variance() { return spectra::moment(model, 1.0) / (2.0 * pi); }
 
 TEST(StoredEnergy, OfALineIsThatOfItsModes) {
     topography::LineScan line{surface(1).heights.col(7), points, true, {}};

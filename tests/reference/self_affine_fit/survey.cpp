@@ -7,15 +7,15 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/synthesis/multiscale.hpp"
-#include "setae/synthesis/random_numbers.hpp"
-#include "setae/synthesis/spectral_density.hpp"
+#include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/spectral_density.hpp"
 
 namespace setae::reference {
 namespace {
 
-double C_iso_at(const synthesis::SelfAffine& model, double q) { return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent); }
+double C_iso_at(const spectra::SelfAffine& model, double q) { return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent); }
 
-void tally(FitSurvey& survey, const spectra::SelfAffineFit& fit, const synthesis::SelfAffine& truth) {
+void tally(FitSurvey& survey, const spectra::SelfAffineFit& fit, const spectra::SelfAffine& truth) {
     const double error = fit.hurst_exponent.estimate.value - truth.hurst_exponent;
     const auto holds = [](const Quantity& q, double value) { return q.estimate.interval && q.estimate.interval->lower <= value && value <= q.estimate.interval->upper; };
     ++survey.fits;
@@ -35,8 +35,8 @@ Twin twin(int number) {
     constexpr double um = 1e-6;
     Twin result;
     result.truth = {1e-26, 2.0 * pi / (10.0 * um), 0.5 + 0.1 * (number % 5), 2.0 * pi / 4e-9};
-    const synthesis::MultiscaleSurface surface(synthesis::density(result.truth),
-                                               {.key = synthesis::substream({77, 0}, static_cast<std::uint64_t>(number)), .longest_wavelength = 1000.0 * um, .shortest_wavelength = 4e-9});
+    const synthesis::MultiscaleSurface surface(spectra::density(result.truth),
+                                               {.key = numerics::substream({77, 0}, static_cast<std::uint64_t>(number)), .longest_wavelength = 1000.0 * um, .shortest_wavelength = 4e-9});
     std::vector<spectra::PowerSpectrum1D> spectra;
     spectra::SpectrumOptions options;
     options.trend = topography::Trend::tilt;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "setae/spectra/self_affine_fit.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::reference {
 
 /// A Gaussian self-affine surface with a roll-off at 10 µm and H of 0.5 … 0.9, seen as twins are: four stylus lines of 200 µm, four maps of
 /// 20 µm and four of 2 µm, all at places of their own on one surface.
 struct Twin {
-    synthesis::SelfAffine truth;
+    spectra::SelfAffine truth;
     spectra::CombinedSpectrum combined;
     spectra::PowerSpectrum1D single;  ///< of the first map of 20 µm, all modes
 };

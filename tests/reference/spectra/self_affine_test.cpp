@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 #include <array>
 
@@ -10,7 +10,7 @@
 namespace {
 
 using namespace setae;
-using namespace setae::synthesis;
+using namespace setae::spectra;
 
 struct Surface {
     const char* name;

@@ -12,7 +12,7 @@
 
 #include "reference_data.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace {
 
@@ -23,7 +23,7 @@ using topography::Profile;
 
 TEST(TipCutoffOfRealFiles, AfmMapIs90Point700854Nanometres) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/di-1.di");
-    EXPECT_NEAR(tip_cutoff(io::read(path.string()), 40 * units::nm).value / (90.700854 * units::nm), 1.0, 1e-7);
+    EXPECT_NEAR(tip_cutoff(formats::read(path.string()), 40 * units::nm).value / (90.700854 * units::nm), 1.0, 1e-7);
 }
 
 /// The points of a two-column text in µm, with x as rounded as the file has it.
@@ -55,7 +55,7 @@ TEST(TipCutoffOfRealFiles, LineScanIs126Point519Nanometres) {
 TEST(TipCutoffOfRealFiles, StylusScanIs1Point57Micrometres) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/dektak-1.csv");
     EXPECT_NEAR(tip_cutoff(points_as_written(path), 2.5 * units::um).value / (1.57 * units::um), 1.0, 0.01);
-    EXPECT_NEAR(tip_cutoff(io::read(path.string()), 2.5 * units::um).value / (1.57 * units::um), 1.0, 0.01);
+    EXPECT_NEAR(tip_cutoff(formats::read(path.string()), 2.5 * units::um).value / (1.57 * units::um), 1.0, 0.01);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ using namespace setae;
 double worst_deviation(Index points, double hurst, std::initializer_list<double> slopes) {
     // 16 roll-off wavelengths in the map, cutoff at four pixels, in units of the pixel
     const double extent = static_cast<double>(points);
-    const synthesis::SelfAffine model{1.0, 2.0 * pi * 16.0 / extent, hurst, 0.5 * pi};
-    auto map = synthesis::random_surface(synthesis::density(model), {points, points, extent, extent}, {.key = {1}});
+    const spectra::SelfAffine model{1.0, 2.0 * pi * 16.0 / extent, hurst, 0.5 * pi};
+    auto map = synthesis::random_surface(spectra::density(model), {points, points, extent, extent}, {.key = {1}});
     double slope_now = roughness::triangulated_area(map).rms_slope, worst = 0.0;
     for (const double slope : slopes) {
         map.heights *= slope / slope_now;
@@ -44,8 +44,8 @@ INSTANTIATE_TEST_SUITE_P(HurstExponents, TrueAreaOfSelfAffineMaps, testing::Valu
 
 TEST(TrueAreaOfFlatteningMaps, OfSmallSlopesIsOnePlusHalfTheSquare) {
     // the excess itself: (A − 1)/(h'²/2) = 1 − ½ h'² + … for Gaussian slopes, that is 5e-5 below 1
-    const synthesis::SelfAffine model{1.0, 2.0 * pi / 64.0, 0.8, 0.5 * pi};
-    auto map = synthesis::random_surface(synthesis::density(model), {512, 512, 512.0, 512.0}, {.key = {2}});
+    const spectra::SelfAffine model{1.0, 2.0 * pi / 64.0, 0.8, 0.5 * pi};
+    auto map = synthesis::random_surface(spectra::density(model), {512, 512, 512.0, 512.0}, {.key = {2}});
     map.heights *= 0.01 / roughness::triangulated_area(map).rms_slope;
     EXPECT_NEAR((roughness::triangulated_area(map).area_ratio - 1.0) / (0.5e-4), 1.0, 2e-4);
 }

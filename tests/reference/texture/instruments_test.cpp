@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "reference_data.hpp"
-#include "setae/io/channel.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/texture/profile_parameters.hpp"
 #include "setae/topography/detrend.hpp"
@@ -35,7 +35,7 @@ class SurfTest : public testing::Test {
 protected:
     void SetUp() override {
         SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mitutoyo_2_mock.xlsx");
-        line = io::read(path.string());
+        line = formats::read(path.string());
         // N 4, cut-off 2.5 mm, ISO 1997: four sections of the filtered profile, parameters of each averaged
         const auto rows = profile_parameters(line, {.section_length = 2.5e-3, .averages = Averages::sections, .mean_line = MeanLine::zero});
         for (const auto& row : rows) values[row.quantity.symbol] = row.quantity.estimate.value;
@@ -65,7 +65,7 @@ TEST_F(SurfTest, CoreParametersOfTheStoredProfileAreNearTheInstruments) {
 TEST(Mirrors, RmsHeightsOfDabamAgreeWithThePublishedOnes) {
     for (const auto& [name, rms, tolerance] : {std::tuple{"dabam-010", 3.048414e-9, 2e-6}, {"dabam-011", 3.23343e-9, 2e-6}, {"dabam-014", 15.372782e-9, 1e-2}}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, std::string("topography/profiles/") + name + ".dat");
-        const auto heights = height_parameters(topography::detrended(io::read(path.string()), topography::Trend::parabola));
+        const auto heights = height_parameters(topography::detrended(formats::read(path.string()), topography::Trend::parabola));
         const auto n = static_cast<double>(heights.defined);
         EXPECT_NEAR(heights.Sq * std::sqrt(n / (n - 1.0)) / rms, 1.0, tolerance) << name;  // published with n − 1
     }

@@ -5,18 +5,18 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/roughness/spectral_moments.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae {
 namespace {
 
 /// C1D of a self-affine surface with q_s/q_r = 1000 on nodes that crowd at q_s, where it falls to zero.
-roughness::SpectrumCurve lines_on(const synthesis::SelfAffine& model) {
+roughness::SpectrumCurve lines_on(const spectra::SelfAffine& model) {
     const double q_s = model.short_wavevector;
     const auto spaced = [](double from, double to, Index n) -> Array1D { return Array1D::LinSpaced(n, std::log(from), std::log(to)).exp(); };
     Array1D q(6000);
     q << spaced(1e-5 * q_s, 0.9 * q_s, 3000), q_s * (1.0 - spaced(1e-9, 0.0999, 3000).reverse());
-    return {q, synthesis::profile_power_spectrum(model, q), {q[0], q_s}};
+    return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}};
 }
 
 struct Ratios {

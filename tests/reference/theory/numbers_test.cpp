@@ -7,22 +7,22 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/synthesis/self_affine.hpp"
-#include "setae/workflow/json.hpp"
-#include "setae/workflow/study_result.hpp"
+#include "setae/spectra/self_affine.hpp"
+#include "setae/output/json.hpp"
+#include "setae/study/study_result.hpp"
 
 namespace setae {
 namespace {
 
-const workflow::StudyResult& published() {
-    static const auto result = workflow::run_study(workflow::read_study("examples/nanodiamond/published.toml"));
+const study::StudyResult& published() {
+    static const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     return result;
 }
 
-workflow::StudyResult published_with_short_wavevector(double wavevector) {
-    auto study = workflow::read_study("examples/nanodiamond/published.toml");
+study::StudyResult published_with_short_wavevector(double wavevector) {
+    auto study = study::read_study("examples/nanodiamond/published.toml");
     for (auto& surface : study.surfaces) surface.moments->short_wavevector = wavevector;
-    return workflow::run_study(study);
+    return study::run_study(study);
 }
 
 struct Expected {
@@ -30,10 +30,10 @@ struct Expected {
     double hurst, rolloff_um, energy_nm;
 };
 
-void expect_reconstructions(const workflow::StudyResult& result, double wavevector, const std::vector<Expected>& expected, double energy_digit) {
+void expect_reconstructions(const study::StudyResult& result, double wavevector, const std::vector<Expected>& expected, double energy_digit) {
     for (const auto& e : expected) {
         const auto& moments = *result.study.surface(e.surface)->moments;
-        const auto model = synthesis::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
+        const auto model = spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
         EXPECT_NEAR(model.hurst_exponent, e.hurst, 5e-4) << e.surface;
         if (e.rolloff_um > 0.0) {
             EXPECT_NEAR(2e6 * pi / model.rolloff_wavevector, e.rolloff_um, 5e-3) << e.surface;
@@ -111,7 +111,7 @@ TEST(PublishedTables, LossOfTheSmoothSphere) {
 }
 
 TEST(PublishedTables, LoopFitIsNullWithAReason) {
-    const auto json = workflow::to_json(published());
+    const auto json = output::to_json(published());
     EXPECT_TRUE(json["fits"]["loop"].is_null());
     EXPECT_FALSE(json["fits"]["loop_reason"].get<std::string>().empty());
     EXPECT_NEAR(json["fits"]["modified"]["work_of_adhesion"]["value"].get<double>(), 0.0371, 5e-5);
@@ -124,23 +124,23 @@ TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
     const auto whole = published_with_short_wavevector(2.0 * pi / 4e-10);
     auto study = whole.study;
     study.analysis.limits.longest = 100e-6;
-    const auto cut = workflow::run_study(study);
+    const auto cut = study::run_study(study);
     const auto &all = whole.surface("MCD").used().parameters, &rest = cut.surface("MCD").used().parameters;
     EXPECT_NEAR(1.0 - rest.elastic_energy_per_modulus / all.elastic_energy_per_modulus, 1.3e-5, 5e-7);
     EXPECT_NEAR(1.0 - rest.rms_height / all.rms_height, 4e-4, 5e-5);
 }
 
 TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
-    const auto study = workflow::read_study("examples/nanodiamond/published.toml");
-    EXPECT_EQ(workflow::to_json(workflow::run_study(study, {1})).dump(), workflow::to_json(workflow::run_study(study, {3})).dump());
+    const auto study = study::read_study("examples/nanodiamond/published.toml");
+    EXPECT_EQ(output::to_json(study::run_study(study, {1})).dump(), output::to_json(study::run_study(study, {3})).dump());
 }
 
 TEST(LaterNcdModel, HasItsPublishedMoments) {
-    const synthesis::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
-    EXPECT_NEAR(1e9 * synthesis::rms_height(model), 93.9, 0.05);
-    EXPECT_NEAR(synthesis::rms_slope(model), 0.7465, 5e-5);
-    EXPECT_NEAR(1e-6 * synthesis::rms_curvature(model), 15.19, 5e-3);
-    EXPECT_NEAR(synthesis::moment(model, 1.0) / (2.0 * pi), 4.374e-8, 5e-12);
+    const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2.000e-6, 0.8, 2.0 * pi / 72.2e-9};
+    EXPECT_NEAR(1e9 * spectra::rms_height(model), 93.9, 0.05);
+    EXPECT_NEAR(spectra::rms_slope(model), 0.7465, 5e-5);
+    EXPECT_NEAR(1e-6 * spectra::rms_curvature(model), 15.19, 5e-3);
+    EXPECT_NEAR(spectra::moment(model, 1.0) / (2.0 * pi), 4.374e-8, 5e-12);
 }
 
 }  // namespace

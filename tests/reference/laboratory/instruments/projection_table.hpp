@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "setae/core/constants.hpp"
-#include "setae/laboratory/projection_bias.hpp"
+#include "setae/simulation/projection_bias.hpp"
 
 namespace setae::tests {
 
@@ -25,16 +25,16 @@ inline std::vector<ProjectionCase> projection_cases() {
 }
 
 /// Simulated on 0.4 by 0.2 µm with points every 1 Å, two bins a decade.
-inline laboratory::ProjectionBias simulated(const ProjectionCase& row, int surfaces, std::uint64_t seed, double extent = 409.6e-9) {
-    const synthesis::SelfAffine model{1e-30, 2.0 * pi / row.rolloff_wavelength, row.hurst_exponent, 2.0 * pi / 4e-10};
+inline simulation::ProjectionBias simulated(const ProjectionCase& row, int surfaces, std::uint64_t seed, double extent = 409.6e-9) {
+    const spectra::SelfAffine model{1e-30, 2.0 * pi / row.rolloff_wavelength, row.hurst_exponent, 2.0 * pi / 4e-10};
     const auto points = static_cast<Index>(std::llround(extent / 1e-10));
-    laboratory::ProjectionOptions options;
+    simulation::ProjectionOptions options;
     options.thickness = row.thickness;
     options.grid = {points, points / 2, extent, 0.5 * extent};
     options.surfaces = surfaces;
     options.bins_per_decade = 2;
     options.key = {seed, 0};
-    return projection_bias(synthesis::density(model), options);
+    return projection_bias(spectra::density(model), options);
 }
 
 }  // namespace setae::tests

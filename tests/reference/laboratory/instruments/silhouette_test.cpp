@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "setae/laboratory/projection_bias.hpp"
+#include "setae/simulation/projection_bias.hpp"
 
 namespace {
 
 using namespace setae;
-using namespace setae::laboratory;
+using namespace setae::simulation;
 
 struct Highest {
     int lines;
@@ -18,7 +18,7 @@ struct Highest {
 
 TEST(Silhouette, OfWhiteNoiseHasTheMomentsOfTheHighestOfNormalNumbers) {
     const double pixel = 1e-9, height = 2e-9;
-    const synthesis::SpectralDensity white = [=](double) { return height * height * pixel * pixel; };
+    const spectra::SpectralDensity white = [=](double) { return height * height * pixel * pixel; };
     for (const auto& expected : {Highest{2, 0.564189583548, 0.681690113816}, Highest{3, 0.846284375322, 0.559467203797},
                                  Highest{5, 1.16296447364, 0.447534069021}, Highest{10, 1.53875273084, 0.344343823261},
                                  Highest{20, 1.8674750598, 0.275696615619}}) {

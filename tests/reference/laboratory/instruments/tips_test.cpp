@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
-#include "setae/laboratory/afm.hpp"
-#include "setae/laboratory/stylus.hpp"
+#include "setae/simulation/afm.hpp"
+#include "setae/simulation/stylus.hpp"
 #include "setae/spectra/power_spectrum.hpp"
 #include "setae/spectra/reliability.hpp"
 #include "setae/synthesis/random_surface.hpp"
@@ -15,8 +15,8 @@
 namespace {
 
 using namespace setae;
-using namespace setae::laboratory;
-using synthesis::SelfAffine;
+using namespace setae::simulation;
+using spectra::SelfAffine;
 using topography::HeightMap;
 
 SelfAffine with_slope(double slope, double hurst_exponent, double rolloff_wavelength) {

@@ -57,7 +57,7 @@ struct ContactRadii {
 
 /// Columns time [s], contact_radius [m], contact_radius_standard_error [m], frame, semi_major [m], semi_minor [m], roundness,
 /// confidence, agreeing_rays, visible_share, contrast_to_noise, centre_x [m], centre_y [m], state (the number of FrameState);
-/// one row a frame, NaN where there is nothing. What io::merged_by_time takes as the table of a camera.
+/// one row a frame, NaN where there is nothing. What tables::merged_by_time takes as the table of a camera.
 [[nodiscard]] Table as_table(const ContactRadii& radii);
 
 /// as_table as CSV below "# key: value" lines: what the whole gave, and "# frame 12: excluded: glare" for every frame that has

@@ -38,7 +38,7 @@ struct BootstrapSpectra {
 /// A bin that no drawn measurement covers is filled with the full combination's value times the ratio resample/full of
 /// the neighbouring bins, the ratio interpolated in ln q (constant beyond the ends).
 /// The same seed gives the same bytes on any machine and number of threads: resample r draws
-/// synthesis::random_index 0, 1, … of the substream r of the seed.
+/// numerics::random_index 0, 1, … of the substream r of the seed.
 /// @throws InvalidArgument for resamples < 1.
 [[nodiscard]] BootstrapSpectra bootstrap(const BinnedSpectra& spectra, const BootstrapOptions& options = {});
 

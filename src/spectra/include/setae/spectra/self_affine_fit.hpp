@@ -12,7 +12,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/power_spectrum.hpp"
-#include "setae/synthesis/self_affine.hpp"
+#include "setae/spectra/self_affine.hpp"
 
 namespace setae::spectra {
 
@@ -29,7 +29,7 @@ struct FittedValues {
     Array1D values;       ///< [m³], > 0
     Array1D freedom;      ///< ν of each: gamma distributed about its expectation with relative variance 1/ν; 0 leaves it out
     /// Expectations [m³] at the wavevectors for a model whose q_s is finite.
-    std::function<Array1D(const synthesis::SelfAffine&)> expected;
+    std::function<Array1D(const spectra::SelfAffine&)> expected;
 };
 
 enum class FitStatus {
@@ -51,7 +51,7 @@ enum class ScaleStatus {
 /// The likelihood is that of gamma variates, Σ −ν (ln E + P/E); its curvature times max(1, χ²/dof) gives the standard errors, and
 /// the intervals of wavelengths are where the profile of the likelihood has fallen by half the quantile of χ² with one degree of freedom.
 struct SelfAffineFit {
-    synthesis::SelfAffine model;      ///< as fitted; a scale not asked for lies 10³ beyond the wavevectors fitted
+    spectra::SelfAffine model;      ///< as fitted; a scale not asked for lies 10³ beyond the wavevectors fitted
     Quantity hurst_exponent;          ///< H [1]
     Quantity plateau;                 ///< C_0 [m⁴]; NaN where no roll-off was asked for
     Quantity amplitude;               ///< C_iso at the reference wavevector [m⁴], the geometric mean of the range; known best

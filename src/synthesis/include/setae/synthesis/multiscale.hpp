@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/synthesis/random_numbers.hpp"
-#include "setae/synthesis/spectral_density.hpp"
+#include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/spectral_density.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::synthesis {
 
 struct MultiscaleOptions {
-    RandomKey key;
+    numerics::RandomKey key;
     double longest_wavelength = 0.0;   ///< [m]; longer ones are left out
     double shortest_wavelength = 0.0;  ///< [m]; shorter ones are left out
     parallel::Threads threads;
@@ -54,7 +54,7 @@ struct LinePath {
 class MultiscaleSurface {
 public:
     /// @throws InvalidArgument unless 0 < shortest < longest, or for a C_iso that is negative, not finite or zero throughout.
-    MultiscaleSurface(const SpectralDensity& C_iso, const MultiscaleOptions& options);
+    MultiscaleSurface(const spectra::SpectralDensity& C_iso, const MultiscaleOptions& options);
     ~MultiscaleSurface();
     MultiscaleSurface(MultiscaleSurface&&) noexcept;
     MultiscaleSurface& operator=(MultiscaleSurface&&) noexcept;

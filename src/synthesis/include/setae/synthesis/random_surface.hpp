@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/synthesis/random_numbers.hpp"
-#include "setae/synthesis/spectral_density.hpp"
+#include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/spectral_density.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::synthesis {
@@ -29,9 +29,9 @@ enum class Amplitudes {
 };
 
 struct SurfaceOptions {
-    RandomKey key;  ///< the seed
+    numerics::RandomKey key;  ///< the seed
     Amplitudes amplitudes = Amplitudes::gaussian;
-    Anisotropy anisotropy;                   ///< surfaces only
+    spectra::Anisotropy anisotropy;                   ///< surfaces only
     std::optional<double> exact_rms_height;  ///< scale the heights to this rms height [m], > 0
     parallel::Threads threads;
 };
@@ -47,12 +47,12 @@ struct SurfaceOptions {
 /// Memory: the map and one block a thread; O(n log n); 4096² in 0.2 s on two cores.
 /// @throws InvalidArgument for a grid or anisotropy outside its domain, a spectrum that is negative, infinite or NaN, or an
 /// exact rms height where no mode has power.
-[[nodiscard]] topography::HeightMap random_surface(const SpectralDensity& C_iso, const SurfaceGrid& grid,
+[[nodiscard]] topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
 
 /// A periodic random line of zero mean: h(x) = Σ_q c_q exp(iqx), ⟨|c_q|²⟩ = C1D(q)/L.
 /// Lines through an isotropic surface: C1D = profile_density(C_iso, …). Modes, seeds and errors as random_surface.
-[[nodiscard]] topography::LineScan random_line(const SpectralDensity& C1D, const LineGrid& grid,
+[[nodiscard]] topography::LineScan random_line(const spectra::SpectralDensity& C1D, const LineGrid& grid,
                                                const SurfaceOptions& options = {});
 
 /// What a surface on this grid has on average: sums over its modes.
@@ -60,9 +60,9 @@ struct ExpectedRoughness {
     double rms_height = 0.0;  ///< √(Σ C/A) [m]
     double rms_slope = 0.0;   ///< √(Σ q² C/A), Fourier derivative; of a line √⟨h'²⟩
 };
-[[nodiscard]] ExpectedRoughness expected_roughness(const SpectralDensity& C_iso, const SurfaceGrid& grid,
+[[nodiscard]] ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
-[[nodiscard]] ExpectedRoughness expected_roughness(const SpectralDensity& C1D, const LineGrid& grid);
+[[nodiscard]] ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C1D, const LineGrid& grid);
 
 /// nx x ny points of a map from grid point (x0, y0) on, as a map that is not periodic; where the map is periodic the window
 /// may cross its ends. Heights as they are: no trend is removed.

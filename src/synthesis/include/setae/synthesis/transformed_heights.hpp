@@ -29,7 +29,7 @@ struct NonGaussianSurface {
 /// Memory: about six maps. O(n log n), four transforms; 2048² in 0.4 s on two cores.
 /// @throws InvalidArgument as random_surface and TransformCorrelation do.
 /// Source: Grigoriu, Applied Non-Gaussian Processes (1995), section 3.1 (translation processes).
-[[nodiscard]] NonGaussianSurface non_gaussian_surface(const SpectralDensity& C_iso, const SurfaceGrid& grid,
+[[nodiscard]] NonGaussianSurface non_gaussian_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                       const HeightTransform& transform, const SurfaceOptions& options = {});
 
 }  // namespace setae::synthesis

@@ -12,7 +12,7 @@ namespace setae::synthesis {
 /// options.threads: of each rank. Memory a rank: its rows twice. Collective: all ranks call it with the same arguments, one
 /// thread each.
 /// @throws on all ranks what random_surface throws.
-[[nodiscard]] fourier::MapSlab random_surface_slab(MPI_Comm communicator, const SpectralDensity& C_iso, const SurfaceGrid& grid,
+[[nodiscard]] fourier::MapSlab random_surface_slab(MPI_Comm communicator, const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
 
 }  // namespace setae::synthesis

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/estimate.hpp"
+
+namespace setae::adhesion {
+
+/// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
+///
+///   prediction(W) = max(0, slope · W − offset)
+///
+/// Balance (7): slope r, offset γ1 (r − 1) + U_el/A.  (S13): slope 1 + h'²/2, offset U_el/A.  Loops (10): slope A_true,
+/// offset 0, or minus the loss of the smooth sphere.
+struct PairPoint {
+    std::string surface;
+    std::string elastomer;
+    Estimate measured;
+    double slope = 0.0;              ///< > 0
+    double offset = 0.0;
+    /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) + offset_variance
+    double slope_variance = 0.0;
+    double slope_centre = 0.0;
+    double slope_offset_covariance = 0.0;
+    double offset_variance = 0.0;
+    bool floored = true;             ///< predictions stop at 0
+
+    [[nodiscard]] double prediction(double work) const;
+    [[nodiscard]] double prediction_variance(double work) const;
+};
+
+/// An estimate of W under one assumption on the errors.
+struct WorkEstimate {
+    Estimate work_of_adhesion;
+    double chi_squared = 0.0;    ///< under the errors assumed
+    double extra_scatter = 0.0;  ///< standard deviation added to each pair's own, where the assumption has one
+};
+
+/// W from all pairs, and how well the model fits.
+struct WorkFit {
+    Estimate work_of_adhesion;            ///< least squares, every pair alike; error from the residuals, pairs independent
+    /// The same value, pairs of one surface and of one elastomer correlated (two-way sandwich); as many degrees of freedom
+    /// as the rarer kind of group has members, less one.
+    Estimate clustered;
+    double r_squared = 0.0;               ///< 1 − SS_res/SS_tot
+    double residual_standard_deviation = 0.0;
+    int n = 0;
+    int degrees_of_freedom = 0;
+    std::vector<PairPoint> pairs;         ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
+    std::optional<WorkEstimate> weighted;           ///< by the measured ± alone; its χ² tests the model
+    std::optional<WorkEstimate> with_extra_scatter; ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
+    std::optional<WorkEstimate> errors_in_both;     ///< measured and predicted ±, and the scatter still missing
+    std::optional<Estimate> likelihood;             ///< 95 % profile likelihood over the extra scatter
+};
+
+/// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.
+/// The weighted variants need a standard error at every pair.
+/// @throws InvalidArgument for fewer than two pairs or slopes <= 0.
+/// Source: THEORY §10; clustered errors: Cameron, Gelbach, Miller, J. Bus. Econ. Stat. 29 (2011) 238.
+[[nodiscard]] WorkFit fit_work_of_adhesion(const std::vector<PairPoint>& pairs);
+
+/// A straight line through points: y = slope · x + intercept, ordinary least squares.
+struct LineFit {
+    Estimate slope, intercept;  ///< n − 2 degrees of freedom
+    double r_squared = 0.0;
+    int n = 0;
+};
+
+/// @throws InvalidArgument for fewer than three points or x all alike.
+[[nodiscard]] LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y);
+
+/// A pair as the bound below sees it: prediction max(0, base_slope · W − base_offset − modulus · u).
+struct FreeEnergyPoint {
+    std::string surface;
+    double measured = 0.0;
+    double slope = 0.0;            ///< r
+    double offset = 0.0;           ///< γ1 (r − 1)
+    double contact_modulus = 0.0;  ///< [Pa]
+};
+
+/// The best any power spectral density could do: (7) with U_el/(A E*) = u free, >= 0, for each surface.
+struct FreeEnergyFit {
+    double work_of_adhesion = 0.0;
+    double r_squared = 0.0;
+    std::vector<std::pair<std::string, double>> energy_per_modulus;  ///< u by surface [m]
+};
+
+/// @throws InvalidArgument for fewer than two pairs.
+[[nodiscard]] FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs);
+
+}  // namespace setae::adhesion

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/pair_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+/// Four surfaces and four elastomers with known balance lines.
+std::vector<PairPoint> pairs(double work, double error = 0.0) {
+    std::vector<PairPoint> result;
+    for (int s = 0; s < 4; ++s)
+        for (int e = 0; e < 4; ++e) {
+            PairPoint p;
+            p.surface = "s" + std::to_string(s);
+            p.elastomer = "e" + std::to_string(e);
+            p.slope = 1.0 + 0.2 * s;
+            p.offset = 0.025 * 0.2 * s + 0.001 * s * (1 << e);
+            p.measured.standard_error = error;
+            p.measured.value = p.prediction(work);
+            result.push_back(p);
+        }
+    return result;
+}
+
+TEST(WorkFit, RecoversAnExactWorkThroughFlooredPairs) {
+    const auto points = pairs(0.02);
+    ASSERT_EQ(points[15].measured.value, 0.0) << "the case must hold a floored pair";
+    const auto fit = fit_work_of_adhesion(points);
+    EXPECT_NEAR(fit.work_of_adhesion.value, 0.02, 1e-15);
+    EXPECT_NEAR(fit.r_squared, 1.0, 1e-12);
+    EXPECT_EQ(fit.degrees_of_freedom, 15);
+}
+
+TEST(WorkFit, FindsTheGlobalMinimumOfABruteForceSearch) {
+    auto points = pairs(0.03);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0.0, 0.01);
+    for (auto& p : points) p.measured.value = std::max(0.0, p.measured.value + noise(random));
+    const auto cost = [&](double work) {
+        double sum = 0.0;
+        for (const auto& p : points) sum += std::pow(p.measured.value - p.prediction(work), 2);
+        return sum;
+    };
+    double best = 0.0;
+    for (int i = 0; i <= 100000; ++i)
+        if (cost(1e-6 * i) < cost(best)) best = 1e-6 * i;
+    EXPECT_NEAR(fit_work_of_adhesion(points).work_of_adhesion.value, best, 1e-6);
+}
+
+TEST(WorkFit, CoversTheTruthAsOftenAsItSays) {
+    // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) hold the truth: 400 draws, 3σ = 3.3 %
+    std::mt19937 random(11);
+    std::normal_distribution<double> noise(0.0, 0.003);
+    int plain = 0, weighted = 0;
+    const int draws = 400;
+    for (int i = 0; i < draws; ++i) {
+        auto points = pairs(0.08, 0.003);
+        for (auto& p : points) p.measured.value += noise(random);
+        const auto fit = fit_work_of_adhesion(points);
+        plain += std::abs(fit.work_of_adhesion.value - 0.08) < 2.131 * fit.work_of_adhesion.standard_error ? 1 : 0;
+        weighted += std::abs(fit.weighted->work_of_adhesion.value - 0.08) < 1.960 * fit.weighted->work_of_adhesion.standard_error ? 1 : 0;
+    }
+    EXPECT_NEAR(plain / double(draws), 0.95, 0.033);
+    EXPECT_NEAR(weighted / double(draws), 0.95, 0.033);
+}
+
+TEST(WorkFit, ExtraScatterBringsChiSquaredToTheDegreesOfFreedom) {
+    auto points = pairs(0.08, 0.001);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].measured.value += (i % 2 == 0 ? 0.005 : -0.005);
+    const auto fit = fit_work_of_adhesion(points);
+    EXPECT_GT(fit.weighted->chi_squared, 100.0);
+    EXPECT_NEAR(fit.with_extra_scatter->chi_squared, 15.0, 1e-6);
+    EXPECT_NEAR(fit.with_extra_scatter->extra_scatter, 0.005, 3e-4);
+    EXPECT_LT(fit.likelihood->interval->lower, fit.work_of_adhesion.value);
+    EXPECT_GT(fit.likelihood->interval->upper, fit.work_of_adhesion.value);
+}
+
+TEST(WorkFit, ClusteredErrorsGrowWhenSurfacesShareTheirDeviation) {
+    auto shared = pairs(0.08, 0.001), alternating = shared;
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        shared[i].measured.value += (i / 4 % 2 == 0 ? 0.005 : -0.005);
+        alternating[i].measured.value += (i % 2 == (i / 4) % 2 ? 0.005 : -0.005);
+    }
+    const auto a = fit_work_of_adhesion(shared), b = fit_work_of_adhesion(alternating);
+    EXPECT_GT(a.clustered.standard_error, 1.5 * a.work_of_adhesion.standard_error);
+    EXPECT_LT(b.clustered.standard_error, a.clustered.standard_error);
+}
+
+TEST(WorkFit, RefusesASinglePair) { EXPECT_THROW((void)fit_work_of_adhesion({pairs(0.03).front()}), InvalidArgument); }
+
+TEST(LineFit, HasTheTextbookStandardErrors) {
+    // Anscombe's first set, Am. Stat. 27 (1973) 17: slope 0.5001 ± 0.1179, intercept 3.0001 ± 1.1247, R² 0.6665
+    const auto fit = fit_line({10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5}, {8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68});
+    EXPECT_NEAR(fit.slope.value, 0.5001, 5e-5);
+    EXPECT_NEAR(fit.slope.standard_error, 0.1179, 5e-5);
+    EXPECT_NEAR(fit.intercept.value, 3.0001, 5e-5);
+    EXPECT_NEAR(fit.intercept.standard_error, 1.1247, 5e-5);
+    EXPECT_NEAR(fit.r_squared, 0.6665, 5e-5);
+    EXPECT_THROW((void)fit_line({1, 1, 1}, {1, 2, 3}), InvalidArgument);
+}
+
+TEST(FreeEnergies, RecoverWhatEachSurfaceStores) {
+    std::vector<FreeEnergyPoint> points;
+    for (int s = 0; s < 3; ++s)
+        for (const double modulus : {0.9e6, 1.4e6, 2.5e6, 13e6}) {
+            const double r = 1.1 + 0.2 * s, u = 1e-9 * (1 + s);
+            points.push_back({"s" + std::to_string(s), std::max(0.0, 0.037 * r - 0.025 * (r - 1.0) - modulus * u), r, 0.025 * (r - 1.0), modulus});
+        }
+    const auto fit = fit_with_free_energies(points);
+    EXPECT_NEAR(fit.work_of_adhesion, 0.037, 1e-6);
+    EXPECT_NEAR(fit.r_squared, 1.0, 1e-6);
+    for (std::size_t s = 0; s < 3; ++s) EXPECT_NEAR(fit.energy_per_modulus[s].second, 1e-9 * static_cast<double>(1 + s), 1e-12);
+}
+
+}  // namespace
+}  // namespace setae::adhesion

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/bytes/archive.hpp"
+
+#include <zip.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "setae/bytes/expand.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::bytes {
+namespace {
+
+struct CloseMember {
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+constexpr std::uint64_t head_bytes = 1 << 16;
+constexpr std::uint64_t largest_head = 1 << 20;  ///< of a member that is expanded in part
+
+[[noreturn]] void broken(const Source& source, const std::string& what) {
+    throw FormatError(source.name, {}, "ZIP: " + what);
+}
+
+/// The directory of an archive stands at its end: what was looked for there is not there.
+[[noreturn]] void no_archive(const Source& source, const std::string& reason) {
+    throw FormatError(source.name, {.offset = source.size}, fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
+}
+
+/// What libzip reads an archive through: any source, from where its directory says.
+struct Reading {
+    Source source;
+    std::uint64_t position = 0;
+    zip_error_t error{};
+};
+
+zip_int64_t served(void* state, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+    auto& reading = *static_cast<Reading*>(state);
+    const auto size = reading.source.size;
+    switch (command) {
+        case ZIP_SOURCE_OPEN: reading.position = 0; return 0;
+        case ZIP_SOURCE_READ:
+            try {
+                const auto count = std::min(length, size - reading.position);
+                reading.source.read_into(reading.position, count, static_cast<char*>(data));
+                reading.position += count;
+                return static_cast<zip_int64_t>(count);
+            } catch (const std::exception&) {
+                zip_error_set(&reading.error, ZIP_ER_READ, 0);
+                return -1;
+            }
+        case ZIP_SOURCE_SEEK: {
+            const auto place = zip_source_seek_compute_offset(reading.position, size, data, length, &reading.error);
+            if (place < 0) return -1;
+            reading.position = static_cast<std::uint64_t>(place);
+            return 0;
+        }
+        case ZIP_SOURCE_TELL: return static_cast<zip_int64_t>(reading.position);
+        case ZIP_SOURCE_STAT: {
+            auto* stat = static_cast<zip_stat_t*>(data);
+            zip_stat_init(stat);
+            stat->size = size;
+            stat->valid |= ZIP_STAT_SIZE;
+            return sizeof(zip_stat_t);
+        }
+        case ZIP_SOURCE_CLOSE: return 0;
+        case ZIP_SOURCE_ERROR: return zip_error_to_data(&reading.error, data, length);
+        case ZIP_SOURCE_FREE: zip_error_fini(&reading.error); delete &reading; return 0;
+        case ZIP_SOURCE_SUPPORTS:
+            return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK,
+                                                  ZIP_SOURCE_TELL, ZIP_SOURCE_SUPPORTS, -1);
+        default: zip_error_set(&reading.error, ZIP_ER_OPNOTSUPP, 0); return -1;
+    }
+}
+
+zip* opened(const Source& source) {
+    auto reading = std::make_unique<Reading>(Reading{source});
+    zip_error_init(&reading->error);
+    zip_error_t error;
+    zip_error_init(&error);
+    auto* through = zip_source_function_create(served, reading.get(), &error);
+    if (through) reading.release();  // freed with the source
+    auto* archive = through ? zip_open_from_source(through, ZIP_RDONLY, &error) : nullptr;
+    const std::string reason = archive ? "" : zip_error_strerror(&error);
+    zip_error_fini(&error);
+    if (archive) return archive;
+    if (through) zip_source_free(through);
+    no_archive(source, reason);
+}
+
+/// What a member announces of itself.
+zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
+    zip_stat_t stat;
+    if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) || !(stat.valid & ZIP_STAT_COMP_SIZE))
+        broken(source, fmt::format("member {} has no size", index));
+    return stat;
+}
+
+/// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once, whichever thread asks.
+struct LazyMember {
+    Source archive;
+    std::string name;
+    std::mutex guard;
+    std::shared_ptr<const std::string> head, content;
+
+    /// What holds the bytes up to `end`; less where the member ends before.
+    std::shared_ptr<const std::string> holding(std::uint64_t end) {
+        const std::lock_guard lock(guard);
+        if (content) return content;
+        if (end > head->size() && end <= largest_head) head = std::make_shared<const std::string>(Archive(archive).head(name, std::max(2 * end, 4 * head_bytes)));
+        if (end > largest_head) content = std::make_shared<const std::string>(Archive(archive).read(name));
+        return content ? content : head;
+    }
+};
+
+}  // namespace
+
+bool stays_inside(std::string_view name) {
+    if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) return false;
+    while (!name.empty()) {
+        const auto end = std::min(name.find_first_of("/\\"), name.size());
+        if (name.substr(0, end) == "..") return false;
+        name.remove_prefix(std::min(end + 1, name.size()));
+    }
+    return true;
+}
+
+bool is_zip(std::string_view head) { return head.starts_with("PK\x03\x04"); }
+
+void Archive::Close::operator()(zip* archive) const { zip_discard(archive); }
+
+Archive::Archive(const Source& source) : source_(source) {
+    zip_.reset(opened(source_));
+    for (const auto& name : names())
+        if (!stays_inside(name)) broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
+}
+
+std::vector<std::string> Archive::names() const {
+    std::vector<std::string> names;
+    const auto count = zip_get_num_entries(zip_.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i)
+        if (const char* name = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0)) names.emplace_back(name);
+    return names;
+}
+
+bool Archive::has(const std::string& name) const { return zip_name_locate(zip_.get(), name.c_str(), 0) >= 0; }
+
+std::uint64_t Archive::index_of(const std::string& name) const {
+    const auto index = zip_name_locate(zip_.get(), name.c_str(), 0);
+    if (index < 0) broken(source_, fmt::format("no member '{}', it holds: {}", name, fmt::join(names(), ", ")));
+    return static_cast<std::uint64_t>(index);
+}
+
+std::uint64_t Archive::size(const std::string& name) const { return announced(zip_.get(), index_of(name), source_).size; }
+
+std::string Archive::read(const std::string& name) const { return head(name, std::numeric_limits<std::uint64_t>::max()); }
+
+std::string Archive::head(const std::string& name, std::uint64_t count) const {
+    const auto index = index_of(name);
+    const auto compressed = std::min<std::uint64_t>(announced(zip_.get(), index, source_).comp_size, source_.size);
+    const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), index, 0));
+    if (!file) broken(source_, fmt::format("member '{}': {}", name, zip_strerror(zip_.get())));
+    std::string content;
+    content.reserve(std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count}));
+    std::vector<char> chunk(1 << 18);
+    while (content.size() < count) {
+        const auto got = zip_fread(file.get(), chunk.data(), std::min<std::uint64_t>(chunk.size(), count - content.size()));
+        if (got < 0) broken(source_, fmt::format("member '{}' is damaged: {}", name, zip_file_strerror(file.get())));
+        if (got == 0) break;
+        content.append(chunk.data(), static_cast<std::size_t>(got));
+        if (content.size() > most_expanded(compressed))
+            broken(source_, fmt::format("member '{}' expands from {} bytes to more than {}; if it is honest, unpack the archive with another program first", name, compressed, most_expanded(compressed)));
+    }
+    return content;
+}
+
+Source Archive::member(const std::string& name) const {
+    const auto stat = announced(zip_.get(), index_of(name), source_);
+    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size); stat.size > most_expanded(compressed))
+        broken(source_, fmt::format("member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged", name, stat.size, compressed, most_expanded(compressed)));
+    auto lazy = std::make_shared<LazyMember>();
+    lazy->archive = source_;
+    lazy->name = name;
+    lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
+    Source source{fmt::format("{}: {}", source_.name, name), size(name), {}, {}};
+    source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
+        if (offset > size || count > size - offset) throw FormatError(label, {.offset = size}, fmt::format("the member ends here, expected {} bytes from byte {}; it is truncated", count, offset));
+        const auto held = lazy->holding(offset + count);
+        if (offset + count > held->size()) throw FormatError(label, {.offset = held->size()}, "ZIP: the member is shorter than the archive's directory says");
+        std::copy_n(held->data() + offset, count, target);
+    };
+    return source;
+}
+
+}  // namespace setae::bytes

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace setae::bytes {
+
+/// Bytes a reader works on: a file on disk, read where asked, or a member of an archive in memory.
+struct Source {
+    std::string name;         ///< for messages: the path, or "container.zip: member"
+    std::uint64_t size = 0;   ///< bytes
+    std::string path;         ///< on disk; empty for a member of an archive
+    /// exactly `count` bytes from `offset` into memory of the caller, from any thread
+    std::function<void(std::uint64_t offset, std::uint64_t count, char* target)> read_into;
+
+    /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated then.
+    [[nodiscard]] std::string bytes(std::uint64_t offset, std::uint64_t count) const;
+    [[nodiscard]] std::string all() const { return bytes(0, size); }
+    /// The first `count` bytes, or all where there are fewer.
+    [[nodiscard]] std::string head(std::uint64_t count) const { return bytes(0, count < size ? count : size); }
+};
+
+/// How much of a source tells its format.
+inline constexpr std::size_t detection_bytes = 1 << 16;
+
+/// A file on disk; nothing is read yet.
+/// @throws FileError for a missing path, a directory or a file that cannot be opened.
+[[nodiscard]] Source file_source(const std::string& path);
+
+/// Bytes in memory under a name.
+[[nodiscard]] Source memory_source(std::string name, std::string content);
+
+/// Part of a source, such as an archive behind a picture. @throws FormatError where the source ends before.
+[[nodiscard]] Source part_of(const Source& source, std::string name, std::uint64_t offset, std::uint64_t count);
+
+}  // namespace setae::bytes

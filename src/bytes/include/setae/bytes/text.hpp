@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace setae::bytes {
+
+/// How a text is encoded, where its bytes do not say it themselves.
+enum class Encoding { detect, utf8, utf16, latin1 };
+
+/// Bytes of a text as UTF-8 with '\n' line ends, without byte order mark.
+[[nodiscard]] std::string decoded(std::string bytes, Encoding encoding);
+
+/// Whether bytes can be text: a UTF-16 byte order mark, or no control characters besides white space.
+[[nodiscard]] bool looks_like_text(std::string_view bytes);
+
+/// ASCII letters in lower case.
+[[nodiscard]] std::string lowered(std::string_view text);
+
+[[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
+
+/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-", "***", "infinite", "1.#QNAN"; false for anything that is no
+/// number.
+[[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
+
+}  // namespace setae::bytes

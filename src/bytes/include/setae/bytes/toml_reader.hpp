@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "setae/core/units.hpp"
+
+namespace setae::bytes {
+
+/// A TOML file as a table.
+/// @throws FileError; FormatError with the line for text that is no TOML.
+[[nodiscard]] toml::table parse_toml_file(const std::string& path);
+
+/// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error names
+/// file and line.
+class TomlReader {
+public:
+    TomlReader(const toml::table& table, std::string path, std::string where);
+
+    [[nodiscard]] std::optional<std::string> text(const char* key);
+    [[nodiscard]] std::string required_text(const char* key);
+    [[nodiscard]] std::optional<double> number(const char* key);
+    [[nodiscard]] std::optional<std::int64_t> integer(const char* key);
+    [[nodiscard]] std::optional<bool> boolean(const char* key);
+    /// What one of a closed set of words stands for. @throws FormatError that lists the words.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> choice(const char* key, const std::vector<std::pair<std::string, Value>>& choices) {
+        const auto word = text(key);
+        if (!word) return std::nullopt;
+        std::string words;
+        for (const auto& [name, value] : choices) {
+            if (name == *word) return value;
+            words += (words.empty() ? "" : ", ") + name;
+        }
+        fail(key, "'" + *word + "', expected one of " + words);
+    }
+    /// "37 mJ/m2"; a plain number only where the dimension is none.
+    [[nodiscard]] std::optional<double> quantity(const char* key, const Dimension& dimension);
+    /// "37 ± 3.7 mJ/m2".
+    [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Dimension& dimension);
+    [[nodiscard]] Estimate required_uncertain(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::vector<std::string> texts(const char* key);
+    [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Dimension& dimension);
+    [[nodiscard]] bool is_number(const char* key) const;
+    [[nodiscard]] bool is_list(const char* key) const;
+    [[nodiscard]] bool is_table(const char* key) const;
+    /// Calls body with the table under a key, if there is one.
+    void table(const char* key, const std::function<void(TomlReader)>& body);
+    /// Calls body(name, table) for each table under a key: [key.NAME].
+    void named_tables(const char* key, const std::function<void(const std::string&, TomlReader)>& body);
+    /// Calls body for each table of an array: [[key]].
+    void each_table(const char* key, const std::function<void(TomlReader)>& body);
+
+    /// Keys of this table, in the order of the file.
+    [[nodiscard]] std::vector<std::string> keys() const;
+
+    /// @throws FormatError at the first key nobody asked for, with the nearest known one.
+    void finish() const;
+
+    /// @throws FormatError at the key (or the table where it is missing).
+    [[noreturn]] void fail(const char* key, const std::string& what) const;
+
+private:
+    const toml::node* find(const char* key);
+    template <class Value>
+    std::vector<Value> list(const char* key, const std::function<Value(const toml::node&)>& convert);
+    Estimate parse(const char* key, const toml::node& node, const Dimension& dimension) const;
+
+    const toml::table* table_;
+    std::string path_;
+    std::string where_;
+    std::set<std::string> known_;
+};
+
+}  // namespace setae::bytes

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/bytes/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+
+#include "setae/core/constants.hpp"
+
+namespace setae::bytes {
+namespace {
+
+void append_utf8(std::string& text, std::uint32_t code) {
+    const auto tail = [&](int shift) { text += static_cast<char>(0x80u | ((code >> shift) & 0x3fu)); };
+    if (code < 0x80) {
+        text += static_cast<char>(code);
+    } else if (code < 0x800) {
+        text += static_cast<char>(0xc0u | (code >> 6));
+        tail(0);
+    } else if (code < 0x10000) {
+        text += static_cast<char>(0xe0u | (code >> 12));
+        tail(6);
+        tail(0);
+    } else {
+        text += static_cast<char>(0xf0u | (code >> 18));
+        tail(12);
+        tail(6);
+        tail(0);
+    }
+}
+
+std::string from_latin1(std::string_view bytes) {
+    std::string text;
+    text.reserve(bytes.size() + bytes.size() / 16);
+    for (const char c : bytes) append_utf8(text, static_cast<unsigned char>(c));
+    return text;
+}
+
+std::string from_utf16(std::string_view bytes, bool big_endian) {
+    constexpr std::uint32_t replacement = 0xfffd;
+    const auto unit = [&](std::size_t i) {
+        const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+        return big_endian ? first * 256u + second : second * 256u + first;
+    };
+    std::string text;
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+        std::uint32_t code = unit(i);
+        if (code >= 0xd800 && code < 0xdc00 && i + 3 < bytes.size()) {
+            const std::uint32_t low = unit(i + 2);
+            const bool pair = low >= 0xdc00 && low < 0xe000;
+            code = pair ? 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00) : replacement;
+            if (pair) i += 2;
+        } else if (code >= 0xd800 && code < 0xe000) {
+            code = replacement;
+        }
+        append_utf8(text, code);
+    }
+    return text;
+}
+
+bool is_utf8(std::string_view bytes) {
+    for (std::size_t i = 0; i < bytes.size();) {
+        const auto lead = static_cast<unsigned char>(bytes[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : (lead & 0xf0) == 0xe0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+        if (length == 0 || i + length > bytes.size()) return false;
+        for (std::size_t k = 1; k < length; ++k)
+            if ((static_cast<unsigned char>(bytes[i + k]) & 0xc0) != 0x80) return false;
+        i += length;
+    }
+    return true;
+}
+
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf", utf16_little = "\xff\xfe", utf16_big = "\xfe\xff";
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+}  // namespace
+
+std::string decoded(std::string bytes, Encoding encoding) {
+    std::string text;
+    if (bytes.starts_with(utf16_little) || bytes.starts_with(utf16_big))
+        text = from_utf16(std::string_view(bytes).substr(2), bytes.starts_with(utf16_big));
+    else if (encoding == Encoding::utf16)
+        text = from_utf16(bytes, false);
+    else if (bytes.starts_with(utf8_mark))
+        text = bytes.substr(3);
+    else if (encoding == Encoding::latin1 || (encoding == Encoding::detect && !is_utf8(bytes)))
+        text = from_latin1(bytes);
+    else
+        text = std::move(bytes);
+    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+    return text;
+}
+
+bool looks_like_text(std::string_view bytes) {
+    if (bytes.starts_with(utf16_little) || bytes.starts_with(utf16_big)) return true;
+    return std::all_of(bytes.begin(), bytes.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0x20 || byte == '\t' || byte == '\n' || byte == '\r' || byte == '\f' || byte == 0x1a;
+    });
+}
+
+std::string lowered(std::string_view text) {
+    std::string result(text);
+    for (auto& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    lines.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+    while (!text.empty()) {
+        const auto end = text.find('\n');
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return lines;
+}
+
+bool parse_cell(std::string_view cell, char decimal_point, double& value) {
+    while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
+    while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    value = undefined;
+    if (cell.empty()) return true;
+    std::array<char, 64> copy{};
+    if (decimal_point == ',') {
+        if (cell.size() >= copy.size() || cell.find('.') != std::string_view::npos) return false;
+        std::replace_copy(cell.begin(), cell.end(), copy.begin(), ',', '.');
+        cell = {copy.data(), cell.size()};
+    }
+    auto digits = cell;
+    if (digits.front() == '+') digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool whole = end == digits.data() + digits.size();
+    if (error == std::errc{} && whole) return true;
+    if (error == std::errc::result_out_of_range && whole) {  // 1e-400 is 0, 1e400 infinite
+        value = std::strtod(std::string(digits).c_str(), nullptr);
+        return true;
+    }
+    value = undefined;
+    if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
+    static constexpr std::array<std::string_view, 11> undefined_words{"nan",      "bad",       "-",         "--",       "---",      "infinite",
+                                                                       "1.#qnan",  "-1.#ind",   "1.#ind",    "1.#inf",   "-1.#inf"};
+    return std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
+}
+
+}  // namespace setae::bytes

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/bytes/toml_reader.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/bytes/whole_file.hpp"
+
+namespace setae::bytes {
+namespace {
+
+FilePosition position_at(const toml::source_position& place) { return {.line = place.line}; }
+
+FilePosition position(const toml::node& node) { return position_at(node.source().begin); }
+
+}  // namespace
+
+toml::table parse_toml_file(const std::string& path) {
+    try {
+        return toml::parse(read_file(path), path);
+    } catch (const toml::parse_error& error) {
+        throw FormatError(path, position_at(error.source().begin), fmt::format("TOML: {}", error.description()));
+    }
+}
+
+TomlReader::TomlReader(const toml::table& table, std::string path, std::string where)
+    : table_(&table), path_(std::move(path)), where_(std::move(where)) {}
+
+const toml::node* TomlReader::find(const char* key) {
+    known_.insert(key);
+    return table_->get(key);
+}
+
+void TomlReader::fail(const char* key, const std::string& what) const {
+    const auto* node = table_->get(key);
+    throw FormatError(path_, position(node ? *node : static_cast<const toml::node&>(*table_)),
+                      fmt::format("{}{}: {}", where_.empty() ? "" : where_ + ".", key, what));
+}
+
+std::optional<std::string> TomlReader::text(const char* key) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    if (const auto* value = node->as_string()) return value->get();
+    fail(key, "expected a text in quotes");
+}
+
+std::string TomlReader::required_text(const char* key) {
+    if (auto value = text(key)) return *value;
+    fail(key, "missing; expected a text");
+}
+
+std::optional<double> TomlReader::number(const char* key) { return quantity(key, dimension::none); }
+
+std::optional<bool> TomlReader::boolean(const char* key) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    if (const auto value = node->value_exact<bool>()) return value;
+    fail(key, "expected true or false");
+}
+
+std::optional<std::int64_t> TomlReader::integer(const char* key) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    if (const auto* value = node->as_integer()) return value->get();
+    fail(key, "expected a whole number");
+}
+
+Estimate TomlReader::parse(const char* key, const toml::node& node, const Dimension& dimension) const {
+    if (node.is_number()) {
+        if (dimension == dimension::none) return {*node.value<double>(), 0.0};
+        fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"", *node.value<double>(), si_unit(dimension)));
+    }
+    const auto* text = node.as_string();
+    if (!text) fail(key, "expected a number with its unit in quotes");
+    try {
+        return parse_uncertain_quantity(text->get(), dimension);
+    } catch (const InvalidArgument& error) {
+        fail(key, error.what());
+    }
+}
+
+std::optional<Estimate> TomlReader::uncertain(const char* key, const Dimension& dimension) {
+    const auto* node = find(key);
+    if (!node) return std::nullopt;
+    return parse(key, *node, dimension);
+}
+
+Estimate TomlReader::required_uncertain(const char* key, const Dimension& dimension) {
+    if (auto value = uncertain(key, dimension)) return *value;
+    fail(key, fmt::format("missing; expected a quantity in {}", si_unit(dimension)));
+}
+
+std::optional<double> TomlReader::quantity(const char* key, const Dimension& dimension) {
+    const auto value = uncertain(key, dimension);
+    return value ? std::optional(value->value) : std::nullopt;
+}
+
+template <class Value>
+std::vector<Value> TomlReader::list(const char* key, const std::function<Value(const toml::node&)>& convert) {
+    const auto* node = find(key);
+    if (!node) return {};
+    const auto* array = node->as_array();
+    if (!array) fail(key, "expected a list in brackets");
+    std::vector<Value> values;
+    for (const auto& element : *array) values.push_back(convert(element));
+    return values;
+}
+
+std::vector<std::string> TomlReader::texts(const char* key) {
+    return list<std::string>(key, [&](const toml::node& node) -> std::string {
+        if (const auto* value = node.as_string()) return value->get();
+        fail(key, "expected texts in quotes");
+    });
+}
+
+std::vector<Estimate> TomlReader::uncertains(const char* key, const Dimension& dimension) {
+    return list<Estimate>(key, [&](const toml::node& node) { return parse(key, node, dimension); });
+}
+
+std::vector<double> TomlReader::quantities(const char* key, const Dimension& dimension) {
+    return list<double>(key, [&](const toml::node& node) { return parse(key, node, dimension).value; });
+}
+
+bool TomlReader::is_number(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_number();
+}
+
+bool TomlReader::is_list(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_array();
+}
+
+bool TomlReader::is_table(const char* key) const {
+    const auto* node = table_->get(key);
+    return node && node->is_table();
+}
+
+void TomlReader::table(const char* key, const std::function<void(TomlReader)>& body) {
+    const auto* node = find(key);
+    if (!node) return;
+    const auto* inner = node->as_table();
+    if (!inner) fail(key, "expected a table");
+    body({*inner, path_, where_.empty() ? key : where_ + "." + key});
+}
+
+void TomlReader::named_tables(const char* key, const std::function<void(const std::string&, TomlReader)>& body) {
+    table(key, [&](TomlReader group) {
+        for (const auto& name : group.keys()) group.table(name.c_str(), [&](TomlReader inner) { body(name, std::move(inner)); });
+    });
+}
+
+void TomlReader::each_table(const char* key, const std::function<void(TomlReader)>& body) {
+    const auto* node = find(key);
+    if (!node) return;
+    const auto* array = node->as_array();
+    if (!array) fail(key, "expected a list of tables");
+    std::size_t index = 0;
+    for (const auto& element : *array) {
+        const auto* inner = element.as_table();
+        if (!inner) fail(key, "expected a list of tables");
+        body({*inner, path_, fmt::format("{}{}[{}]", where_.empty() ? "" : where_ + ".", key, ++index)});
+    }
+}
+
+std::vector<std::string> TomlReader::keys() const {
+    std::vector<std::pair<toml::source_position, std::string>> found;
+    for (const auto& [key, node] : *table_) found.emplace_back(key.source().begin, std::string(key.str()));
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> names;
+    for (auto& [at, name] : found) names.push_back(std::move(name));
+    return names;
+}
+
+void TomlReader::finish() const {
+    for (const auto& [key, node] : *table_) {
+        if (known_.contains(std::string(key.str()))) continue;
+        const std::vector<std::string> known(known_.begin(), known_.end());
+        const auto nearest = nearest_match(key.str(), known);
+        throw FormatError(path_, position_at(key.source().begin),
+                          fmt::format("unknown key '{}'{}{}", key.str(), where_.empty() ? "" : " in " + where_,
+                                      nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    }
+}
+
+}  // namespace setae::bytes

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "channel_building.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::formats {
+
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Measurement;
+using topography::Profile;
+
+namespace {
+
+std::vector<double> size_of(const HeightMap& map) { return {map.size[0], map.size[1]}; }
+std::vector<double> size_of(const LineScan& scan) { return {scan.size}; }
+std::vector<double> size_of(const Profile& profile) {
+    return {std::abs(profile.positions[profile.positions.size() - 1] - profile.positions[0])};
+}
+
+const char* size_example(const ChannelInfo& info) { return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\""; }
+
+void make_infinite_undefined(double* heights, Index count) {
+    for (Index i = 0; i < count; ++i)
+        if (!std::isfinite(heights[i])) heights[i] = undefined;
+}
+
+bool any_defined(const double* heights, Index count) {
+    return std::any_of(heights, heights + count, [](double height) { return height == height; });
+}
+
+}  // namespace
+
+std::vector<double> extent(const Measurement& measurement) {
+    return std::visit([](const auto& m) { return size_of(m); }, measurement);
+}
+
+std::vector<Index> channel_shape(const Measurement& measurement) {
+    const auto [nx, ny] = topography::shape(measurement);
+    if (std::holds_alternative<HeightMap>(measurement)) return {nx, ny};
+    return {nx};
+}
+
+Channel loaded_channel(ChannelInfo info, Measurement measurement) {
+    info.shape = channel_shape(measurement);
+    info.size = extent(measurement);
+    info.metadata = topography::metadata(measurement);
+    const auto shared = std::make_shared<const Measurement>(std::move(measurement));
+    return {std::move(info), [shared] { return *shared; }};
+}
+
+void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> read) {
+    channel.read = std::move(read);
+    channel.lines = {};
+}
+
+Channel non_height_channel(ChannelInfo info) {
+    info.is_height = false;
+    auto message = fmt::format("{}: channel '{}' holds no heights", info.metadata.file, info.name);
+    return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
+Channel unreadable_member(const bytes::Source& source, const std::string& name, const std::string& reason) {
+    ChannelInfo info;
+    info.name = name;
+    info.is_height = false;
+    info.metadata.file = source.name;
+    info.metadata.name = name;
+    info.alerts.push_back({"UNREADABLE_MEMBER", name, reason, "the other measurements are not affected; repair or replace this one"});
+    return {std::move(info), [error = std::current_exception()]() -> Measurement { std::rethrow_exception(error); }};
+}
+
+void require_measurement(const Measurement& measurement, const bytes::Source& source) {
+    const auto points = topography::shape(measurement);
+    const bool is_map = std::holds_alternative<HeightMap>(measurement);
+    if (points[0] < 2 || (is_map && points[1] < 2))
+        throw FormatError(source.name, {}, fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
+    if (!std::visit([](const auto& m) { return any_defined(m.heights.data(), m.heights.size()); }, measurement))
+        throw UndefinedDataError(fmt::format("{}: all {} heights are undefined", source.name, points[0] * points[1]));
+    const bool is_profile = std::holds_alternative<Profile>(measurement);  // a traced curve may end where it began
+    for (const double length : extent(measurement))
+        if (!is_profile && (!(length > 0.0) || !std::isfinite(length)))
+            throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", length));
+}
+
+Measurement checked(Measurement measurement, const bytes::Source& source) {
+    std::visit([](auto& m) { make_infinite_undefined(m.heights.data(), m.heights.size()); }, measurement);
+    require_measurement(measurement, source);
+    return measurement;
+}
+
+LengthUnit length_unit(const std::string& unit, const bytes::Source& source) {
+    static constexpr std::pair<const char*, double> spellings[] = {{"m", 1.0},       {"cm", 1e-2},        {"mm", units::mm}, {"µm", units::um},
+                                                                   {"nm", units::nm}, {"Å", units::angstrom}, {"pm", units::pm}};
+    try {
+        const double factor = unit_factor(unit, dimension::length);
+        for (const auto& [name, known] : spellings)
+            if (std::abs(factor / known - 1.0) < 1e-12) return {name, factor};
+        return {unit, factor};
+    } catch (const InvalidArgument& error) {
+        throw FormatError(source.name, {}, fmt::format("unit of heights: {}", error.what()));
+    }
+}
+
+Array1D standard_errors(const tables::RawTable::RawColumn& column, const bytes::Source& source) {
+    if (column.unit.empty())
+        throw FormatError(source.name, {}, fmt::format("the column '{0}' has no unit; write it beside the name, as '{0} [nm]'", column.name));
+    for (Index i = 0; i < column.values.size(); ++i)
+        if (!(column.values[i] >= 0.0) || !std::isfinite(column.values[i]))
+            throw FormatError(source.name, {}, fmt::format("standard error {} of point {}; expected a number >= 0", column.values[i], i + 1));
+    return column.values * length_unit(column.unit, source).factor;
+}
+
+GivenUnits given_units(const ReadOptions& options) {
+    const std::string_view text = options.unit ? std::string_view(*options.unit) : std::string_view{};
+    const auto comma = text.find(',');
+    if (comma == std::string_view::npos) return {std::string(text), std::string(text)};
+    return {std::string(trimmed(text.substr(0, comma))), std::string(trimmed(text.substr(comma + 1)))};
+}
+
+double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
+    double factor = 1.0;
+    if (info.unit.empty() && options.unit) {
+        const auto unit = length_unit(given_units(options).heights, source);
+        info.unit = unit.name;
+        factor = unit.factor;
+    } else if (!info.unit.empty()) {
+        info.unit = length_unit(info.unit, source).name;
+    }
+    if (info.size.empty() && options.size) {
+        if (options.size->size() != info.shape.size())
+            throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name, options.size->size(), info.shape.size(),
+                                              size_example(info)));
+        info.size = *options.size;
+    }
+    for (const double size : info.size)
+        if (!(size > 0.0) || !std::isfinite(size)) throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
+    info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
+    if (info.metadata.file.empty()) info.metadata.file = source.name;
+    info.metadata.format = info.format;
+    info.metadata.unit = info.unit;
+    return factor;
+}
+
+Channel incomplete_channel(ChannelInfo info, const bytes::Source& source) {
+    const auto message = info.unit.empty() && info.size.empty() ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name, size_example(info))
+                         : info.unit.empty()                    ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
+                                                                : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
+    return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
+}  // namespace setae::formats

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/formats/container_draft.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "channel_building.hpp"
+#include "container_measurement.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/formats/netcdf.hpp"
+#include "setae/tables/dialect.hpp"
+
+namespace setae::formats {
+namespace {
+
+using topography::Measurement;
+
+// ---- names of members -----------------------------------------------------------------------------------------------
+
+bool is_taken(const ContainerDraft& draft, const std::string& name) {
+    if (name == "index.json" || name == "meta.yml") return true;
+    return std::any_of(draft.members.begin(), draft.members.end(), [&](const ContainerMember& member) { return member.name == name; });
+}
+
+/// The name, or the name behind the first number that makes it the only one.
+std::string free_name(const ContainerDraft& draft, const std::string& name) {
+    auto free = name;
+    for (int number = 1; is_taken(draft, free); ++number) free = fmt::format("{}-{}", number, name);
+    return free;
+}
+
+/// A file's name in letters that every program takes, behind the number of its measurement.
+std::string member_name(std::size_t number, const std::string& path) {
+    auto name = std::filesystem::path(path).filename().string();
+    for (auto& character : name)
+        if (!std::isalnum(static_cast<unsigned char>(character)) && character != '.' && character != '-' && character != '_') character = '-';
+    return fmt::format("{}-{}", number, name);
+}
+
+std::string copy_name(const std::string& original) { return std::filesystem::path(original).replace_extension().string() + "-squeezed.nc"; }
+
+// ---- what the index says of a file ----------------------------------------------------------------------------------
+
+/// The unit of lengths in an index; contact.engineering knows m, mm, µm, nm, Å and pm.
+std::string index_unit(const std::string& unit, bool numbers_rest_on_it, const std::string& path) {
+    for (const char* known : {"m", "mm", "µm", "nm", "Å", "pm"})
+        if (unit == known) return unit;
+    if (numbers_rest_on_it) throw InvalidArgument(fmt::format("{}: containers know no unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
+    return unit == "cm" ? "mm" : "µm";
+}
+
+std::string detrend_mode(topography::Trend trend) {
+    switch (trend) {
+        case topography::Trend::mean: return "center";
+        case topography::Trend::tilt: return "height";
+        case topography::Trend::parabola: return "curvature";
+        case topography::Trend::none: break;
+    }
+    throw InvalidArgument("containers cannot say that nothing is to be removed; expected mean, tilt or parabola");
+}
+
+constexpr std::array<const char*, 12> months{"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"};
+
+std::string iso_date(int year, int month, int day) {
+    const bool possible = year >= 1900 && year < 2100 && month >= 1 && month <= 12 && day >= 1 && day <= 31;
+    return possible ? fmt::format("{:04}-{:02}-{:02}", year, month, day) : std::string{};
+}
+
+/// 2016-02-15 from the ways that leave no doubt to write it: 2016-02-15…, 2016/02/15, 15.02.2016, Feb 15 2016, 15 Feb 2016; else nothing.
+std::string date_of(const std::string& time) {
+    std::array<int, 3> numbers{};
+    char first = 0, second = 0;
+    const auto fields = [&](const char* pattern) { return std::sscanf(time.c_str(), pattern, &numbers[0], &first, &numbers[1], &second, &numbers[2]) == 5 && first == second; };
+    if (fields("%4d%c%2d%c%2d") && (first == '-' || first == '/') && numbers[0] > 31) return iso_date(numbers[0], numbers[1], numbers[2]);
+    if (fields("%2d%c%2d%c%4d") && first == '.') return iso_date(numbers[2], numbers[1], numbers[0]);
+    std::vector<std::string_view> words;
+    const auto lower = bytes::lowered(time);
+    tables::split_cells(lower, ' ', words);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto month = std::find_if(months.begin(), months.end(), [&](const char* name) { return words[i].starts_with(name); });
+        if (month == months.end()) continue;
+        int day = 0, year = 0;
+        for (std::size_t k = i == 0 ? 0 : i - 1; k < std::min(i + 4, words.size()); ++k) {
+            const int number = std::atoi(std::string(words[k]).c_str());
+            if (number >= 1900)
+                year = number;
+            else if (day == 0 && words[k].find(':') == std::string_view::npos)
+                day = number;
+        }
+        return iso_date(year, static_cast<int>(month - months.begin()) + 1, day);
+    }
+    return {};
+}
+
+/// contact.engineering knows instruments that touch and those that look.
+std::string instrument_type(const topography::Instrument& instrument) {
+    if (instrument.type == "stylus" || instrument.type == "afm") return "contact-based";
+    if (!instrument.type.empty()) return "microscope-based";
+    return instrument.tip_radius ? "contact-based" : instrument.resolution ? "microscope-based" : "undefined";
+}
+
+/// A number as people wrote it: 500, not 500.00000000000006 after its way through metres.
+double without_rounding(double number) { return std::stod(fmt::format("{:.15g}", number)); }
+
+ContainerLength in_nanometres(double length) { return {.value = without_rounding(length / units::nm), .unit = "nm"}; }
+
+std::optional<ContainerInstrument> container_instrument(topography::Instrument instrument, const topography::Instrument& given) {
+    if (!given.name.empty()) instrument.name = given.name;
+    if (!given.type.empty()) instrument.type = given.type;
+    if (given.tip_radius) instrument.tip_radius = given.tip_radius;
+    if (given.resolution) instrument.resolution = given.resolution;
+    ContainerInstrument result{.name = instrument.name, .type = instrument_type(instrument)};
+    if (result.name.empty() && result.type == "undefined") return std::nullopt;
+    if (instrument.tip_radius) result.parameters.emplace().tip_radius = in_nanometres(*instrument.tip_radius);
+    if (instrument.resolution) {
+        if (!result.parameters) result.parameters.emplace();
+        result.parameters->resolution = in_nanometres(*instrument.resolution);
+    }
+    return result;
+}
+
+std::size_t chosen_channel(const StoredMeasurement& measurement, const std::vector<Channel>& channels) {
+    if (measurement.channel) {
+        if (*measurement.channel < channels.size()) return *measurement.channel;
+        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", measurement.path, *measurement.channel, channels.size()));
+    }
+    const auto found = std::find_if(channels.begin(), channels.end(), [](const Channel& channel) { return channel.info.is_height; });
+    if (found == channels.end()) throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", measurement.path, channels.size()));
+    return static_cast<std::size_t>(found - channels.begin());
+}
+
+bool is_periodic(const Measurement& measurement) {
+    return std::visit([](const auto& m) {
+        if constexpr (requires { m.periodic; }) return m.periodic;
+        return false;
+    }, measurement);
+}
+
+/// What the heights tell and the index does not.
+void describe_heights(const Measurement& measurement, ContainerTopography& topography) {
+    const auto heights = topography::all_heights(measurement);
+    const auto undefined_points = heights.isNaN().count();
+    if (!topography.has_undefined_data) topography.has_undefined_data = undefined_points > 0;
+    if (!topography.undefined_data_fraction) topography.undefined_data_fraction = static_cast<double>(undefined_points) / static_cast<double>(heights.size());
+    if (!topography.is_periodic) topography.is_periodic = is_periodic(measurement);
+}
+
+void set_size(const ChannelInfo& info, ContainerTopography& topography) {
+    const double factor = unit_factor(topography.unit, dimension::length);
+    topography.size.clear();
+    for (const double size : info.size) topography.size.push_back(without_rounding(size / factor));
+}
+
+/// The processed copy, made when it is written.
+ContainerMember copy_of(const std::string& name, std::function<Measurement()> read, topography::Trend trend, const std::string& unit) {
+    return {name, [name, read = std::move(read), trend, unit] { return bytes::memory_source(name, netcdf_content(topography::detrended(read(), trend), unit)); }};
+}
+
+// ---- upgrading ------------------------------------------------------------------------------------------------------
+
+/// Members of the old container under the names they have in the new one.
+using NewNames = std::map<std::string, std::string>;
+
+NewNames take_members(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members) {
+    NewNames names;
+    for (const auto& name : members) {
+        const auto free = free_name(draft, name);
+        names[name] = free;
+        draft.members.push_back({free, [source, name] { return container_member(source, name); }});
+    }
+    return names;
+}
+
+void rename(const NewNames& names, std::string& member) {
+    if (const auto found = names.find(member); found != names.end()) member = found->second;
+}
+
+void take_scale_out(const bytes::Archive& archive, const bytes::Source& source, ContainerDraft& draft, ContainerTopography& topography) {
+    if (!repeats_scale(archive, topography)) return;
+    draft.alerts.push_back({"SCALE_TWICE", fmt::format("{}: {}", source.name, topography.name),
+                            fmt::format("the index repeats the height scale {} that {} carries itself; it was taken out of the index", *topography.height_scale, topography.datafile.original),
+                            "programs that applied both had heights wrong by this factor"});
+    topography.height_scale.reset();
+}
+
+void add_copy(const Channel& channel, ContainerDraft& draft, ContainerTopography& topography) {
+    const bool filled = !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
+    if (!topography.datafile.squeezed.empty() || topography.unit.empty()) return;
+    if (filled) {
+        draft.alerts.push_back({"NO_PROCESSED_COPY", topography.name, fmt::format("it is to be filled by '{}', which setae does not do", topography.fill_undefined_data_mode),
+                                "programs make the copy from the original"});
+        return;
+    }
+    const auto name = free_name(draft, copy_name(topography.datafile.original));
+    draft.members.push_back(copy_of(name, channel.read, trend_of(topography.detrend_mode).value_or(topography::Trend::mean), topography.unit));
+    topography.datafile.squeezed = name;
+}
+
+/// Completes what the index says of a measurement from its file.
+void upgrade(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface, ContainerDraft& draft, ContainerTopography& topography) {
+    const auto channel = container_channel(source, archive, surface, topography);
+    draft.alerts.insert(draft.alerts.end(), channel.info.alerts.begin(), channel.info.alerts.end());
+    if (topography.name.empty()) topography.name = topography.datafile.original.empty() ? topography.datafile.squeezed : topography.datafile.original;
+    if (!channel.info.is_height) return;
+    take_scale_out(archive, source, draft, topography);
+    if (topography.unit.empty() && !channel.info.unit.empty()) topography.unit = index_unit(channel.info.unit, false, topography.name);
+    if (topography.size.empty() && !topography.unit.empty()) set_size(channel.info, topography);
+    try {
+        describe_heights(channel.read(), topography);
+        add_copy(channel, draft, topography);
+    } catch (const Error& error) {
+        draft.alerts.push_back({"UNREADABLE_MEMBER", topography.name, error.what(), "it is kept as it is; repair or replace this one"});
+    }
+}
+
+/// Brings measurements of a container to generation C and takes their members.
+void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members, std::vector<ContainerSurface>& surfaces) {
+    const bytes::Archive archive(source);
+    const auto names = take_members(draft, source, members);
+    for (auto& surface : surfaces)
+        for (auto& topography : surface.topographies) {
+            upgrade(source, archive, surface, draft, topography);
+            rename(names, topography.datafile.original);
+            rename(names, topography.datafile.squeezed);
+        }
+}
+
+/// The one measurement of all that a number names, counted over all surfaces.
+void keep_only(std::size_t wanted, const std::string& path, std::vector<ContainerSurface>& surfaces) {
+    std::size_t count = 0;
+    for (auto& surface : surfaces) {
+        std::vector<ContainerTopography> kept;
+        for (auto& topography : surface.topographies)
+            if (count++ == wanted) kept.push_back(std::move(topography));
+        surface.topographies = std::move(kept);
+    }
+    if (wanted >= count) throw InvalidArgument(fmt::format("{}: no measurement {}, the container has {} (counted from 0)", path, wanted, count));
+}
+
+std::vector<std::string> members_of(const std::vector<ContainerSurface>& surfaces, const std::vector<std::string>& members) {
+    std::vector<std::string> named;
+    for (const auto& name : members)
+        for (const auto& surface : surfaces)
+            for (const auto& topography : surface.topographies)
+                if (name == topography.datafile.original || name == topography.datafile.squeezed) named.push_back(name);
+    std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    return named;
+}
+
+void replace_given(const StoredMeasurement& given, ContainerTopography& topography) {
+    if (given.trend && detrend_mode(*given.trend) != topography.detrend_mode) {
+        topography.detrend_mode = detrend_mode(*given.trend);
+        topography.datafile.squeezed = topography.datafile.original.empty() ? topography.datafile.squeezed : "";  // a copy with another trend is made
+    }
+    topography::Instrument known;
+    if (topography.instrument) known.name = topography.instrument->name;
+    const bool any = !given.instrument.name.empty() || !given.instrument.type.empty() || given.instrument.tip_radius || given.instrument.resolution;
+    if (any) topography.instrument = container_instrument(known, given.instrument);
+}
+
+}  // namespace
+
+void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement) {
+    const auto channels = open(measurement.path, measurement.options);
+    const auto index = chosen_channel(measurement, channels);
+    const auto& channel = channels[index];
+    const auto heights = channel.read();
+    const auto trend = measurement.trend.value_or(topography::Trend::mean);
+
+    ContainerTopography topography;
+    topography.name = std::filesystem::path(measurement.path).filename().string();
+    topography.datafile.original = free_name(draft, member_name(surface.topographies.size(), measurement.path));
+    topography.data_source = index;
+    topography.unit = index_unit(channel.info.unit, measurement.options.unit.has_value(), measurement.path);
+    set_size(channel.info, topography);
+    topography.fill_undefined_data_mode = "do-not-fill";
+    topography.detrend_mode = detrend_mode(trend);
+    describe_heights(heights, topography);
+    topography.measurement_date = date_of(channel.info.metadata.acquisition_time);
+    topography.instrument = container_instrument(topography::metadata(heights).instrument, measurement.instrument);
+
+    draft.alerts.insert(draft.alerts.end(), channel.info.alerts.begin(), channel.info.alerts.end());
+    draft.members.push_back({topography.datafile.original, [path = measurement.path] { return bytes::file_source(path); }});
+    topography.datafile.squeezed = free_name(draft, copy_name(topography.datafile.original));
+    const auto read_again = [path = measurement.path, index, options = measurement.options] { return read(path, index, options); };
+    draft.members.push_back(copy_of(topography.datafile.squeezed, read_again, trend, topography.unit));
+    surface.topographies.push_back(std::move(topography));
+}
+
+void add_container(ContainerDraft& draft, const bytes::Source& source) {
+    auto file = read_container(source);
+    upgrade_all(draft, source, file.members, file.container.surfaces);
+    auto& container = draft.container;
+    std::move(file.container.surfaces.begin(), file.container.surfaces.end(), std::back_inserter(container.surfaces));
+    if (container.created_at.empty()) container.created_at = file.container.created_at;
+    if (container.extra.empty()) container.extra = file.container.extra;
+    for (const auto& [program, version] : file.container.versions) container.versions.emplace(program, version);
+    draft.alerts.insert(draft.alerts.end(), file.alerts.begin(), file.alerts.end());
+}
+
+void add_measurements_of(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement) {
+    const auto source = bytes::file_source(measurement.path);
+    auto file = read_container(source);
+    auto& surfaces = file.container.surfaces;
+    if (measurement.channel) keep_only(*measurement.channel, measurement.path, surfaces);
+    for (auto& other : surfaces)
+        for (auto& topography : other.topographies) replace_given(measurement, topography);
+    upgrade_all(draft, source, members_of(surfaces, file.members), surfaces);
+    for (auto& other : surfaces) std::move(other.topographies.begin(), other.topographies.end(), std::back_inserter(surface.topographies));
+}
+
+}  // namespace setae::formats

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "container_measurement.hpp"
+
+#include <cmath>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "channel_building.hpp"
+#include "setae/bytes/expand.hpp"
+#include "format_list.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::formats {
+namespace {
+
+/// What the index says of a measurement, ready to open its file.
+struct Entry {
+    std::string name, member;
+    bool squeezed = false;  ///< processed: scaled, filled and detrended already
+    std::size_t channel = 0;
+    std::optional<ContainerTopography::Channel> named;  ///< instead of the number
+    double height_scale = 1.0;
+    ReadOptions options;
+    bool periodic = false;
+    std::optional<topography::Trend> trend;
+    topography::Instrument instrument;
+    std::map<std::string, std::string> attributes;
+    std::vector<Alert> alerts;
+};
+
+/// A field that was kept because it is not what it should be decides how a file is read: it is not passed over.
+void require_understood(const ContainerTopography& topography) {
+    if (topography.extra.empty()) return;
+    const auto kept = nlohmann::json::parse(topography.extra);
+    for (const char* key : {"datafile", "data_source", "channel", "size", "unit", "height_scale", "is_periodic"})
+        if (kept.contains(key)) throw InvalidArgument(fmt::format("the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
+}
+
+void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, Entry& entry) {
+    const auto& [original, squeezed, rest] = topography.datafile;
+    if (original.empty() && squeezed.empty()) throw InvalidArgument("the index names no data file");
+    const bool lost = !original.empty() && !archive.has(original);
+    entry.squeezed = original.empty() || (lost && !squeezed.empty());
+    entry.member = entry.squeezed ? squeezed : original;
+    if (lost && entry.squeezed)
+        entry.alerts.push_back({"ORIGINAL_MISSING", original, "the container does not hold it; the processed copy was used, which is scaled, filled and levelled already",
+                                "ask whoever made the container for the original"});
+}
+
+Entry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive) {
+    require_understood(topography);
+    Entry entry;
+    entry.name = topography.name;
+    choose_member(topography, archive, entry);
+    entry.channel = entry.squeezed ? 0 : topography.data_source.value_or(0);
+    if (!entry.squeezed && !topography.data_source) entry.named = topography.channel;
+    entry.height_scale = topography.height_scale.value_or(1.0);
+    if (!topography.unit.empty()) {
+        entry.options.unit = topography.unit;
+        const double factor = unit_factor(topography.unit, dimension::length);
+        if (!topography.size.empty()) entry.options.size.emplace();
+        for (const double size : topography.size) entry.options.size->push_back(size * factor);
+    }
+    entry.periodic = topography.is_periodic.value_or(false);
+    entry.trend = trend_of(topography.detrend_mode);
+    if (const auto& instrument = topography.instrument) {
+        const auto parameters = instrument->parameters.value_or(ContainerInstrument::Parameters{});
+        entry.instrument.name = instrument->name;
+        if (parameters.tip_radius) entry.instrument.tip_radius = parameters.tip_radius->metres();
+        if (parameters.resolution) entry.instrument.resolution = parameters.resolution->metres();
+        if (!instrument->type.empty()) entry.attributes["instrument_type"] = instrument->type;
+    }
+    const std::pair<const char*, const std::string&> texts[] = {{"description", topography.description},
+                                                                {"measurement_date", topography.measurement_date},
+                                                                {"detrend_mode", topography.detrend_mode},
+                                                                {"fill_undefined_data_mode", topography.fill_undefined_data_mode}};
+    for (const auto& [key, value] : texts)
+        if (!value.empty()) entry.attributes[key] = value;
+    entry.attributes["surface"] = surface;
+    entry.attributes["member"] = entry.member;
+    return entry;
+}
+
+void merge(const Entry& entry, const std::string& container, topography::Metadata& metadata) {
+    metadata.file = container;
+    metadata.name = entry.name;
+    if (!entry.instrument.name.empty()) metadata.instrument.name = entry.instrument.name;
+    if (entry.instrument.tip_radius) metadata.instrument.tip_radius = entry.instrument.tip_radius;
+    if (entry.instrument.resolution) metadata.instrument.resolution = entry.instrument.resolution;
+    for (const auto& [key, value] : entry.attributes) metadata.attributes[key] = value;
+    if (metadata.acquisition_time.empty())
+        if (const auto date = entry.attributes.find("measurement_date"); date != entry.attributes.end()) metadata.acquisition_time = date->second;
+}
+
+/// A member's channel with the scale the index adds: only where the member's own format defines none.
+struct ScaledChannel {
+    Channel channel;
+    double factor = 1.0;
+};
+
+/// The channel of a name, or the only one of heights where programs name channels otherwise than setae.
+std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels, const bytes::Source& member) {
+    if (!entry.named) {
+        if (entry.channel < channels.size()) return entry.channel;
+        throw FormatError(member.name, {}, fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
+    }
+    std::vector<std::size_t> of_heights;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (channels[i].info.is_height) of_heights.push_back(i);
+        if (channels[i].info.name == entry.named->name && before++ == entry.named->occurrence.value_or(0)) return i;
+    }
+    if (of_heights.size() == 1) return of_heights.front();
+    throw FormatError(member.name, {}, fmt::format("no channel '{}' among its {}", entry.named->name, channels.size()));
+}
+
+ScaledChannel open_member(const bytes::Archive& archive, const Entry& entry) {
+    const auto member = bytes::unpacked(archive.member(entry.member));
+    const auto& format = detect_format(member);
+    if (format.identifier == container_format().identifier)
+        throw FormatError(member.name, {.offset = 0}, "a container within a container; take it out and open it by itself");
+    auto channels = open(member, entry.options);
+    const bool scaled_already = format.carries_scale || entry.squeezed;
+    return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
+}
+
+topography::Measurement read_member(const bytes::Source& source, const Entry& entry) {
+    const bytes::Archive archive(source);
+    const auto [channel, factor] = open_member(archive, entry);
+    auto measurement = topography::scaled(channel.read(), factor);
+    merge(entry, source.name, topography::metadata(measurement));
+    std::visit([&](auto& m) {
+        if constexpr (requires { m.periodic; }) m.periodic = m.periodic || entry.periodic;
+    }, measurement);
+    return measurement;
+}
+
+bool has_alert(const ChannelInfo& info, const char* code) {
+    for (const auto& alert : info.alerts)
+        if (alert.code == code) return true;
+    return false;
+}
+
+/// A unit of the index that is not the file's, which stays.
+void compare_units(const Entry& entry, const bytes::Source& source, ChannelInfo& info) {
+    if (!entry.options.unit || info.unit.empty() || !info.is_height || has_alert(info, "UNIT_MISMATCH")) return;
+    if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12) return;
+    info.alerts.push_back({"UNIT_MISMATCH", entry.name, fmt::format("unit {} in the index, but the file says {}, which was used", *entry.options.unit, info.unit),
+                           "sizes and heights are right; correct the index"});
+}
+
+Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const Entry& entry) {
+    auto opened = open_member(archive, entry);
+    auto info = std::move(opened.channel.info);
+    compare_units(entry, source, info);
+    info.name = entry.name;
+    merge(entry, source.name, info.metadata);
+    info.recommended_trend = entry.trend;
+    info.alerts.insert(info.alerts.end(), entry.alerts.begin(), entry.alerts.end());
+    return {std::move(info), [source, entry] { return read_member(source, entry); }};
+}
+
+}  // namespace
+
+std::optional<topography::Trend> trend_of(const std::string& detrend_mode) {
+    if (detrend_mode == "height") return topography::Trend::tilt;
+    if (detrend_mode == "curvature") return topography::Trend::parabola;
+    if (detrend_mode == "center") return topography::Trend::mean;
+    return std::nullopt;
+}
+
+bool repeats_scale(const bytes::Archive& archive, const ContainerTopography& topography) {
+    const auto& original = topography.datafile.original;
+    if (topography.height_scale.value_or(1.0) == 1.0 || original.empty() || !archive.has(original)) return false;
+    try {
+        return detect_format(archive.member(original)).carries_scale;
+    } catch (const FormatError&) {
+        return false;
+    }
+}
+
+Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography) {
+    try {
+        return member_channel(source, archive, entry_of(topography, surface.name, archive));
+    } catch (const Error& error) {
+        return unreadable_member(source, topography.name, error.what());
+    }
+}
+
+}  // namespace setae::formats

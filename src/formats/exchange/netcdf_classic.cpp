@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "netcdf_classic.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/cursor.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::formats {
+namespace {
+
+constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
+constexpr std::uint32_t character = 2;
+constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
+constexpr std::size_t most_dimensions = 1024;                  // of a variable, as the library allows
+
+/// The types in the order of their numbers, characters as bytes.
+constexpr Sample samples[] = {Sample::int8,   Sample::int8,    Sample::uint8, Sample::int16,  Sample::int32, Sample::float32,
+                              Sample::float64, Sample::uint8, Sample::uint16, Sample::uint32, Sample::int64, Sample::uint64};
+
+/// Walks through a header.
+class Header {
+public:
+    explicit Header(const bytes::Source& source) : cursor_(source, "NetCDF", 3, std::endian::big), version_(cursor_.number<std::uint8_t>()) {}
+
+    [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what + "; the file is damaged"); }
+    std::uint32_t word() { return cursor_.number<std::uint32_t>(); }
+    std::uint64_t offset() { return version_ == 1 ? word() : cursor_.number<std::uint64_t>(); }
+    std::uint64_t count() { return version_ == 5 ? cursor_.number<std::uint64_t>() : word(); }
+    [[nodiscard]] bool is_streaming(std::uint64_t records) const { return records == (version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu); }
+
+    /// Elements of a list, each of which takes at least 8 bytes.
+    std::uint64_t list(std::uint32_t tag) {
+        const auto got = word();
+        const auto n = count();
+        if (got == 0 && n == 0) return 0;
+        if (got != tag) fail(fmt::format("tag {} in the header, expected {}", got, tag));
+        if (n > cursor_.remaining() / 8) cursor_.skip(8 * std::min(n, most_values));
+        return n;
+    }
+
+    std::string name() { return padded(count()); }
+
+    /// `length` bytes and what fills them up to a multiple of 4.
+    std::string padded(std::uint64_t length) {
+        auto text = cursor_.bytes(length);
+        cursor_.skip(std::min<std::uint64_t>((4 - length % 4) % 4, cursor_.remaining()));
+        return text;
+    }
+
+    Sample sample() {
+        type_ = word();
+        if (type_ == 0 || type_ >= std::size(samples)) fail(fmt::format("values of type {}", type_));
+        return samples[type_];
+    }
+    [[nodiscard]] bool was_character() const { return type_ == character; }
+
+private:
+    bytes::Cursor cursor_;
+    std::uint8_t version_;
+    std::uint32_t type_ = 0;
+};
+
+double load_value(const char* from, Sample sample) {
+    constexpr auto order = std::endian::big;
+    switch (sample) {
+        case Sample::int8: return bytes::load<std::int8_t>(from, order);
+        case Sample::uint8: return bytes::load<std::uint8_t>(from, order);
+        case Sample::int16: return bytes::load<std::int16_t>(from, order);
+        case Sample::uint16: return bytes::load<std::uint16_t>(from, order);
+        case Sample::int32: return bytes::load<std::int32_t>(from, order);
+        case Sample::uint32: return bytes::load<std::uint32_t>(from, order);
+        case Sample::int64: return static_cast<double>(bytes::load<std::int64_t>(from, order));
+        case Sample::uint64: return static_cast<double>(bytes::load<std::uint64_t>(from, order));
+        case Sample::float32: return static_cast<double>(bytes::load<float>(from, order));
+        case Sample::float64: return bytes::load<double>(from, order);
+    }
+    return 0.0;
+}
+
+Attributes parse_attributes(Header& header) {
+    Attributes attributes;
+    for (auto left = header.list(attribute_tag); left > 0; --left) {
+        Attribute attribute;
+        attribute.name = header.name();
+        const auto sample = header.sample();
+        const bool text = header.was_character();
+        const auto n = header.count();
+        if (n > most_values) header.fail(fmt::format("attribute '{:.40}' of {} values", attribute.name, n));
+        const auto values = header.padded(n * bytes_of(sample));
+        if (text)
+            attribute.text = values.substr(0, values.find('\0'));
+        else
+            for (std::size_t at = 0; at < values.size(); at += bytes_of(sample)) attribute.numbers.push_back(load_value(values.data() + at, sample));
+        attributes.push_back(std::move(attribute));
+    }
+    return attributes;
+}
+
+/// A variable as the header has it: along the unlimited dimension its extent is 0.
+struct Variable {
+    StoredArray array;
+    bool is_character = false;
+    bool has_records = false;
+    std::uint64_t record_bytes = 0;  ///< of its part of a record, without padding
+
+    [[nodiscard]] std::uint64_t padded_bytes() const { return (record_bytes + 3) / 4 * 4; }
+};
+
+Variable parse_variable(Header& header, const std::vector<std::uint64_t>& dimensions, const bytes::Source& source) {
+    Variable variable;
+    auto& array = variable.array;
+    array.name = header.name();
+    const auto n = header.count();
+    if (n > most_dimensions) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
+    std::uint64_t values = 1;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        const auto id = header.count();
+        if (id >= dimensions.size() || dimensions[id] > most_values) header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
+        const auto extent = dimensions[id];
+        if (extent == 0 && i > 0) header.fail(fmt::format("variable '{:.40}' has the unlimited dimension behind others", array.name));
+        variable.has_records = variable.has_records || extent == 0;
+        if (extent > 0 && values > most_values / extent) header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));
+        values *= extent == 0 ? 1 : extent;
+        array.shape.push_back(static_cast<Index>(extent));
+    }
+    array.attributes = parse_attributes(header);
+    array.sample = header.sample();
+    array.order = std::endian::big;
+    variable.is_character = header.was_character();
+    variable.record_bytes = values * bytes_of(array.sample);
+    (void)header.count();  // its size in bytes, which follows from shape and type
+    array.offset = header.offset();
+    array.data = source;
+    return variable;
+}
+
+/// Records one after another: the parts of all variables, each filled up to four bytes unless it is the only one.
+void place_records(std::vector<Variable>& variables, std::uint64_t records, const Header& header) {
+    std::uint64_t together = 0, number = 0, alone = 0;
+    for (const auto& variable : variables) {
+        if (!variable.has_records) continue;
+        ++number;
+        alone = variable.record_bytes;
+        together += variable.padded_bytes();
+        if (together > most_values) header.fail(fmt::format("records of more than {} bytes", most_values));
+    }
+    if (number > 0 && header.is_streaming(records)) header.fail("the number of records was never written: copy the file with nccopy");
+    for (auto& variable : variables) {
+        if (!variable.has_records) continue;
+        variable.array.shape[0] = static_cast<Index>(std::min(records, most_values));
+        variable.array.first_distance = number == 1 ? alone : together;
+    }
+}
+
+}  // namespace
+
+const StoredArray* ArrayFile::find(const std::string& name) const {
+    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const StoredArray& array) { return array.name == name; });
+    return found == arrays.end() ? nullptr : &*found;
+}
+
+ArrayFile classic_netcdf(const bytes::Source& source) {
+    Header header(source);
+    const auto records = header.count();
+    std::vector<std::uint64_t> dimensions;
+    for (auto left = header.list(dimension_tag); left > 0; --left) {
+        (void)header.name();
+        dimensions.push_back(header.count());
+    }
+    ArrayFile file{parse_attributes(header), {}};
+    std::vector<Variable> variables;
+    for (auto left = header.list(variable_tag); left > 0; --left) variables.push_back(parse_variable(header, dimensions, source));
+    place_records(variables, records, header);
+    for (auto& variable : variables)
+        if (!variable.is_character) file.arrays.push_back(std::move(variable.array));
+    return file;
+}
+
+}  // namespace setae::formats

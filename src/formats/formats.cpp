@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/formats/format.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "setae/bytes/archive.hpp"
+#include "setae/bytes/expand.hpp"
+#include "format_list.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/tables/dialect.hpp"
+#include "storage/tiff_file.hpp"
+
+namespace setae::formats {
+
+const std::vector<Format>& formats() {
+    static const std::vector<Format> table{
+        // exchange
+        container_format(),
+        x3p_format(),
+        sdf_format(),
+        gwy_format(),
+
+        // arrays
+        netcdf_format(),
+        npy_format(),
+        npz_format(),
+        mat_format(),
+        hdf5_format(),
+        datx_format(),
+        jpk_hdf5_format(),
+
+        // scanning probes
+        nanoscope_format(),
+        ibw_format(),
+        jpk_format(),
+        jpk_qi_format(),
+        park_format(),
+        mi_format(),
+        nanosurf_format(),
+        wsxm_format(),
+        mdt_format(),
+        nmm_format(),
+
+        // optical and stylus profilers
+        opd_format(),
+        opdx_format(),
+        metropro_format(),
+        bcr_format(),
+        nms_format(),
+        frt_format(),
+        tmd_format(),
+        zmg_format(),
+        os3d_format(),
+        hgt_format(),
+        qep_format(),
+        plu_format(),
+        plux_format(),
+        al3d_format(),
+        sur_format(),
+        mnt_format(),
+        vk_format(),
+        zon_format(),
+        zag_format(),
+        lext_format(),
+        oir_format(),
+        poir_format(),
+
+        // text and sheets, asked last: their columns may begin anywhere
+        mitutoyo_format(),
+        dektak_csv_format(),
+        hfm_format(),
+        dabam_format(),
+        matrix_text_format(),
+        xyz_format(),
+        xy_format(),
+    };
+    return table;
+}
+
+namespace {
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> found;
+    tables::split_cells(text, ' ', found);
+    return found;
+}
+
+std::string first_bytes(std::string_view head) {
+    std::string shown;
+    for (const char c : head.substr(0, 16)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7f)
+            shown += c;
+        else
+            shown += fmt::format("\\x{:02x}", byte);
+    }
+    return shown;
+}
+
+/// Formats whose usual endings the name has, for a file that none of them recognises.
+std::string expected_by_name(const std::string& name) {
+    std::string names;
+    for (const auto& format : formats())
+        for (const auto ending : words(format.extensions))
+            if (bytes::lowered(name).ends_with(ending)) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
+    return names.empty() ? "" : fmt::format("; its name is that of {}, whose files begin otherwise: it may be damaged or of another version", names);
+}
+
+/// What kind of file the first bytes are of, where other programs' files are of it too.
+std::string kind_of(std::string_view head, const bytes::Source& source) {
+    using namespace std::string_view_literals;
+    if (bytes::is_zip(head)) {
+        auto names = bytes::Archive(source).names();
+        if (names.size() > 5) names.resize(5);
+        return fmt::format("a ZIP archive with {}", fmt::join(names, ", "));
+    }
+    static constexpr std::pair<std::string_view, const char*> kinds[] = {
+        {"\x89HDF\r\n"sv, "an HDF5 file"},  {"II*\0"sv, "a TIFF picture"},      {"MM\0*"sv, "a TIFF picture"},        {"\xd0\xcf\x11\xe0"sv, "an OLE compound file"},
+        {"\x89PNG"sv, "a PNG picture"},      {"\xff\xd8\xff"sv, "a JPEG picture"}, {"BM"sv, "a bitmap picture"},      {"%PDF"sv, "a PDF document"},
+        {"\x28\xb5\x2f\xfd"sv, "a Zstandard stream"}, {"7z\xbc\xaf"sv, "a 7z archive"}, {"Rar!"sv, "a RAR archive"}, {"\x7f" "ELF"sv, "a program"}};
+    for (const auto& [signature, kind] : kinds)
+        if (head.starts_with(signature)) return kind;
+    return {};
+}
+
+[[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
+    if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
+    if (is_tiff(head)) refuse_tiff(source);
+    if (bytes::looks_like_text(head))
+        throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header" + expected_by_name(source.name));
+    const auto kind = kind_of(head, source);
+    throw FormatError(source.name, {.offset = 0},
+                      fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them", first_bytes(head), kind.empty() ? "" : ", as " + kind,
+                                  expected_by_name(source.name)));
+}
+
+/// Sizes the user or an index gave against the file's own, which stay.
+void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, const bytes::Source& source) {
+    if (!options.size) return;
+    for (auto& channel : channels) {
+        const auto& size = channel.info.size;
+        bool same = size.size() == options.size->size();
+        for (std::size_t i = 0; same && i < size.size(); ++i) same = std::abs(size[i] / (*options.size)[i] - 1.0) < 1e-4;
+        if (!same && !size.empty())
+            channel.info.alerts.push_back({"SIZE_MISMATCH", source.name, fmt::format("a size of {} m was given, the file says {} m, which was used", options.size->front(), size.front()),
+                                           "check which of the two is right"});
+    }
+}
+
+}  // namespace
+
+namespace {
+
+const Format& detected(const bytes::Source& source) {
+    const auto head = source.head(bytes::detection_bytes);
+    const Format* possible = nullptr;
+    for (const auto& format : formats()) {
+        const auto match = format.detect(head, source);
+        if (match == Match::yes) return format;
+        if (match == Match::maybe && !possible) possible = &format;
+    }
+    if (!possible) unknown(source, head);
+    return *possible;
+}
+
+}  // namespace
+
+const Format& detect_format(const bytes::Source& source) { return detected(bytes::unpacked(source)); }
+
+const Format& format_to_write(const std::string& path) {
+    std::string endings;
+    for (const auto& format : formats()) {
+        if (!format.writes()) continue;
+        for (const auto ending : words(format.extensions)) {
+            if (bytes::lowered(path).ends_with(ending)) return format;
+            endings += fmt::format("{}{}", endings.empty() ? "" : ", ", ending);
+        }
+    }
+    throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings));
+}
+
+std::vector<std::string> missing(const ChannelInfo& info) {
+    std::vector<std::string> names;
+    if (info.size.empty()) names.emplace_back("size");
+    if (info.unit.empty()) names.emplace_back("unit");
+    if (info.metadata.instrument.name.empty()) names.emplace_back("instrument");
+    if (info.metadata.acquisition_time.empty()) names.emplace_back("date");
+    return names;
+}
+
+std::optional<topography::TiledMap> tiled(const Channel& channel) {
+    const auto& info = channel.info;
+    if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
+    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]}, false, info.metadata, channel.lines};
+}
+
+std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& options) {
+    const auto source = bytes::unpacked(packed);
+    auto channels = detected(source).open(source, options);
+    compare_sizes(channels, options, source);
+    return channels;
+}
+
+std::vector<Channel> open(const std::string& path, const ReadOptions& options) { return open(bytes::file_source(path), options); }
+
+topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
+    const auto channels = open(path, options);
+    if (channel >= channels.size())
+        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", path, channel, channels.size()));
+    return channels[channel].read();
+}
+
+}  // namespace setae::formats

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/bytes/source.hpp"
+
+/// Containers of contact.engineering: a ZIP of measured files and an index that says what each is. The types hold what the index
+/// says and nothing else; open() of channel.hpp reads the heights. An empty text or list is the same as none. What setae knows no
+/// field for is kept in `extra`, JSON text of an object, and written again as it was.
+/// Source: SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py and export_zip.py.
+namespace setae::formats {
+
+struct ContainerAuthor {
+    std::string name, orcid, extra;
+    bool operator==(const ContainerAuthor&) const = default;
+};
+
+/// A number or word that belongs to a surface, such as its hardness.
+struct ContainerProperty {
+    std::string name;
+    std::optional<std::variant<double, std::string>> value;
+    std::string unit, extra;
+    bool operator==(const ContainerProperty&) const = default;
+};
+
+struct ContainerPublication {
+    std::string url, license, authors, date, doi_url, doi_state, extra;
+    std::optional<std::size_t> version;
+    bool operator==(const ContainerPublication&) const = default;
+};
+
+struct ContainerLength {
+    std::optional<double> value;
+    std::string unit, extra;
+    bool operator==(const ContainerLength&) const = default;
+
+    /// [m]; nothing without value or unit. @throws InvalidArgument for a unit that is no length.
+    [[nodiscard]] std::optional<double> metres() const;
+};
+
+struct ContainerInstrument {
+    std::string name;
+    std::string type;  ///< "contact-based", "microscope-based" or "undefined"
+    struct Parameters {
+        std::optional<ContainerLength> tip_radius, resolution;
+        std::string extra;
+        bool operator==(const Parameters&) const = default;
+    };
+    std::optional<Parameters> parameters;
+    std::string extra;
+    bool operator==(const ContainerInstrument&) const = default;
+};
+
+/// One measurement. Sizes and scale are as the index has them, in its unit.
+struct ContainerTopography {
+    std::string name;
+    struct Datafile {
+        std::string original;  ///< name of the member that came from the instrument
+        std::string squeezed;  ///< of the NetCDF file with the same heights scaled, filled and levelled
+        std::string extra;
+        bool operator==(const Datafile&) const = default;
+    } datafile;
+    std::optional<std::size_t> data_source;  ///< channel of the original, counted from 0
+    struct Channel {
+        std::string name;
+        std::optional<std::size_t> occurrence;  ///< of several channels of this name, counted from 0
+        std::string extra;
+        bool operator==(const Channel&) const = default;
+    };
+    std::optional<Channel> channel;          ///< as the newest TopoBank names it, instead of data_source
+    std::vector<double> size;                ///< [unit]
+    std::string unit;
+    std::optional<double> height_scale;      ///< what the original's numbers are multiplied by where the file itself carries no scale
+    std::optional<bool> has_undefined_data;
+    std::optional<double> undefined_data_fraction;
+    std::string fill_undefined_data_mode;  ///< "do-not-fill", "harmonic"
+    std::string detrend_mode;              ///< "center", "height", "curvature"
+    std::optional<bool> is_periodic;
+    std::optional<ContainerAuthor> created_by;
+    std::string measurement_date;  ///< 2016-02-15
+    std::string description;
+    std::vector<std::string> tags;
+    std::optional<ContainerInstrument> instrument;
+    std::string extra;
+    bool operator==(const ContainerTopography&) const = default;
+};
+
+/// A surface and its measurements; contact.engineering calls it a digital surface twin.
+struct ContainerSurface {
+    std::string name;
+    std::string category;  ///< "exp", "sim", "dum"
+    std::optional<ContainerAuthor> created_by;
+    std::string description;
+    std::vector<std::string> tags;
+    std::optional<bool> is_published;
+    std::optional<ContainerPublication> publication;
+    std::vector<ContainerProperty> properties;
+    std::vector<ContainerTopography> topographies;
+    std::string extra;
+    bool operator==(const ContainerSurface&) const = default;
+};
+
+struct Container {
+    std::map<std::string, std::string> versions;  ///< of the programs that wrote it
+    std::vector<ContainerSurface> surfaces;
+    std::string created_at;
+    std::string extra;
+    bool operator==(const Container&) const = default;
+};
+
+/// Which index a container has.
+enum class ContainerGeneration {
+    yaml,        ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
+    both,        ///< B: index.json with the keys of A, beside meta.yml
+    json,        ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest development,
+                 ///< with "measurements" of a "kind" and their "metadata"
+    skeleton,    ///< as SurfaceTopography writes: processed copies alone, hardly a field
+};
+[[nodiscard]] std::string describe(ContainerGeneration generation);
+
+struct ContainerFile {
+    Container container;
+    ContainerGeneration generation = ContainerGeneration::json;
+    std::vector<std::string> members;  ///< of the archive, without its index
+    std::vector<Alert> alerts;         ///< UNKNOWN_FIELD (kept), MALFORMED_FIELD (kept, not understood)
+};
+
+/// The index of a container: index.json, else meta.yml, read without executing or constructing what its tags name.
+/// @throws FileError; FormatError for what is no whole ZIP archive, has no index or one that does not parse.
+[[nodiscard]] ContainerFile read_container(const bytes::Source& source);
+
+/// A member of a container, expanded when it is read. @throws FormatError where there is none of that name.
+[[nodiscard]] bytes::Source container_member(const bytes::Source& source, const std::string& name);
+
+/// A member to be written; its bytes are asked for when it is written, one member at a time.
+struct ContainerMember {
+    std::string name;
+    std::function<bytes::Source()> content;
+};
+
+/// Writes a container of generation C: index.json, meta.yml with the same content for programs that know no other, README.txt where
+/// no member is named so, and the members stored in order. Written under another name, then renamed; the same input gives the same bytes.
+/// @throws FileError where it cannot be written; InvalidArgument for two members of one name or a name that leads out of the archive;
+/// what a member's content throws.
+void write_container(const std::string& path, const Container& container, const std::vector<ContainerMember>& members);
+
+/// What contact.engineering's schema does not accept: code NOT_IN_SCHEMA, the place in the index, what is wrong.
+[[nodiscard]] std::vector<Alert> schema_violations(const Container& container);
+
+/// Every difference of what two containers say and hold, one a line: "surfaces/0/topographies/1/height_scale: 0.5 became absent",
+/// "member a.txt: differs". Keys of older generations count as those of generation C.
+/// @throws as read_container.
+[[nodiscard]] std::vector<std::string> container_differences(const bytes::Source& before, const bytes::Source& after);
+
+}  // namespace setae::formats

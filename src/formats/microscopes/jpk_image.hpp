@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "setae/formats/channel.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/bytes/source.hpp"
+
+namespace setae::formats {
+
+/// Both kinds of images of JPK Instruments: scanned line by line, or made of the force curve of each pixel.
+enum class JpkImage { scan, force_curves };
+
+[[nodiscard]] Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkImage kind);
+
+/// The channels of such an image. @throws FormatError.
+[[nodiscard]] std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format);
+
+}  // namespace setae::formats

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/source.hpp"
+
+namespace setae::formats {
+
+/// The heights of one Olympus OIR file; a POIR archive holds several.
+/// @throws FormatError for content that breaks the format.
+[[nodiscard]] std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& options);
+
+}  // namespace setae::formats

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::formats {
+
+/// Positions and heights, with the units a file states.
+struct Curve {
+    tables::RawTable::RawColumn x;
+    tables::RawTable::RawColumn heights;
+    std::optional<tables::RawTable::RawColumn> standard_error = {};
+};
+
+/// A channel of a curve: equal steps give a line scan, others a profile as traced; one that runs backwards is turned. A unit that
+/// the file leaves open comes from the user, or from the other column, with an alert; where nobody says one, `read` throws
+/// InvalidArgument. `info` has name, format, metadata and alerts.
+/// @throws FormatError for units that are no lengths, undefined positions and fewer than two points; UndefinedDataError where no
+/// height is defined.
+[[nodiscard]] Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options, const bytes::Source& source);
+
+/// Whether each value is greater than the one before.
+[[nodiscard]] bool increases(const Array1D& values);
+
+/// Whether text is a unit of length; "A" counts as Å.
+[[nodiscard]] bool is_length_unit(const std::string& text);
+
+/// An alert UNIT_MISMATCH where the user gave another unit than the file says.
+void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source);
+
+/// A length such as "2.5 µm", or nothing.
+[[nodiscard]] std::optional<double> try_length(std::string_view text);
+
+}  // namespace setae::formats

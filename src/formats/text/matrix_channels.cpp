@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "matrix_channels.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "channel_building.hpp"
+#include "curve_channel.hpp"
+#include "text_start.hpp"
+#include "setae/tables/header.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::formats {
+namespace {
+
+using topography::HeightMap;
+using topography::LineScan;
+using topography::Measurement;
+
+/// Where a map lies among lines of numbers.
+struct Layer {
+    Index nx = 0, ny = 0;
+    tables::NumberPlaces places;
+    bool void_map = false;  ///< as many lines below, 1 where a point is void
+    bool is_line = false;
+};
+
+Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options) {
+    const auto& name = lines.source.name;
+    Layer layer;
+    layer.void_map = header.void_map;
+    if (header.void_map && lines.rows % 2 != 0)
+        throw FormatError(name, {.line = lines.lines}, fmt::format("SPIP: {} lines, expected those of the heights and as many that tell void points; the file is truncated", lines.rows));
+    const Index rows = header.void_map ? lines.rows / 2 : lines.rows;
+    layer.places.lines_are_columns = header.lines_are_columns;
+    layer.nx = header.lines_are_columns ? rows : lines.columns;
+    layer.ny = header.lines_are_columns ? lines.columns : rows;
+    const bool other = (header.nx && *header.nx != layer.nx) || (header.ny && *header.ny != layer.ny);
+    if (other)
+        throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends here with {} × {} numbers, its header announces {} × {}; it is truncated or damaged", layer.nx, layer.ny,
+                                                                   header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
+    const bool size_of_map = options.size && options.size->size() == 2;
+    if (lines.rows == 1 && lines.columns <= 3 && !header.is_map)
+        throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends after one line of {} numbers, expected more points", lines.columns));
+    layer.is_line = (layer.nx == 1 || layer.ny == 1) && !header.is_map && !size_of_map;
+    return layer;
+}
+
+/// Extent along x and y [m], where the header tells both.
+std::vector<double> size_of(const MatrixHeader& header, const Layer& layer) {
+    std::vector<double> size;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto points = static_cast<double>(axis == 0 ? layer.nx : layer.ny);
+        if (header.length[axis]) size.push_back(*header.length[axis]);
+        else if (header.pixel[axis]) size.push_back(*header.pixel[axis] * points);
+    }
+    if (size.size() != 2) size.clear();
+    return size;
+}
+
+Array2D heights_of(const tables::NumberLines& lines, const Layer& layer, double factor) {
+    auto places = layer.places;
+    places.factor = factor;
+    if (!layer.void_map) return tables::read_numbers(lines, places);
+    places.count = lines.rows / 2;
+    auto heights = tables::read_numbers(lines, places);
+    places.first = places.count;
+    places.factor = 1.0;
+    const auto is_void = tables::read_numbers(lines, places);
+    heights = (is_void == 0.0).select(heights, undefined);
+    return heights;
+}
+
+Measurement measured(const tables::NumberLines& lines, const Layer& layer, double factor, const ChannelInfo& info) {
+    auto heights = heights_of(lines, layer, factor);
+    if (layer.is_line) return checked(LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), info.size[0], false, info.metadata}, lines.source);
+    return checked(HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata}, lines.source);
+}
+
+Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options, const std::vector<Alert>& alerts) {
+    tables::require_whole_last_line(lines);
+    const auto layer = layer_of(lines, header, options);
+    ChannelInfo info;
+    info.name = info.metadata.name = header.name;
+    info.format = "matrix";
+    info.metadata.file = lines.source.name;
+    info.metadata.attributes = header.attributes;
+    info.alerts = alerts;
+    info.shape = layer.is_line ? std::vector<Index>{std::max(layer.nx, layer.ny)} : std::vector<Index>{layer.nx, layer.ny};
+    if (!layer.is_line) info.orientation = header.lines_are_columns ? "columns from the left, each from the bottom, turned" : "rows from the top, as stored";
+    if (!layer.is_line) info.size = size_of(header, layer);
+    info.unit = header.unit;
+    const auto unit = tables::try_parse_unit(header.unit);
+    const bool other_quantity = !header.unit.empty() && (!unit || unit->dimension != dimension::length);
+    if (other_quantity || !header.heights) return non_height_channel(std::move(info));
+    const double stated = header.factor * (unit ? unit->factor : 1.0);
+    compare_unit(info, options, lines.source);
+    const double factor = stated * complete(info, options, lines.source);
+    if (info.size.empty() || info.unit.empty()) return incomplete_channel(std::move(info), lines.source);
+    auto read = [lines, layer, factor, info] { return measured(lines, layer, factor, info); };
+    return {std::move(info), std::move(read)};
+}
+
+/// Text from one byte to another as the lines of a header.
+std::vector<std::string> header_lines(const bytes::Source& source, std::uint64_t begin, std::uint64_t end) {
+    constexpr std::uint64_t longest = 1 << 16;
+    std::vector<std::string> lines;
+    const auto text = bytes::decoded(source.bytes(begin, std::min(end - begin, longest)), bytes::Encoding::detect);
+    for (const auto line : bytes::split_lines(text)) lines.emplace_back(trimmed(line));
+    return lines;
+}
+
+/// Where a header between numbers begins and the numbers below it do.
+struct Section {
+    std::uint64_t begin = 0, numbers = 0, line = 0;
+};
+
+/// Headers of further maps among the breaks of the lines of numbers.
+std::vector<Section> sections_of(const tables::NumberLines& lines, const MatrixHeader& header) {
+    std::vector<Section> sections;
+    for (std::size_t i = 0; i < lines.breaks.size(); ++i) {
+        const auto& found = lines.breaks[i];
+        const auto text = header_lines(lines.source, found.offset, std::min(found.offset + 4096, lines.blocks.back().offset + lines.blocks.back().size));
+        if (text.empty() || !begins_numbers(text.front(), header)) continue;
+        Section section{found.offset, found.offset, found.line};
+        std::size_t last = i;
+        for (; last + 1 < lines.breaks.size() && lines.breaks[last + 1].line <= lines.breaks[last].line + 1; ++last) {}
+        i = last;
+        section.numbers = lines.breaks[last].offset;
+        section.line = lines.breaks[last].line;
+        sections.push_back(section);
+    }
+    return sections;
+}
+
+}  // namespace
+
+std::vector<Channel> matrix_channels(const tables::TextStart& start, const MatrixHeader& header, const ReadOptions& options, const std::vector<Alert>& alerts) {
+    const auto end = start.source.size;
+    auto lines = tables::find_number_lines(start, start.begin, end);
+    const auto sections = sections_of(lines, header);
+    if (sections.empty()) return {channel_of(lines, header, options, alerts)};
+    std::vector<Channel> channels;
+    auto current = header;
+    auto part = start;
+    for (std::size_t i = 0; i <= sections.size(); ++i) {
+        const auto part_end = i < sections.size() ? sections[i].begin : end;
+        channels.push_back(channel_of(tables::find_number_lines(part, part.begin, part_end), current, options, alerts));
+        if (i == sections.size()) break;
+        const auto next_end = i + 1 < sections.size() ? sections[i + 1].begin : end;
+        auto below = bytes::part_of(start.source, start.source.name, sections[i].begin, next_end - sections[i].begin);
+        const auto next = find_start(below);
+        if (!next) throw FormatError(start.source.name, {.line = sections[i].line + 1}, "a header without numbers below it; the file may be truncated here");
+        current = parse_matrix_header(next->header, start.source, current);
+        part.layout = next->layout;
+        part.begin = sections[i].begin + next->begin;
+        part.line = sections[i].line + next->line;
+    }
+    return channels;
+}
+
+}  // namespace setae::formats

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text_channels.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "channel_building.hpp"
+#include "setae/tables/commas.hpp"
+#include "curve_channel.hpp"
+#include "text_start.hpp"
+#include "matrix_channels.hpp"
+#include "point_grid.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/formats/profile_file.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/tables/dialect.hpp"
+
+namespace setae::formats {
+namespace {
+
+constexpr std::uint64_t beyond_first_line = 64;
+
+bool counts_up(const Array1D& values) {
+    for (Index i = 0; i < values.size(); ++i)
+        if (values[i] != values[0] + static_cast<double>(i)) return false;
+    return values[0] == 0.0 || values[0] == 1.0;
+}
+
+bool is_named(const tables::RawTable& table) {
+    for (const auto& column : table.columns)
+        if (column.name.empty() && column.unit.empty()) return false;
+    return true;
+}
+
+/// What three columns are, and whether only their numbers say so.
+struct Choice {
+    TextContent content = TextContent::none;
+    bool ambiguous = false;
+    PointGrid grid;  ///< of points
+};
+
+Choice choose(const tables::RawTable& table, const ReadOptions& options) {
+    const auto& columns = table.columns;
+    const auto last = bytes::lowered(columns[2].name);
+    if (last == "valid" || last == "standard_error") return {TextContent::curve, false, {}};
+    const bool named = is_named(table);
+    const bool named_index = bytes::lowered(columns[0].name) == "index";
+    const bool along_x = increases(columns[1].values) || increases(-columns[1].values);
+    if (named_index && along_x) return {TextContent::curve, false, {}};
+    if (!named && counts_up(columns[0].values) && along_x) return {TextContent::curve, !options.layout, {}};
+    auto grid = grid_of(columns[0].values, columns[1].values, columns[2].values);
+    const bool said = named || table.metadata.contains("Lateral units");
+    if (grid.found()) return {TextContent::points, !said && !options.layout, std::move(grid)};
+    if (said || options.layout) return {TextContent::none, false, std::move(grid)};
+    return {TextContent::matrix, true, std::move(grid)};
+}
+
+Alert ambiguous(TextContent content, const bytes::Source& source, const tables::RawTable& table) {
+    const auto rows = table.columns.front().values.size();
+    const auto taken = content == TextContent::points ? std::string("points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
+                       : content == TextContent::curve
+                           ? std::string("an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
+                           : fmt::format("a map of 3 × {} points, since the first two lie on no regular grid; --as columns takes them as points x, y, z", rows);
+    return {"AMBIGUOUS_COLUMNS", source.name, "three columns of numbers without a header that tells what they are, taken as " + taken,
+            content == TextContent::matrix ? "check the shape; give --as columns where it is wrong" : "check the shape; give --as matrix where it is wrong"};
+}
+
+Curve curve_of(const tables::RawTable& table) {
+    const auto& columns = table.columns;
+    if (columns.size() == 2) return {columns[0], columns[1]};
+    const auto last = bytes::lowered(columns[2].name);
+    if (last == "standard_error") return {columns[0], columns[1], columns[2]};
+    if (last != "valid") return {columns[1], columns[2]};
+    Curve curve{columns[0], columns[1]};
+    curve.heights.values = (columns[2].values != 0.0).select(columns[1].values, undefined);
+    return curve;
+}
+
+Channel curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options, const bytes::Source& source) {
+    auto curve = curve_of(table);
+    ChannelInfo info;
+    info.name = curve.heights.name;
+    info.format = "xy";
+    info.alerts = std::move(alerts);
+    return curve_channel(std::move(info), std::move(curve), options, source);
+}
+
+std::string entry(const tables::RawTable& table, const char* key) {
+    const auto found = table.metadata.find(key);
+    return found == table.metadata.end() ? std::string() : found->second;
+}
+
+Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Alert> alerts, const ReadOptions& options, const bytes::Source& source) {
+    const auto& columns = table.columns;
+    auto lateral = columns[0].unit.empty() ? entry(table, "Lateral units") : columns[0].unit;
+    auto unit = columns[2].unit.empty() ? entry(table, "Value units") : columns[2].unit;
+    ChannelInfo info;
+    info.name = entry(table, "Channel").empty() ? columns[2].name : entry(table, "Channel");
+    info.format = "xyz";
+    info.orientation = "points on a grid, the smallest y at the top";
+    info.shape = {grid.heights.rows(), grid.heights.cols()};
+    info.alerts = std::move(alerts);
+    info.metadata.file = source.name;
+    if (!unit.empty() && !is_length_unit(unit)) {
+        info.unit = unit;
+        return non_height_channel(std::move(info));
+    }
+    if (unit.empty() != lateral.empty() && !options.unit) {
+        info.alerts.push_back({"UNIT_ASSUMED", source.name, fmt::format("the header states no unit for {}; taken as {} as the others", unit.empty() ? "z" : "x and y", unit.empty() ? lateral : unit),
+                               "compare the heights with what is known of the surface, or give --unit"});
+        (unit.empty() ? unit : lateral) = unit.empty() ? lateral : unit;
+    }
+    info.unit = unit;
+    compare_unit(info, options, source);
+    const auto given = given_units(options);
+    if (lateral.empty()) lateral = given.positions;
+    if (unit.empty()) unit = given.heights;
+    if (unit.empty()) {
+        const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
+        return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};
+    }
+    info.unit = unit;
+    const double step = length_unit(lateral, source).factor;
+    topography::HeightMap map{grid.heights * length_unit(unit, source).factor, {grid.size[0] * step, grid.size[1] * step}, false, {}};
+    info.size = {map.size[0], map.size[1]};
+    (void)complete(info, {}, source);
+    map.metadata = info.metadata;
+    return loaded_channel(std::move(info), checked(std::move(map), source));
+}
+
+/// One of setae's own: a profile, whatever its steps.
+std::vector<Channel> own_profile(const bytes::Source& source) {
+    auto profile = read_profile(source);
+    for (Index i = 0; i < profile.positions.size(); ++i)
+        if (!std::isfinite(profile.positions[i])) throw FormatError(source.name, {}, fmt::format("x of point {} is undefined", i + 1));
+    if (profile.positions.size() < 2) throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", profile.positions.size()));
+    ChannelInfo info;
+    info.name = profile.metadata.name.empty() ? "h" : profile.metadata.name;
+    info.format = "xy";
+    info.unit = profile.metadata.unit;
+    return {loaded_channel(std::move(info), checked(std::move(profile), source))};
+}
+
+[[noreturn]] void no_surface(const tables::RawTable& table, const bytes::Source& source, const std::string& problem) {
+    throw FormatError(source.name, {.line = 1},
+                      fmt::format("{} columns of numbers{}, expected x and height, after an index or before a column 'valid' or 'standard_error', or points x, y, z on a "
+                                  "regular grid{}; force curves are read by `setae jkr fit`",
+                                  table.columns.size(), is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "", problem.empty() ? "" : " (" + problem + ")"));
+}
+
+/// Names above all columns of a table: they are no rows of a map.
+bool is_table(const tables::TextStart& start) {
+    if (start.header.empty()) return false;
+    const auto names = tables::header_cells(start.header.back(), start.layout.dialect.separator, start.layout.columns, start.layout.columns);
+    if (names.empty()) return false;
+    double value = 0.0;
+    for (const auto& name : names)
+        if (parse_cell(name, start.layout.dialect, value)) return false;
+    return true;
+}
+
+/// Refuses maps whose commas may begin decimals or group thousands, or do two things at once. Gwyddion and its like group none.
+void require_clear_commas(const tables::TextStart& start, const MatrixHeader& header) {
+    if (header.is_map || start.layout.dialect.decimal_point == '.') {
+        const auto row = start.source.bytes(start.begin, std::min<std::uint64_t>(start.source.size - start.begin, 4096));
+        tables::require_separating_commas(start.header, std::string_view(row).substr(0, row.find('\n')), start.line + 1, start.layout, start.source.name);
+        return;
+    }
+    for (const auto part : {std::uint64_t{bytes::detection_bytes}, start.source.size}) {
+        const auto text = bytes::decoded(start.source.bytes(start.begin, std::min(part, start.source.size - start.begin)), bytes::Encoding::detect);
+        const auto doubtful = tables::undecided_commas(bytes::split_lines(text), start.layout);
+        if (!doubtful) return;
+        if (part >= start.source.size - start.begin)
+            throw FormatError(start.source.name, {.line = start.line + doubtful->line},
+                              fmt::format("'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; export with decimal points", doubtful->cell));
+    }
+}
+
+/// The numbers of the first bytes; nothing where they make no table.
+std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
+    const bool whole = head.size() >= source.size;
+    try {
+        return tables::read_raw_table(bytes::memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
+    } catch (const FormatError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+TextGuess guess_text(std::string_view head, const bytes::Source& source) {
+    if (is_profile_file(head)) return {TextContent::curve, true};
+    if (!bytes::looks_like_text(head)) return {};
+    const auto start = find_start(source);
+    if (!start) return {};
+    try {
+        if (parse_matrix_header(start->header, source).is_map) return {TextContent::matrix, true};
+    } catch (const FormatError&) {
+        return {TextContent::matrix, true};  // open says what is wrong with it
+    }
+    const auto columns = start->layout.columns;
+    if (columns == 1 || columns > 3) return {TextContent::matrix, false};
+    if (columns == 2) return {TextContent::curve, false};
+    const auto table = head_table(head, source);
+    if (!table || table->columns.size() != 3) return {TextContent::curve, false};
+    const auto content = choose(*table, {}).content;
+    return {content == TextContent::none ? TextContent::curve : content, false};
+}
+
+std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options) {
+    if (is_profile_file(source.head(beyond_first_line))) return own_profile(source);
+    const auto start = find_start(source);
+    if (!start) throw FormatError(source.name, {.line = 1}, source.size == 0 ? "the file is empty; expected rows of numbers" : "no row of numbers; expected columns x and height below a header");
+    const auto header = parse_matrix_header(start->header, source);
+    const auto columns = start->layout.columns;
+    const bool as_matrix = options.layout == TextLayout::matrix, as_columns = options.layout == TextLayout::columns;
+    const bool unnamed_map = columns > 3 && !as_columns && (!is_table(*start) || options.size);
+    if (as_matrix || (header.is_map && !as_columns) || columns == 1 || unnamed_map) {
+        require_clear_commas(*start, header);
+        return matrix_channels(*start, header, options, {});
+    }
+    const auto table = tables::read_raw_table(source);
+    if (table.columns.size() < 2 || table.columns.size() > 3) no_surface(table, source, {});
+    if (table.columns.size() == 2) return {curve_of(table, {}, options, source)};
+    auto choice = choose(table, options);
+    std::vector<Alert> alerts;
+    if (choice.ambiguous) alerts.push_back(ambiguous(choice.content, source, table));
+    switch (choice.content) {
+        case TextContent::matrix: return matrix_channels(*start, header, options, alerts);
+        case TextContent::points: return {points_of(table, std::move(choice.grid), std::move(alerts), options, source)};
+        case TextContent::curve: return {curve_of(table, std::move(alerts), options, source)};
+        case TextContent::none: break;
+    }
+    no_surface(table, source, choice.grid.problem);
+}
+
+}  // namespace setae::formats

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "alerts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "alert_list.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::loops {
+namespace {
+
+void check_fit(AlertList& list, const BranchAnalysis& branch, const char* name, const AlertLimits& limits) {
+    const JkrFit& fit = branch.primary();
+    if (!fit.converged)
+        list.add("NOT_CONVERGED", fmt::format("{}: the fit did not converge after {} iterations", name, fit.iterations),
+                 "look at the segments and the fit range; the values are not to be used");
+    if (fit.relative_residual > limits.relative_residual)
+        list.add("POOR_FIT",
+                 fmt::format("{}: rms residual {} is {:.1f} % of the fitted range: the branch is not a jkr curve", name,
+                             format_value(fit.rms_residual, fit.residual_unit), 100.0 * fit.relative_residual),
+                 "look at the residuals; slips, a second contact or a bad sensor make E* and W meaningless");
+}
+
+void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const AlertLimits& limits) {
+    double least = INFINITY, most = -INFINITY;
+    for (const RangeSensitivity& entry : loading.sensitivity) {
+        if (!entry.fit) continue;
+        least = std::min(least, entry.fit->work_of_adhesion.value);
+        most = std::max(most, entry.fit->work_of_adhesion.value);
+    }
+    const double work = loading.primary().work_of_adhesion.value;
+    if (most - least > limits.work_spread * std::abs(work))
+        list.add("RANGE_SENSITIVE",
+                 fmt::format("loading: W runs from {} to {} with the samples dropped after first contact",
+                             format_value(least, "J/m2"), format_value(most, "J/m2")),
+                 "quote W with its fit range");
+}
+
+void check_size(AlertList& list, const LoopContext& context, const LensAndCounterBody& bodies, const AlertLimits& limits) {
+    const double strain = context.largest_contact_radius / bodies.radius;
+    if (strain > limits.contact_radius_per_sphere_radius)
+        list.add("LARGE_STRAIN",
+                 fmt::format("a/R reaches {:.2f}; a sphere is deeper than its paraboloid there by {:.1f} % of a²/R", strain,
+                             100.0 * strain * strain / 3.0),
+                 "limit the load, or treat E* and W as those of an effective paraboloid");
+    if (bodies.layer_thickness && context.largest_contact_radius > limits.contact_radius_per_thickness * *bodies.layer_thickness)
+        list.add("THIN_LAYER",
+                 fmt::format("a/h reaches {:.2f}; the base below the layer stiffens the contact",
+                             context.largest_contact_radius / *bodies.layer_thickness),
+                 "use a thicker layer or a smaller load");
+    if (bodies.lens_height && *bodies.lens_height < limits.lens_height)
+        list.add("LENS_HEIGHT",
+                 fmt::format("the lens is {} high, below {}: its mount stiffens the contact",
+                             format_value(*bodies.lens_height, "m"), format_value(limits.lens_height, "m")),
+                 "use a higher lens");
+    if (context.tabor_parameter < limits.tabor_parameter)
+        list.add("TABOR_RANGE", fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter,
+                                            limits.tabor_parameter),
+                 "use the transition of maugis, or dmt below 0.1");
+}
+
+void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
+    constexpr const char* action = "check drift and compliance; E* and W move with the contact point";
+    if (loop.displacement.size() > 0 && !analysis.contact_points)
+        list.add("CONTACT_POINT_UNKNOWN", analysis.contact_points.reason, "choose another estimator or give the contact point");
+    if (analysis.contact_points && analysis.contact_points->spread_share > limits.contact_point_share) {
+        const ContactPoints& points = *analysis.contact_points;
+        std::string each;
+        for (const ContactPointEstimate& estimate : points.estimates)
+            if (estimate.contact_point)
+                each += fmt::format("{}{} {}", each.empty() ? "" : ", ", contact_point_name(estimate.method),
+                                    format_value(estimate.contact_point->value - points.contact_point.value, "m", 3));
+        list.add("CONTACT_POINT_SPREAD",
+                 fmt::format("estimates of the contact point spread over {}, {:.0f} % of the largest penetration: {} from the one used",
+                             format_value(points.spread, "m"), 100.0 * points.spread_share, each),
+                 action);
+        return;
+    }
+    if (!analysis.unloading || !analysis.loading.force_displacement || !analysis.unloading->force_displacement) return;
+    const double loading = analysis.loading.force_displacement->contact_point.value;
+    const double unloading = analysis.unloading->force_displacement->contact_point.value;
+    const double penetration = loop.displacement[analysis.loading.range.last] - loading;
+    if (std::abs(unloading - loading) > limits.contact_point_share * std::abs(penetration))
+        list.add("CONTACT_POINT_SPREAD",
+                 fmt::format("contact points of loading and unloading differ by {}, {:.0f} % of the largest penetration",
+                             format_value(unloading - loading, "m"), 100.0 * std::abs((unloading - loading) / penetration)),
+                 action);
+}
+
+/// A contact much stiffer than the machine shows in the displacement only as a small difference of large numbers.
+void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
+    if (!analysis.pull_off || loop.displacement.size() == 0) return;
+    const double machine = analysis.pull_off->machine_stiffness;
+    const FitRange& range = analysis.loading.range;
+    const double deflection = loop.displacement[range.last] - loop.displacement[range.first];
+    const double contact = (range.force_last - range.force_first) / deflection;
+    if (!(contact > limits.stiffness_ratio * machine)) return;
+    list.add("STIFFNESS_UNRESOLVED",
+             fmt::format("the contact is {:.0f} times stiffer than the machine ({:.3g} N/m against {:.3g} N/m): an error of 1 % "
+                         "in the sensor's calibration changes the penetration by {:.0f} %",
+                         contact / machine, contact, machine, contact / machine),
+             "E* is a lower bound; use a stiffer sensor or a softer sample");
+}
+
+void check_loop(AlertList& list, const LoopAnalysis& analysis, const AlertLimits& limits) {
+    if (!analysis.unloading) list.add("NO_RETRACTION", analysis.unloading.reason, "record the retraction to pull-off and beyond");
+    if (!analysis.segments.before.range)
+        list.add("NO_BASELINE", "no free flight before contact: the zero of force is taken as given",
+                 "record free flight first, or be sure of the zero");
+    if (!analysis.loop) return;
+    const LoopErrorBudget& budget = analysis.loop->standard_error;
+    if (std::isnan(budget.drift))
+        list.add("DRIFT_UNKNOWN", "no baseline both before and after contact: drift of force is not removed",
+                 "record free flight on both ends");
+    const double sampling = std::hypot(budget.sampling, budget.discretisation);
+    if (sampling > limits.loop_sampling_share * std::abs(analysis.loop->energy))
+        list.add("LOOP_UNDERSAMPLED",
+                 fmt::format("sampling leaves {} of {} uncertain", format_value(sampling, "J"),
+                             format_value(analysis.loop->energy, "J")),
+                 "record faster, above all at jump-in and pull-off");
+}
+
+}  // namespace
+
+std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
+                             const AlertLimits& limits, const std::string& subject) {
+    AlertList list(subject);
+    check_fit(list, analysis.loading, "loading", limits);
+    if (analysis.unloading) check_fit(list, *analysis.unloading, "unloading", limits);
+    check_sensitivity(list, analysis.loading, limits);
+    check_size(list, analysis.context, bodies, limits);
+    check_contact_point(list, analysis, loop, limits);
+    check_stiffness(list, analysis, loop, limits);
+    check_loop(list, analysis, limits);
+    check_record(list, analysis, loop, bodies, limits);
+    return list.take();
+}
+
+}  // namespace setae::loops

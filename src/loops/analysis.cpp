@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/loops/analysis.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "alerts.hpp"
+#include "attempt.hpp"
+#include "cycle_analysis.hpp"
+#include "records/drift.hpp"
+
+namespace setae::loops {
+namespace {
+
+/// The loop with the machine's own deflection taken off the displacement.
+Loop without_compliance(const Loop& loop, const std::optional<double>& machine_stiffness) {
+    if (!machine_stiffness) return loop;
+    if (!(*machine_stiffness > 0.0))
+        throw InvalidArgument(fmt::format("machine stiffness must be > 0 N/m, got {}", *machine_stiffness));
+    Loop corrected = loop;
+    if (loop.displacement.size() == loop.force.size()) corrected.displacement -= loop.force / *machine_stiffness;
+    return corrected;
+}
+
+void add_ranges(std::vector<IndexRange>& ranges, const std::vector<IndexRange>& further) { ranges.insert(ranges.end(), further.begin(), further.end()); }
+
+PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options) {
+    PreparedRecord record;
+    Loop loop = recorded;
+    if (faults.time_backwards) loop.time = Array1D();  // samples count on in its stead
+    record.deflected = without_displacement_drift(without_compliance(loop, options.machine_stiffness), options.displacement_drift_rate);
+    record.segments = find_segments(record.deflected, options.segments);
+    add_ranges(record.segments.ignored, faults.saturated_high);
+    add_ranges(record.segments.ignored, faults.saturated_low);
+    if (options.extrapolate_force_drift) record.drift = DriftModel::extrapolated;
+    record.level = options.force_drift ? without_force_drift(record.deflected, record.segments, record.drift) : record.deflected;
+    return record;
+}
+
+void move_into(LoopAnalysis& analysis, ContactAnalysis first) {
+    analysis.loading = std::move(first.loading);
+    analysis.pinned = first.pinned;
+    analysis.unloading = std::move(first.unloading);
+    analysis.pull_off = std::move(first.pull_off);
+    analysis.retraction = std::move(first.retraction);
+    analysis.loop = std::move(first.loop);
+    analysis.context = first.context;
+    analysis.contact_points = std::move(first.contact_points);
+    analysis.ledger = std::move(first.ledger);
+    analysis.compliance = std::move(first.compliance);
+}
+
+}  // namespace
+
+LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options, const std::string& subject) {
+    LoopAnalysis analysis{.faults = record_faults(recorded)};
+    const PreparedRecord record = prepared(recorded, analysis.faults, options);
+    const Segments& segments = record.segments;
+    const auto n = static_cast<Index>(segments.contacts.size());
+    ContactAnalysis first = analyse_contact(record, 0, bodies, options);
+    for (Index k = 1; k < n; ++k) analysis.further_contacts.push_back(attempt([&] { return analyse_contact(record, k, bodies, options); }));
+    for (Index i = 0; i < static_cast<Index>(segments.cycles.size()); ++i) {
+        const Index k = segments.cycles[static_cast<std::size_t>(i)].contact;
+        const Outcome<ContactAnalysis>* further = k > 0 ? &analysis.further_contacts[static_cast<std::size_t>(k) - 1] : nullptr;
+        const ContactAnalysis& contact = further != nullptr && *further ? **further : first;
+        analysis.cycles.push_back(analyse_cycle(record, i, contact, bodies, options));
+    }
+    move_into(analysis, std::move(first));
+    analysis.segments = segments;
+    analysis.corrected = record.level;
+    analysis.corrected.force -= segments.before.force;
+    analysis.alerts = alerts_of(analysis, record.level, bodies, options.limits, subject);
+    return analysis;
+}
+
+}  // namespace setae::loops

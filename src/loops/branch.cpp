@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "branch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "attempt.hpp"
+#include "records/baseline.hpp"
+#include "fits/fit_support.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::loops {
+namespace {
+
+Array1D picked(const Array1D& series, const std::vector<Index>& samples) {
+    if (series.size() == 0) return Array1D();
+    Array1D values(static_cast<Index>(samples.size()));
+    for (Index i = 0; i < values.size(); ++i) values[i] = series[samples[static_cast<std::size_t>(i)]];
+    return values;
+}
+
+std::vector<Index> in_contact(const Loop& loop, const std::vector<Index>& samples) {
+    if (loop.contact_radius.size() == 0) return samples;
+    std::vector<Index> kept;
+    for (const Index i : samples)
+        if (loop.contact_radius[i] > 0.0) kept.push_back(i);
+    return kept;
+}
+
+/// A fit with what the zero of force leaves open in its covariance, or why there is none.
+template <class Fit>
+Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies, const Fit& fit) {
+    Outcome<JkrFit> result = attempt([&] { return fit(data); });
+    if (!result || !(data.force_zero_standard_error > 0.0)) return result;
+    BranchData higher = data;
+    higher.force += data.force_zero_standard_error;
+    if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); })) add_force_zero_error(*result.value, *shifted, bodies);
+    return result;
+}
+
+/// Force against displacement, the contact point held where one is given.
+JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (options.contact_point.mode == ContactPointChoice::Mode::value) return fit_with_contact_point(data, bodies, options.contact_point.value);
+    return fit_force_displacement(data, bodies, options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only);
+}
+
+bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
+
+bool can_join(const BranchData& data) {
+    return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0;
+}
+
+const char* why_not_joined(const BranchData& data) {
+    if (data.contact_radius.size() == 0) return "the joint fit needs the contact radius, which was not measured";
+    if (data.displacement.size() == 0) return "the joint fit needs the displacement, which was not measured";
+    return "the noise of force, displacement or contact radius is not known";
+}
+
+}  // namespace
+
+Selection range_selection(const IndexRange& range, std::string name) {
+    Selection selection{.name = std::move(name)};
+    for (Index i = range.first; i <= range.last; ++i) selection.samples.push_back(i);
+    return selection;
+}
+
+Selection loading_selection(const Loop& loop, const Segments& segments, const ContactSegments& contact, Index dropped) {
+    Selection selection{.name = fmt::format("loading, from {} samples after first contact to the largest force", dropped)};
+    Index next = contact.loading.first + dropped;
+    const auto take_until = [&](Index last) {
+        for (; next <= last; ++next) selection.samples.push_back(next);
+    };
+    for (const Index index : contact.cycles) {
+        const Cycle& cycle = segments.cycles[static_cast<std::size_t>(index)];
+        const Index peak = cycle.loading.last;
+        if (peak >= contact.loading.last) break;
+        take_until(peak);
+        next = std::max(next, cycle.unloading.last);
+        while (next < contact.loading.last && loop.force[next] < loop.force[peak]) ++next;
+    }
+    take_until(contact.loading.last);
+    return selection;
+}
+
+BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selection& selection,
+                       const AnalysisOptions& options) {
+    const std::vector<Index> samples = in_contact(loop, selection.samples);
+    BranchData data{.force = picked(loop.force, samples) - baseline.force,
+                    .displacement = picked(loop.displacement, samples),
+                    .contact_radius = picked(loop.contact_radius, samples),
+                    .force_noise = baseline.force_noise,
+                    .displacement_noise = baseline.displacement_noise,
+                    .force_displacement_covariance = baseline.force_displacement_covariance,
+                    .force_zero_standard_error = baseline.force_standard_error};
+    data.contact_radius_noise =
+        options.contact_radius_noise ? *options.contact_radius_noise : white_noise(data.contact_radius);
+    return data;
+}
+
+JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (data.contact_radius.size() == 0) return depth_fit(data, bodies, options);
+    const bool both = options.effective_variance && can_weigh_both(data);
+    return fit_radius_force(data, bodies, both ? RadiusErrors::effective_variance : RadiusErrors::radius_only);
+}
+
+const JkrFit& BranchAnalysis::primary() const {
+    if (effective_variance_first && radius_force_effective_variance) return *radius_force_effective_variance;
+    return radius_force ? *radius_force : *force_displacement;
+}
+
+BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const Selection& selection,
+                              const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    const BranchData data = branch_data(loop, baseline, selection, options);
+    BranchAnalysis branch{.effective_variance_first = options.effective_variance};
+    const auto radius_fit = [&](RadiusErrors errors) {
+        return fitted(data, bodies, [&](const BranchData& samples) { return fit_radius_force(samples, bodies, errors); });
+    };
+    branch.radius_force = radius_fit(RadiusErrors::radius_only);
+    branch.radius_force_effective_variance =
+        can_weigh_both(data) ? radius_fit(RadiusErrors::effective_variance)
+                             : Outcome<JkrFit>::missing("the noise of force or contact radius is not known");
+    branch.linear_form =
+        fitted(data, bodies, [&](const BranchData& samples) { return fit_linear_form(samples, bodies); });
+    branch.force_displacement = fitted(data, bodies, [&](const BranchData& samples) { return depth_fit(samples, bodies, options); });
+    branch.joint = can_join(data) ? fitted(data, bodies, [&](const BranchData& samples) { return fit_joint(samples, bodies); })
+                                  : Outcome<JkrFit>::missing(why_not_joined(data));
+    branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });
+    if (!branch.radius_force && !branch.force_displacement)
+        throw UndefinedDataError(
+            fmt::format("{}: no fit: {}", selection.name,
+                        data.contact_radius.size() > 0 ? branch.radius_force.reason : branch.force_displacement.reason));
+    const std::vector<Index> samples = in_contact(loop, selection.samples);
+    branch.range = {.name = selection.name,
+                    .first = samples.front(),
+                    .last = samples.back(),
+                    .n = static_cast<Index>(samples.size()),
+                    .force_first = data.force[0],
+                    .force_last = data.force[data.force.size() - 1]};
+    const JkrFit& fit = branch.primary();
+    const Estimate contact_point = branch.force_displacement ? branch.force_displacement->contact_point : Estimate{.value = 0.0};
+    branch.energy_release_rate = energy_release_rates(data, bodies.radius, fit.contact_modulus, contact_point);
+    return branch;
+}
+
+}  // namespace setae::loops

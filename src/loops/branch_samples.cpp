@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/loops/branch_samples.hpp"
+
+#include "contact_analysis.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::loops {
+namespace {
+
+Selection selection_of(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options) {
+    const Segments& segments = analysis.segments;
+    if (branch == LoopBranch::loading)
+        return without_ignored(loading_selection(analysis.corrected, segments, segments.contacts.front(), options.samples_dropped), segments);
+    if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
+    const FitRange& range = analysis.unloading->range;
+    return without_ignored(range_selection({.first = range.first, .last = range.last}, range.name), segments);
+}
+
+}  // namespace
+
+BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options) {
+    const Loop& loop = analysis.corrected;
+    const Selection selection = selection_of(analysis, branch, options);
+    Baseline zero = analysis.segments.before;
+    zero.force = 0.0;  // the corrected record counts from it
+    BranchSamples result{.data = branch_data(loop, zero, selection, options)};
+    if (loop.time.size() == 0) return result;
+    result.time.resize(result.data.force.size());
+    Index n = 0;
+    for (const Index i : selection.samples)
+        if (loop.contact_radius.size() == 0 || loop.contact_radius[i] > 0.0) result.time[n++] = loop.time[i];
+    return result;
+}
+
+}  // namespace setae::loops

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact_analysis.hpp"
+
+namespace setae::loops {
+
+/// One press and release of a touch whose analysis is known.
+[[nodiscard]] CycleAnalysis analyse_cycle(const PreparedRecord& record, Index cycle, const ContactAnalysis& contact, const LensAndCounterBody& bodies,
+                                          const AnalysisOptions& options);
+
+}  // namespace setae::loops

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "records/drift.hpp"
+
+/// ∫F dδ over stretches of a loop and what its parts of error are.
+namespace setae::loops {
+
+/// A record with its force counted from its zero.
+struct LevelRecord {
+    Array1D force;  ///< [N]
+    const Array1D& displacement;
+    const Baseline& noise;
+    ForceZero zero;
+
+    LevelRecord(const Loop& loop, const Segments& segments, DriftModel drift);
+};
+
+/// ∫F dδ by the trapezoid rule, of every so many samples.
+[[nodiscard]] double work(const Array1D& force, const Array1D& displacement, const IndexRange& range, Index stride = 1);
+
+/// Error from independent noise of each sample.
+[[nodiscard]] double noise_error(const LevelRecord& record, const IndexRange& range);
+
+/// Error from the baselines between which the zero of force runs; NaN where it is taken as constant.
+[[nodiscard]] double drift_error(const LevelRecord& record, const IndexRange& range);
+
+/// Error from the machine's stiffness k where δ = stage − F/k: (F_last² − F_first²) σ_k/(2k²), for the rest telescopes.
+[[nodiscard]] double compliance_error(const LevelRecord& record, const IndexRange& range, const Estimate& stiffness);
+
+/// Largest error of a jump. It happened somewhere within its sampling step, f of it with the motion before and 1 − f with that after: the
+/// chord between the samples then errs by ½ [(1 − f) A_after − f A_before], A the area jump and motion of one step span; for steady
+/// motion A (½ − f), evenly distributed between ± A/2.
+[[nodiscard]] double jump_error_limit(const LevelRecord& record, const IndexRange& jump);
+
+/// The trapezoid rule against itself with every second sample, on a smooth piece; signed, so that pieces add up.
+[[nodiscard]] double discretisation_error(const LevelRecord& record, const IndexRange& piece);
+
+/// Half the width of the 95 % interval of a normal error and two evenly distributed between ± their limits.
+[[nodiscard]] double half_width(double deviation, const std::array<double, 2>& limits);
+
+}  // namespace setae::loops

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/loops/jkr_fits.hpp"
+
+namespace setae::loops {
+namespace {
+
+/// G = u²/(8πE*a³), u = 4E*a³/(3R) − F, and its slopes.
+struct Slopes {
+    double value, by_radius, by_force, by_modulus;
+};
+
+Slopes slopes_at(double a, double force, double radius, double modulus) {
+    const double cubed = a * a * a, excess = 4.0 * modulus * cubed / (3.0 * radius) - force, area = 8.0 * pi * modulus * cubed;
+    const double value = excess * excess / area, by_excess = 2.0 * excess / area;
+    return {.value = value,
+            .by_radius = by_excess * 4.0 * modulus * a * a / radius - 3.0 * value / a,
+            .by_force = -by_excess,
+            .by_modulus = by_excess * 4.0 * cubed / (3.0 * radius) - value / modulus};
+}
+
+/// The implied radius' slopes, from a³ − 3Rδa + 3RF/(2E*) = 0.
+struct Implied {
+    double by_force, by_depth, by_modulus;
+};
+
+Implied implied_slopes(double a, double force, double depth, double radius, double modulus) {
+    const double by_radius = 3.0 * (a * a - radius * depth);
+    return {.by_force = -1.5 * radius / modulus / by_radius,
+            .by_depth = 3.0 * radius * a / by_radius,
+            .by_modulus = 1.5 * radius * force / (modulus * modulus) / by_radius};
+}
+
+double known(double noise) { return noise > 0.0 ? noise * noise : undefined; }
+
+}  // namespace
+
+EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus, double contact_point) {
+    return energy_release_rates(data, radius, Estimate{.value = contact_modulus}, Estimate{.value = contact_point});
+}
+
+EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, const Estimate& contact_modulus,
+                                       const Estimate& contact_point) {
+    const double modulus = contact_modulus.value;
+    const contact::SphereOnFlat sphere{.radius = radius, .contact_modulus = modulus};
+    const Index n = data.force.size();
+    EnergyReleaseRate result{.contact_radius = data.contact_radius,
+                             .energy_release_rate = Array1D::Constant(n, undefined),
+                             .standard_error = Array1D::Constant(n, undefined),
+                             .systematic = Array1D::Constant(n, undefined),
+                             .radius_measured = data.contact_radius.size() > 0};
+    if (!result.radius_measured) result.contact_radius.resize(n);
+    const double force_variance = known(data.force_noise), depth_variance = known(data.displacement_noise),
+                 radius_variance = known(data.contact_radius_noise);
+    for (Index i = 0; i < n; ++i) {
+        double& a = result.contact_radius[i];
+        const double force = data.force[i];
+        if (!result.radius_measured) a = contact::jkr::contact_radius_at(force, data.displacement[i] - contact_point.value, sphere);
+        if (!(a > 0.0)) continue;
+        Slopes rate = slopes_at(a, force, radius, modulus);
+        double variance = 0.0, by_contact_point = 0.0;
+        if (result.radius_measured) {
+            variance = rate.by_force * rate.by_force * force_variance + rate.by_radius * rate.by_radius * radius_variance;
+        } else {
+            const Implied implied = implied_slopes(a, force, data.displacement[i] - contact_point.value, radius, modulus);
+            rate.by_force += rate.by_radius * implied.by_force;
+            rate.by_modulus += rate.by_radius * implied.by_modulus;
+            const double by_depth = rate.by_radius * implied.by_depth;
+            by_contact_point = -by_depth;
+            variance = rate.by_force * rate.by_force * force_variance + by_depth * by_depth * depth_variance +
+                       2.0 * rate.by_force * by_depth * data.force_displacement_covariance;
+        }
+        result.energy_release_rate[i] = rate.value;
+        result.standard_error[i] = variance < 0.0 ? 0.0 : std::sqrt(variance);  // a rounded-off covariance leaves none
+        result.systematic[i] = std::hypot(rate.by_modulus * contact_modulus.standard_error,
+                                          by_contact_point == 0.0 ? 0.0 : by_contact_point * contact_point.standard_error);
+    }
+    return result;
+}
+
+}  // namespace setae::loops

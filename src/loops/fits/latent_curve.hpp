@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "latent_fit.hpp"
+
+namespace setae::loops::latent {
+
+/// The curve at true radii x beside the samples from `first` on, in units of the noise: one entry a channel.
+template <std::size_t channels, std::size_t parameters, class Lane>
+struct Curve {
+    using Vector = std::array<Lane, channels>;
+    Vector residual;  ///< sample − curve
+    Vector tangent;   ///< by x
+    Vector second;    ///< by x twice
+    std::array<Vector, parameters> by_parameter;
+    std::array<Vector, parameters> mixed;  ///< by x and parameter; left open unless asked for
+
+    /// Residual without the offset that noise along the bent curve makes on average, −γ''/(2|γ'|²) across it. Where the noise
+    /// is as large as the bend's radius, as where a contact without adhesion begins, that series means nothing: it fades.
+    /// inverse: 1/|γ'|².
+    [[nodiscard]] Vector straightened(const Lane& inverse) const {
+        const Lane bend = dot(second, second) * inverse.square();
+        const Lane share = 0.5 * inverse / (1.0 + bend.square());
+        Vector result = residual;
+        for (std::size_t c = 0; c < channels; ++c) result[c] += share * second[c];
+        return result;
+    }
+
+    [[nodiscard]] static Lane dot(const Vector& left, const Vector& right) {
+        Lane sum = left[0] * right[0];
+        for (std::size_t c = 1; c < channels; ++c) sum += left[c] * right[c];
+        return sum;
+    }
+};
+
+template <bool depth, bool radius, class Lane, bool with_mixed = false>
+[[nodiscard]] auto curve_at(const Points& points, const Parameters& at, const Lane& x, Index first) {
+    constexpr Index width = Lane::SizeAtCompileTime;
+    constexpr std::size_t depth_channel = 1, radius_channel = depth ? 2 : 1;
+    Curve<1 + depth + radius, depth ? 3 : 2, Lane> curve;
+    const double modulus = at[0], root = at[1];
+    const Lane square_root = x.sqrt(), inverse_root = square_root / x;
+    const Lane square = x * x, cube = square * x, three_halves = x * square_root;
+    const double wf = points.force_weight;
+    curve.residual[0] = wf * (points.force.segment<width>(first) - (modulus * cube - root * three_halves));
+    curve.tangent[0] = wf * (3.0 * modulus * square - 1.5 * root * square_root);
+    curve.second[0] = wf * (6.0 * modulus * x - 0.75 * root * inverse_root);
+    curve.by_parameter[0][0] = wf * cube;
+    curve.by_parameter[1][0] = -wf * three_halves;
+    if constexpr (with_mixed) {
+        curve.mixed[0][0] = 3.0 * wf * square;
+        curve.mixed[1][0] = -1.5 * wf * square_root;
+    }
+    if constexpr (depth) {
+        const double wd = points.depth_weight, pull = 2.0 / 3.0 * root / modulus;
+        const double shared = points.shared * wd / wf;  // of the force in units of its noise
+        curve.by_parameter[2][0].setZero();
+        curve.residual[depth_channel] = wd * (points.depth.segment<width>(first) - (square - pull * square_root + at[2])) - shared * curve.residual[0];
+        curve.tangent[depth_channel] = wd * (2.0 * x - 0.5 * pull * inverse_root) - shared * curve.tangent[0];
+        curve.second[depth_channel] = wd * (2.0 + 0.25 * pull * inverse_root / x) - shared * curve.second[0];
+        curve.by_parameter[0][depth_channel] = wd * pull / modulus * square_root - shared * curve.by_parameter[0][0];
+        curve.by_parameter[1][depth_channel] = -wd * (2.0 / 3.0) / modulus * square_root - shared * curve.by_parameter[1][0];
+        curve.by_parameter[2][depth_channel].setConstant(wd);
+        if constexpr (with_mixed) {
+            curve.mixed[0][depth_channel] = 0.5 * wd * pull / modulus * inverse_root - shared * curve.mixed[0][0];
+            curve.mixed[1][depth_channel] = -wd / (3.0 * modulus) * inverse_root - shared * curve.mixed[1][0];
+            for (Lane& part : curve.mixed[2]) part.setZero();
+        }
+    }
+    if constexpr (radius) {
+        const double wx = points.radius_weight;
+        curve.residual[radius_channel] = wx * (points.contact_radius.segment<width>(first) - x);
+        curve.tangent[radius_channel].setConstant(wx);
+        curve.second[radius_channel].setZero();
+        for (auto& slope : curve.by_parameter) slope[radius_channel].setZero();
+        if constexpr (with_mixed)
+            for (auto& slope : curve.mixed) slope[radius_channel].setZero();
+    }
+    return curve;
+}
+
+}  // namespace setae::loops::latent

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace setae::loops {
+
+/// What a sum of squares of few parameters needs of its residuals: JᵀJ, Jᵀr and Σ r², J that of the model.
+template <int parameters>
+struct NormalEquations {
+    Eigen::Matrix<double, parameters, parameters> normal = Eigen::Matrix<double, parameters, parameters>::Zero();
+    Eigen::Matrix<double, parameters, 1> gradient = Eigen::Matrix<double, parameters, 1>::Zero();
+    double squares = 0.0;
+};
+
+template <int parameters>
+struct SmallMinimum {
+    Eigen::Matrix<double, parameters, 1> parameters_found;
+    bool converged = false;
+    int iterations = 0;
+};
+
+/// Whether a step is far below the standard errors, squares/freedom the variance; it is taken all the same, and what is
+/// left behind it is smaller still.
+template <class Step, class Normal>
+[[nodiscard]] bool far_below_errors(const Step& step, const Normal& normal, double squares, double freedom) {
+    constexpr double of_standard_error = 1e-4;
+    return step.dot(normal * step) <= of_standard_error * of_standard_error * squares / freedom;
+}
+
+/// Levenberg and Marquardt's method on normal equations of columns of unit length, undamped while the sum falls.
+/// evaluate(at) gives NormalEquations. Sums of noise-free data end in rounding, where the sum no longer falls: converged
+/// if the step was small.
+template <int parameters, class Evaluate>
+[[nodiscard]] SmallMinimum<parameters> minimise_small(const Evaluate& evaluate, const Eigen::Matrix<double, parameters, 1>& start, double freedom) {
+    using Vector = Eigen::Matrix<double, parameters, 1>;
+    constexpr int most_rounds = 200;
+    constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12;
+    SmallMinimum<parameters> found{.parameters_found = start};
+    NormalEquations<parameters> here = evaluate(start);
+    double damping = 0.0;
+    while (found.iterations < most_rounds && damping < most_damping) {
+        ++found.iterations;
+        const Vector scale = here.normal.diagonal().cwiseSqrt().cwiseInverse();
+        if (!scale.allFinite()) return found;
+        Eigen::Matrix<double, parameters, parameters> scaled = scale.asDiagonal() * here.normal * scale.asDiagonal();
+        scaled.diagonal().array() += damping;
+        const Vector step = scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(here.gradient)));
+        const Vector next = found.parameters_found + step;
+        // of the curve: a parameter may be 0
+        const double change = std::sqrt(step.dot(here.normal * step) / found.parameters_found.dot(here.normal * found.parameters_found));
+        const NormalEquations<parameters> there = evaluate(next);
+        if (!(there.squares <= here.squares)) {
+            if (change <= small) {
+                found.converged = true;
+                return found;
+            }
+            damping = std::max(10.0 * damping, 1e-4);
+            continue;
+        }
+        const bool done = change <= rounding || (damping == 0.0 && far_below_errors(step, here.normal, there.squares, freedom));
+        found.parameters_found = next;
+        here = there;
+        damping = damping > 1e-6 ? 0.1 * damping : 0.0;
+        if (!done) continue;
+        found.converged = true;
+        return found;
+    }
+    return found;
+}
+
+}  // namespace setae::loops

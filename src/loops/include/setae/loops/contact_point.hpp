@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "setae/loops/jkr_fits.hpp"
+#include "setae/loops/outcome.hpp"
+#include "setae/loops/segments.hpp"
+
+namespace setae::loops {
+
+/// Ways to find δ0, the displacement at which the undeformed bodies first touch.
+enum class ContactPointMethod {
+    force_departure,     ///< where the force leaves the baseline: a jump, or the first touch where nothing attracts
+    broken_line,         ///< baseline and F = C (δ − δ0)^(3/2) joined at δ0; where nothing attracts
+    jump_in,             ///< first sample behind the jump, along the machine's line: δ + F/k
+    force_displacement,  ///< fitted with E* and W to F(δ) of loading
+    pointwise,           ///< from F, δ and a, free of W: F = 2aE* (δ − δ0 − a²/(3R))
+    zero_force,          ///< δ0 = δ(F=0) − a²/(3R), a(F=0) measured or JKR's (9πWR²/(2E*))^(1/3)
+    pull_off,            ///< where the contact parts, with the instability of the machine's stiffness
+};
+
+/// Every method with the name that texts and JSON call it: "force_departure", …
+[[nodiscard]] const std::vector<ContactPointMethod>& contact_point_methods();
+[[nodiscard]] std::string contact_point_name(ContactPointMethod method);
+
+/// Where F–δ fits take the contact point from.
+struct ContactPointChoice {
+    enum class Mode {
+        automatic,  ///< fitted where the data determine it; else the estimate with the smallest standard error, held
+        fit,        ///< a parameter of every F–δ fit
+        estimator,  ///< what one method says, held in every F–δ fit
+        value,      ///< given, held in every F–δ fit
+    };
+    Mode mode = Mode::automatic;
+    ContactPointMethod estimator = ContactPointMethod::force_displacement;
+    double value = 0.0;  ///< [m], of the record's displacement with the machine's deflection taken off
+
+    friend bool operator==(const ContactPointChoice&, const ContactPointChoice&) = default;
+};
+
+/// "auto", "fit", the name of a method, or a length such as "1.25 um". @throws InvalidArgument for anything else.
+[[nodiscard]] ContactPointChoice parse_contact_point(std::string_view text);
+
+/// One estimate of the contact point with what it makes of E* and W.
+struct ContactPointEstimate {
+    ContactPointMethod method{};
+    Outcome<Estimate> contact_point;  ///< [m], with standard error; or why the method says nothing here
+    Outcome<JkrFit> fit;              ///< F–δ of loading with δ0 held there
+};
+
+/// Estimates side by side.
+struct ContactPoints {
+    std::vector<ContactPointEstimate> estimates;  ///< of every method, in order
+    std::optional<ContactPointMethod> chosen;     ///< none where a value was given
+    Estimate contact_point;                       ///< the one chosen [m]
+    double spread = 0.0;             ///< largest minus smallest [m]
+    double spread_share = 0.0;       ///< of the largest penetration
+    double chi2 = 0.0;               ///< Σ (δ0 − mean)²/σ², about the weighted mean
+    Index degrees_of_freedom = 0;    ///< estimates with a standard error, less one
+    double work_by_contact_point = 0.0;     ///< dW/dδ0 [J/m³] at the one chosen; NaN where no fit is possible
+    double modulus_by_contact_point = 0.0;  ///< dE*/dδ0 [Pa/m]
+
+    /// The estimate of a method. @throws InternalError where it is not among them.
+    [[nodiscard]] const ContactPointEstimate& of(ContactPointMethod method) const;
+};
+
+/// What the estimators draw on, besides the record.
+struct ContactPointInputs {
+    const Loop& loop;                       ///< force with its drift taken off
+    const Segments& segments;
+    Index contact = 0;
+    BranchData loading;                     ///< samples of the loading fit
+    Outcome<JkrFit> force_displacement;     ///< of loading, δ0 free
+    Outcome<PointwiseModulus> pointwise;    ///< of loading
+    std::optional<JkrFit> unloading;        ///< the fit that knows W and E* of the retraction best
+    std::optional<double> machine_stiffness;  ///< [N/m] where it is known; else that of the jump out
+};
+
+/// Every estimate of the contact point, the one chosen, and how E* and W move with it.
+/// @throws UndefinedDataError without displacement, or where the method chosen says nothing here.
+[[nodiscard]] ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
+                                           const ContactPointChoice& choice = {});
+
+/// Force against displacement with the contact point held, least squares in force, each residual weighed by the noise of both
+/// channels; unknown E* and W.
+///
+///   F = E* [4a³/(3R) − √(8πωa³)],  a from δ − δ0 = a²/R − √(2πωa),  ω = W/E*
+///
+/// The covariance is that of E* and W with δ0 exact. Samples below the fitted pull-off under fixed grips keep the force there.
+/// @throws as fit_force_displacement.
+[[nodiscard]] JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point);
+
+}  // namespace setae::loops

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/arrays.hpp"
+#include "setae/core/table.hpp"
+
+namespace setae::loops {
+
+/// What a contact experiment records, sample by sample: approach, contact, retraction.
+///
+/// Series are empty where they were not measured; those present have equal length. Force is needed, and displacement or
+/// contact radius or both.
+struct Loop {
+    Array1D time;            ///< [s]
+    Array1D force;           ///< F [N], pressing positive, any offset
+    Array1D displacement;    ///< δ [m], growing into the contact, any offset
+    Array1D contact_radius;  ///< a [m]; 0 out of contact, NaN where a frame is missing
+};
+
+/// Loop from the table's columns "time", "force", "displacement" and "contact_radius" (SI), those that it has.
+/// @throws InvalidArgument where the force is missing, or both displacement and contact radius.
+[[nodiscard]] Loop loop_from_table(const Table& table);
+
+/// The two bodies: a soft one whose modulus is sought and a counter-body whose elasticity is known. Which of them is
+/// the sphere makes no difference to the contact.
+struct LensAndCounterBody {
+    double radius = 0.0;                    ///< R of the sphere [m], > 0
+    double lens_poisson_ratio = 0.5;        ///< ν of the soft body; 1/2 for rubber
+    double counter_youngs_modulus = 0.0;    ///< E of the counter-body [Pa], > 0; infinity for a rigid one
+    double counter_poisson_ratio = 0.0;     ///< ν of the counter-body
+    std::optional<double> lens_height;      ///< height of the soft lens above its mount [m]
+    std::optional<double> layer_thickness;  ///< thickness of the soft body where it is a layer on a rigid base [m]
+
+    [[nodiscard]] contact::ElasticSolid counter_body() const {
+        return {.youngs_modulus = counter_youngs_modulus, .poisson_ratio = counter_poisson_ratio};
+    }
+};
+
+}  // namespace setae::loops

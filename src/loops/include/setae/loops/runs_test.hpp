@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::loops {
+
+/// How many stretches of one sign residuals in their order form.
+struct RunsTest {
+    Index runs = 0;
+    Index above = 0;             ///< residuals > 0
+    Index below = 0;             ///< residuals < 0
+    double p_value = undefined;  ///< P(as few runs or fewer); NaN where all residuals have one sign
+};
+
+/// Test of Wald and Wolfowitz: do residuals keep their sign longer than chance lets them?
+///
+/// One-sided: a model that misses the curve's shape, and noise that follows its neighbour, make too few runs; too many
+/// mean nothing here. Exact for up to 50 residuals, beyond that the normal approximation with half a run's correction.
+/// Zeros are left out. Residuals that are correlated by the recording itself (a filter, drift) fail it too.
+/// Source: Wald, Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
+[[nodiscard]] RunsTest runs_test(const ArrayView1D& residuals);
+
+}  // namespace setae::loops

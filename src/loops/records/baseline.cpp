@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "baseline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::loops {
+namespace {
+
+Array1D second_differences(const ArrayView1D& series) {
+    const Index n = series.size();
+    if (n < 3) return Array1D();
+    return series.head(n - 2) - 2.0 * series.segment(1, n - 2) + series.tail(n - 2);
+}
+
+/// ⟨xy⟩/6 of second differences: 1² + 2² + 1² independent contributions.
+double noise_product(const Array1D& x, const Array1D& y) { return x.size() == 0 ? 0.0 : (x * y).mean() / 6.0; }
+
+/// Straight line through the force of a stretch: its slope, with the scatter about the line as error.
+void add_slope(Baseline& baseline, const Array1D& force, const Array1D& clock) {
+    const Index n = force.size();
+    constexpr Index fewest = 3;
+    if (n < fewest) return;
+    const Array1D since = clock - clock.mean();
+    const double spread = since.square().sum();
+    if (!(spread > 0.0)) return;
+    baseline.force_slope = (since * (force - force.mean())).sum() / spread;
+    const double squares = (force - force.mean() - baseline.force_slope * since).square().sum();
+    baseline.force_slope_standard_error = std::sqrt(squares / (static_cast<double>(n - 2) * spread));
+}
+
+}  // namespace
+
+Array1D clock_of(const Loop& loop) {
+    const Index n = loop.force.size();
+    const auto runs_on = [&] { return (loop.time.tail(n - 1) >= loop.time.head(n - 1)).all() && loop.time[n - 1] > loop.time[0]; };
+    if (n > 1 && loop.time.size() == n && loop.time.allFinite() && runs_on()) return loop.time;
+    return Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1));
+}
+
+Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::string& name) {
+    constexpr Index fewest = 5;
+    const IndexRange range = samples_of(given, loop, name);
+    if (range.count() < fewest)
+        throw InvalidArgument(fmt::format("{}: samples {} to {} are {}, a zero of force needs at least {}", name, range.first, range.last, range.count(), fewest));
+    return baseline_over(loop, range);
+}
+
+double median(Array1D values) {
+    const Index half = values.size() / 2;
+    std::nth_element(values.begin(), values.begin() + half, values.end());
+    const double upper = values[half];
+    if (values.size() % 2 == 1) return upper;
+    return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + half));
+}
+
+double white_noise(const ArrayView1D& series) {
+    const Array1D differences = second_differences(series);
+    return std::sqrt(noise_product(differences, differences));
+}
+
+Baseline baseline_over(const Loop& loop, const IndexRange& range) {
+    const Array1D force = loop.force.segment(range.first, range.count());
+    Baseline baseline{.range = range, .force = median(force), .force_noise = white_noise(force)};
+    baseline.force_scatter = std::sqrt((force - baseline.force).square().mean());
+    // the median of n normal values: σ √(π/2n)
+    baseline.force_standard_error = baseline.force_scatter * std::sqrt(0.5 * pi / static_cast<double>(range.count()));
+    add_slope(baseline, force, clock_of(loop).segment(range.first, range.count()));
+    if (loop.displacement.size() > 0) {
+        const Array1D displacement = loop.displacement.segment(range.first, range.count());
+        baseline.displacement_noise = white_noise(displacement);
+        baseline.force_displacement_covariance =
+            noise_product(second_differences(force), second_differences(displacement));
+    }
+    return baseline;
+}
+
+}  // namespace setae::loops

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/loops/segments.hpp"
+
+namespace setae::loops {
+
+[[nodiscard]] double median(Array1D values);
+
+/// σ of independent noise [unit of the series] on a smooth course: √⟨(x_{i−1} − 2x_i + x_{i+1})²/6⟩; 0 for fewer than
+/// three samples.
+[[nodiscard]] double white_noise(const ArrayView1D& series);
+
+/// When each sample was: its time where all are known and none runs backwards, else its number.
+[[nodiscard]] Array1D clock_of(const Loop& loop);
+
+/// A baseline where the user sees free flight. @throws InvalidArgument for fewer than five samples, and as samples_of.
+[[nodiscard]] Baseline given_baseline(const Loop& loop, const GivenRange& range, const std::string& name);
+
+/// Zero of force, its slope and noise from a stretch of free flight.
+[[nodiscard]] Baseline baseline_over(const Loop& loop, const IndexRange& range);
+
+}  // namespace setae::loops

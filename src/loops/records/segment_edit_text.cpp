@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/loops/segment_edits.hpp"
+
+namespace setae::loops {
+namespace {
+
+[[noreturn]] void refuse(std::string_view text, const std::string& why) {
+    throw InvalidArgument(fmt::format("segment '{}': {}; expected such as loading=120:900, unloading@2=12.5s:20s or ignore=30:35 (reason)", text, why));
+}
+
+std::optional<Index> sample_from(std::string_view text) {
+    Index value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+GivenRange range_from(std::string_view range, std::string_view whole) {
+    const auto colon = range.find(':');
+    if (colon == std::string_view::npos) refuse(whole, "a range is FIRST:LAST");
+    const std::string_view first = trimmed(range.substr(0, colon)), last = trimmed(range.substr(colon + 1));
+    const auto first_sample = sample_from(first), last_sample = sample_from(last);
+    if (first_sample && last_sample) return IndexRange{*first_sample, *last_sample};
+    if (first_sample || last_sample) refuse(whole, "one end is a sample, the other a time");
+    try {
+        return TimeRange{parse_quantity(first, dimension::time), parse_quantity(last, dimension::time)};
+    } catch (const InvalidArgument& error) {
+        refuse(whole, error.what());
+    }
+}
+
+std::string text_of(const GivenRange& range) {
+    if (const auto* samples = std::get_if<IndexRange>(&range)) return fmt::format("{}:{}", samples->first, samples->last);
+    const auto& times = std::get<TimeRange>(range);
+    return fmt::format("{}s:{}s", times.first, times.last);
+}
+
+/// The segment of a contact that a name stands for.
+template <class Contact>
+auto* segment_of(Contact& contact, std::string_view name) {
+    if (name == "jump_in") return &contact.jump_in;
+    if (name == "loading") return &contact.loading;
+    if (name == "hold") return &contact.hold;
+    if (name == "unloading") return &contact.unloading;
+    if (name == "pull_off") return &contact.pull_off;
+    return decltype(&contact.jump_in){nullptr};
+}
+
+constexpr const char* segment_names[] = {"jump_in", "loading", "hold", "unloading", "pull_off"};
+
+IgnoredSamples ignored_from(std::string_view value, std::string_view whole) {
+    const auto open = value.find('(');
+    if (open == std::string_view::npos || value.back() != ')') refuse(whole, "samples are ignored for a reason, in brackets");
+    return {.range = range_from(value.substr(0, open), whole), .reason = std::string(trimmed(value.substr(open + 1, value.size() - open - 2)))};
+}
+
+}  // namespace
+
+void add_segment_edit(SegmentEdits& edits, std::string_view text) {
+    const auto equals = text.find('=');
+    if (equals == std::string_view::npos) refuse(text, "no '='");
+    std::string_view name = trimmed(text.substr(0, equals));
+    const std::string_view value = trimmed(text.substr(equals + 1));
+    if (value.empty()) refuse(text, "nothing behind '='");
+    if (name == "baseline") {
+        edits.baseline_before = range_from(value, text);
+        return;
+    }
+    if (name == "baseline_after") {
+        edits.baseline_after = range_from(value, text);
+        return;
+    }
+    if (name == "ignore") {
+        edits.ignored.push_back(ignored_from(value, text));
+        return;
+    }
+    std::size_t contact = 1;
+    if (const auto at = name.find('@'); at != std::string_view::npos) {
+        constexpr Index most = 10000;
+        const auto number = sample_from(name.substr(at + 1));
+        if (!number || *number < 1 || *number > most) refuse(text, "contacts count from 1");
+        contact = static_cast<std::size_t>(*number);
+        name = name.substr(0, at);
+    }
+    ContactEdits scratch;
+    const bool cut = name == "cut";
+    if (!cut && segment_of(scratch, name) == nullptr)
+        refuse(text, fmt::format("'{}' is none of baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore", name));
+    const auto sample = cut ? sample_from(value) : std::nullopt;
+    if (cut && !sample) refuse(text, "a cut is one sample");
+    const auto range = cut ? std::nullopt : std::optional(range_from(value, text));
+    if (edits.contacts.size() < contact) edits.contacts.resize(contact);
+    ContactEdits& edit = edits.contacts[contact - 1];
+    if (cut) edit.cuts.push_back(*sample);
+    else *segment_of(edit, name) = range;
+}
+
+std::vector<std::string> segment_edit_texts(const SegmentEdits& edits) {
+    std::vector<std::string> texts;
+    if (edits.baseline_before) texts.push_back("baseline=" + text_of(*edits.baseline_before));
+    if (edits.baseline_after) texts.push_back("baseline_after=" + text_of(*edits.baseline_after));
+    for (std::size_t k = 0; k < edits.contacts.size(); ++k) {
+        const std::string contact = k == 0 ? "" : fmt::format("@{}", k + 1);
+        for (const char* name : segment_names)
+            if (const auto* range = segment_of(edits.contacts[k], name); *range) texts.push_back(name + contact + "=" + text_of(**range));
+        for (const Index cut : edits.contacts[k].cuts) texts.push_back(fmt::format("cut{}={}", contact, cut));
+    }
+    for (const IgnoredSamples& ignored : edits.ignored) texts.push_back(fmt::format("ignore={} ({})", text_of(ignored.range), ignored.reason));
+    return texts;
+}
+
+}  // namespace setae::loops

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/loops/segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "baseline.hpp"
+#include "record.hpp"
+#include "setae/core/errors.hpp"
+#include "turning_points.hpp"
+
+namespace setae::loops {
+namespace {
+
+Index index_of_smallest(const Array1D& values, Index first, Index last) {
+    Index at = 0;
+    values.segment(first, last - first + 1).minCoeff(&at);
+    return first + at;
+}
+
+/// The reversals of one touch: trough, peak, trough … ; the last trough is missing where nothing was released.
+struct Touch {
+    std::vector<Index> troughs;
+    std::vector<Index> peaks;
+    Index end = 0;  ///< last sample before the next touch's first trough
+};
+
+/// Removes reversals of force with which the position does not turn: slips, not releases.
+void drop_slips(const Record& record, Touch& touch) {
+    for (std::size_t k = 0; k + 1 < touch.peaks.size();) {
+        const Index peak = touch.peaks[k], trough = touch.troughs[k + 1], next = touch.peaks[k + 1];
+        const bool released = record.position(trough) < record.position(peak);
+        const bool pressed_again = record.position(next) > record.position(trough);
+        if (released && pressed_again) {
+            ++k;
+            continue;
+        }
+        touch.troughs.erase(touch.troughs.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        const std::size_t lower = record.force[peak] < record.force[next] ? k : k + 1;
+        touch.peaks.erase(touch.peaks.begin() + static_cast<std::ptrdiff_t>(lower));
+    }
+}
+
+std::vector<Touch> find_touches(const Record& record) {
+    std::vector<Touch> touches(1);
+    Index free_from = 0;
+    for (const TurningPoint& point : turning_points(record.force, record.turning)) {
+        Touch& touch = touches.back();
+        if (point.peak && record.is_free(point.index)) {
+            free_from = point.index;
+            touch.end = point.index;
+            if (!touch.peaks.empty()) touches.emplace_back();
+            else touch = {};  // a trough that no peak follows
+        } else if (point.peak) {
+            if (touch.troughs.empty()) touch.troughs.push_back(index_of_smallest(record.force, free_from, point.index));
+            touch.peaks.push_back(point.index);
+        } else if (touch.peaks.empty() || record.force[touch.peaks.back()] - record.force[point.index] >= record.turning) {
+            touch.troughs.push_back(point.index);
+        }
+    }
+    if (touches.back().peaks.empty()) touches.pop_back();
+    else touches.back().end = record.size() - 1;
+    for (Touch& touch : touches) drop_slips(record, touch);
+    return touches;
+}
+
+/// First sample of contact on the way to the peak, and the jump that led there.
+void find_approach(const Record& record, Index start, const Touch& touch, ContactSegments& contact) {
+    const Index trough = touch.troughs.front(), peak = touch.peaks.front();
+    Index first = trough;
+    if (record.force[trough] < -record.feature) {
+        Index free = trough;
+        while (free > start && record.force[free] < -record.feature) --free;
+        if (record.force[free] >= -record.feature) contact.jump_in = {.first = free, .last = trough};
+    } else if (!record.has_radius()) {
+        first = peak;
+        while (first > start && record.force[first - 1] > record.feature) --first;
+    }
+    if (record.has_radius())
+        while (first < peak && !(record.loop.contact_radius[first] > 0.0)) ++first;
+    contact.loading.first = first;
+}
+
+/// Where the touch ends: pull-off minimum and first free sample, or the last sample in contact.
+void find_separation(const Record& record, const Touch& touch, ContactSegments& contact) {
+    if (touch.troughs.size() <= touch.peaks.size()) return;
+    const Index peak = touch.peaks.back();
+    Index last = touch.troughs.back();
+    const bool pulled = record.force[last] < -record.feature;
+    if (!pulled) {  // no adhesion to mark the end: the first sample of free flight does
+        last = peak;
+        while (last < touch.end && !record.is_free(last + 1)) ++last;
+    }
+    Index free = last;
+    while (free < touch.end && !record.is_free(free)) ++free;
+    if (record.has_radius())
+        while (last > peak && !(record.loop.contact_radius[last] > 0.0)) --last;
+    contact.unloading = {.first = peak, .last = last};
+    if (pulled && record.is_free(free)) contact.pull_off = {.first = last, .last = free};
+}
+
+/// The stretch around the largest force in which it hardly changes, if it is longer than a turn takes.
+std::optional<IndexRange> find_hold(const Record& record, const ContactSegments& contact) {
+    constexpr double level_share = 0.02;
+    constexpr double turns = 2.0;
+    const Index peak = contact.loading.last;
+    const double level = record.force[peak] - std::max(level_share * record.range, record.feature);
+    IndexRange hold{.first = peak, .last = peak};
+    while (hold.first > contact.loading.first && record.force[hold.first - 1] >= level) --hold.first;
+    while (hold.last + 1 < record.size() && record.force[hold.last + 1] >= level) ++hold.last;
+    const double steps = static_cast<double>(std::max<Index>(contact.loading.count() - 1, 1));
+    const double per_sample = (record.force[peak] - record.force[contact.loading.first]) / steps;
+    const double turn = 2.0 * (record.force[peak] - level) / per_sample;
+    if (static_cast<double>(hold.count()) < turns * std::max(turn, 1.0)) return std::nullopt;
+    return hold;
+}
+
+ContactSegments describe(const Record& record, Index start, const Touch& touch) {
+    ContactSegments contact{.extent = {.first = start, .last = touch.end}};
+    find_approach(record, start, touch, contact);
+    const auto highest = std::max_element(touch.peaks.begin(), touch.peaks.end(),
+                                          [&](Index i, Index j) { return record.force[i] < record.force[j]; });
+    contact.loading.last = *highest;
+    find_separation(record, touch, contact);
+    contact.hold = find_hold(record, contact);
+    return contact;
+}
+
+void add_cycles(const Touch& touch, Index contact_index, Segments& segments) {
+    ContactSegments& contact = segments.contacts.back();
+    for (std::size_t k = 0; k < touch.peaks.size(); ++k) {
+        const bool last = k + 1 == touch.peaks.size();
+        if (last && !contact.unloading) return;
+        Cycle cycle{.loading = {.first = k == 0 ? contact.loading.first : touch.troughs[k], .last = touch.peaks[k]},
+                    .unloading = {.first = touch.peaks[k], .last = last ? contact.unloading->last : touch.troughs[k + 1]},
+                    .contact = contact_index,
+                    .ends_in_pull_off = last && contact.pull_off.has_value()};
+        contact.cycles.push_back(static_cast<Index>(segments.cycles.size()));
+        segments.cycles.push_back(cycle);
+    }
+}
+
+/// A press of some samples, in which the force rises with the displacement.
+void require_press(const Record& record, const ContactSegments& contact) {
+    constexpr Index fewest = 4;
+    if (contact.loading.count() < fewest)
+        throw UndefinedDataError(fmt::format("the largest force, at sample {}, comes {} samples after first contact: no loading "
+                                             "to analyse; check the sign of the force",
+                                             contact.loading.last, contact.loading.count() - 1));
+    if (!record.has_displacement()) return;
+    const auto force = record.force.segment(contact.loading.first, contact.loading.count());
+    const auto position = record.loop.displacement.segment(contact.loading.first, contact.loading.count());
+    if (((force - force.mean()) * (position - position.mean())).sum() > 0.0) return;
+    throw UndefinedDataError(fmt::format("between samples {} and {} the force rises while the displacement does not: a drifting "
+                                         "sensor or a wrong sign, no contact; check the signs of force and displacement",
+                                         contact.loading.first, contact.loading.last));
+}
+
+/// Without a measured radius, adhesion is what tells contact from drift.
+void require_adhesion(const Record& record, const Segments& segments) {
+    if (record.has_radius()) return;
+    for (const ContactSegments& contact : segments.contacts)
+        if (contact.jump_in || contact.pull_off) return;
+    throw UndefinedDataError(
+        fmt::format("no adhesive contact: the force never falls below the baseline by more than {:.3g} N before or after its "
+                    "maximum, as it does at jump-in and pull-off; give the contact radius where adhesion is too weak to see",
+                    record.feature));
+}
+
+/// Free flight after the last contact, its first quarter left out: the sensor settles there.
+std::optional<Baseline> baseline_after(const Record& record, const ContactSegments& contact) {
+    constexpr Index fewest = 8;
+    if (!contact.unloading) return std::nullopt;
+    const Index free = contact.pull_off ? contact.pull_off->last : contact.unloading->last + 1;
+    const Index first = free + (record.size() - free) / 4;
+    if (record.size() - first < fewest) return std::nullopt;
+    return baseline_over(record.loop, {.first = first, .last = record.size() - 1});
+}
+
+}  // namespace
+
+Segments find_segments(const Loop& loop, const SegmentOptions& options) {
+    require_valid(loop);
+    Segments segments{.before = find_baseline(loop, options)};
+    const Record record = make_record(loop, segments.before, options);
+    const std::vector<Touch> touches = find_touches(record);
+    if (touches.empty())
+        throw UndefinedDataError("no contact: the force has no maximum above the baseline, or the contact radius is never > 0");
+    Index start = 0;
+    for (const Touch& touch : touches) {
+        segments.contacts.push_back(describe(record, start, touch));
+        require_press(record, segments.contacts.back());
+        add_cycles(touch, static_cast<Index>(segments.contacts.size()) - 1, segments);
+        start = touch.end + 1;
+    }
+    require_adhesion(record, segments);
+    segments.after = baseline_after(record, segments.contacts.back());
+    return apply(options.edits, std::move(segments), loop);
+}
+
+}  // namespace setae::loops

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/core/quantity.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::output {
+
+/// Keys keep the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level), "method",
+/// "degrees_of_freedom", "seed", "band", "n", "source", "alerts". SI; NaN is null; infinity is the text "infinity" or "-infinity".
+[[nodiscard]] Json to_json(const Quantity& quantity);
+[[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
+
+/// {"step", "numbers", "alerts"} for each step of a pipeline that was done.
+[[nodiscard]] Json to_json(const std::vector<processing::StepRecord>& records);
+
+/// NaN to null, infinity to text.
+[[nodiscard]] Json number(double value);
+[[nodiscard]] Json numbers(const ArrayView1D& values);
+
+/// A quantity in one line.
+[[nodiscard]] Quantity quantity(std::string name, std::string symbol, double value, std::string unit);
+/// Without a standard error > 0 or an interval it is printed as a plain value.
+[[nodiscard]] Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit);
+
+/// All of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with "…_reason"
+/// beside it where a part is missing.
+[[nodiscard]] Json to_json(const loops::LoopAnalysis& analysis);
+
+/// Its energies alone: "loop", "ledger", "cycles", "further_contacts", "alerts".
+[[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
+
+/// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
+/// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
+[[nodiscard]] Json to_json(const study::StudyResult& result);
+
+/// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
+[[nodiscard]] std::vector<Quantity> measurement_quantities(const study::MeasurementResult& measurement);
+
+/// Parameters of one spectrum of a surface as quantities, with their uncertainties and band.
+[[nodiscard]] std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum, roughness::Conversion conversion);
+
+/// Mean of C1D over each decade that one spectrum of a measured surface spans, with its uncertainty; none for others.
+[[nodiscard]] std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum);
+
+}  // namespace setae::output

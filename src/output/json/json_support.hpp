@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/statistics/replicate_data.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::output {
+
+/// What parameters of a spectrum are, by the conversion.
+inline constexpr const char* exact_source = "moments of C1D or C_iso, exact for isotropic surfaces; THEORY 4.1";
+inline constexpr const char* eq11_source = "moments of C1D by [D19] (11)";
+
+/// Adds a quantity under its own name.
+inline void add(Json& json, const Quantity& q) { json[q.quantity] = to_json(q); }
+
+/// Adds a part, or null and the reason beside it.
+template <class T, class Convert>
+void add_outcome(Json& json, const std::string& key, const loops::Outcome<T>& outcome, Convert convert) {
+    json[key] = outcome ? convert(*outcome) : Json(nullptr);
+    if (!outcome) json[key + "_reason"] = outcome.reason;
+}
+
+/// Rows of numbers.
+[[nodiscard]] Json matrix(const Eigen::MatrixXd& values);
+
+[[nodiscard]] Json to_json(const loops::RunsTest& test);
+
+/// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
+[[nodiscard]] Json to_json(const study::FittedSpectrum& fitted);
+
+/// "rows" of replicates: name, groups, value, and the reason of those excluded.
+[[nodiscard]] Json rows_json(const statistics::ReplicateData& data);
+
+}  // namespace setae::output

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "json_support.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/output/fit_json.hpp"
+#include "setae/output/replicate_report.hpp"
+
+namespace setae::output {
+namespace {
+
+using roughness::SpectralParameters;
+
+Quantity named(const char* name, const char* symbol, double value, const char* unit, std::string source) {
+    auto q = quantity(name, symbol, value, unit);
+    q.source = std::move(source);
+    return q;
+}
+
+Json estimate_json(const adhesion::WorkEstimate& estimate, const char* unit_of_scatter) {
+    Json json;
+    add(json, quantity("work_of_adhesion", "W_int", estimate.work_of_adhesion, "J/m2"));
+    add(json, quantity("chi_squared", "chi2", estimate.chi_squared, "1"));
+    add(json, quantity("extra_scatter", "tau", estimate.extra_scatter, unit_of_scatter));
+    return json;
+}
+
+Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit) {
+    Json json;
+    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
+    work.n = fit.n;
+    work.source = source;
+    add(json, work);
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
+    json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
+    json["likelihood"] = fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
+    add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
+    json["n"] = fit.n;
+    json["degrees_of_freedom"] = fit.degrees_of_freedom;
+    json["weighted"] = fit.weighted ? estimate_json(*fit.weighted, unit) : Json(nullptr);
+    json["with_extra_scatter"] = fit.with_extra_scatter ? estimate_json(*fit.with_extra_scatter, unit) : Json(nullptr);
+    json["errors_in_both"] = fit.errors_in_both ? estimate_json(*fit.errors_in_both, unit) : Json(nullptr);
+    json["residuals"] = Json::array();
+    for (const auto& pair : fit.pairs) {
+        const double predicted = pair.prediction(fit.work_of_adhesion.value);
+        Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
+        add(entry, quantity("measured", "y", pair.measured, unit));
+        add(entry, quantity("predicted", "f", predicted, unit));
+        add(entry, quantity("residual", "y - f", pair.measured.value - predicted, unit));
+        json["residuals"].push_back(entry);
+    }
+    return json;
+}
+
+Json line_json(const std::optional<adhesion::LineFit>& fit) {
+    if (!fit) return nullptr;
+    Json json;
+    add(json, quantity("work_of_adhesion", "W_int", fit->slope, "J/m2"));
+    add(json, quantity("intercept", "E_0", fit->intercept, "J"));
+    add(json, quantity("r_squared", "R2", fit->r_squared, "1"));
+    json["n"] = fit->n;
+    return json;
+}
+
+Json loop_fits_json(const study::LoopFits& fits) {
+    auto json = fit_json(fits.through_origin, "E_loss = W_int A_true; [D19] (10)", "J");
+    json["with_intercept"] = line_json(fits.with_intercept);
+    json["without_ideal_loss"] = fits.through_origin_without_ideal_loss
+                                     ? fit_json(*fits.through_origin_without_ideal_loss, "E_loss minus the loss of the smooth sphere = W_int A_true", "J")
+                                     : Json(nullptr);
+    json["without_ideal_loss_with_intercept"] = line_json(fits.with_intercept_without_ideal_loss);
+    return json;
+}
+
+Json free_json(const adhesion::FreeEnergyFit& fit) {
+    Json json;
+    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
+    work.source = "(7) with U_el/(A E*) free for each surface: no power spectrum can do better";
+    add(json, work);
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    for (const auto& [surface, energy] : fit.energy_per_modulus)
+        json["elastic_energy_per_modulus"][surface] = to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
+    return json;
+}
+
+Json fits_json(const study::StudyResult& result) {
+    Json json;
+    add_outcome(json, "modified", result.modified, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (7), floored at 0", "J/m2"); });
+    add_outcome(json, "persson_tosatti", result.persson_tosatti, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (S13), floored at 0", "J/m2"); });
+    add_outcome(json, "without_area_change", result.without_area_change, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (2), floored at 0", "J/m2"); });
+    add_outcome(json, "loop", result.loop, loop_fits_json);
+    add_outcome(json, "free_energies", result.free_energies, free_json);
+    return json;
+}
+
+Json measurement_json(const study::MeasurementResult& m) {
+    Json json{{"file", m.file}, {"name", m.name}};
+    if (m.failed()) {
+        json["error"] = m.error;
+        return json;
+    }
+    const auto& instrument = m.spectrum.metadata.instrument;
+    json["instrument"] = instrument.type.empty() ? instrument.name : instrument.type;
+    json["format"] = m.spectrum.metadata.format;
+    if (!m.processing.empty()) json["processing"] = to_json(m.processing);
+    json["trend_removed"] = topography::name(m.trend);
+    json["window"] = m.spectrum.window;
+    json["band"] = {{"lower", number(m.spectrum.q_min)}, {"upper", number(m.spectrum.q_max)}, {"unit", "1/m"}};
+    for (const auto& q : measurement_quantities(m)) add(json, q);
+    json["alerts"] = to_json(m.alerts);
+    return json;
+}
+
+Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum, const study::AnalysisOptions& options) {
+    Json json;
+    for (const auto& q : surface_quantities(surface, spectrum, options.conversion)) add(json, q);
+    if (const auto decades = decade_quantities(surface, spectrum); !decades.empty()) {
+        json["decades"] = Json::array();
+        for (const auto& q : decades) json["decades"].push_back(to_json(q));
+    }
+    json["conversion"] = options.conversion == roughness::Conversion::exact ? "exact" : "eq11";
+    if (spectrum.other_conversion) {
+        Json other;
+        const auto& p = *spectrum.other_conversion;
+        const char* source = options.conversion == roughness::Conversion::exact ? eq11_source : exact_source;
+        add(other, named("rms_height", "h_rms", p.rms_height, "m", source));
+        add(other, named("rms_slope", "h'_rms", p.rms_slope, "1", source));
+        add(other, named("rms_curvature", "h''_rms", p.rms_curvature, "1/m", source));
+        add(other, named("elastic_energy_per_modulus", "U_el/(A E*)", p.elastic_energy_per_modulus, "m", source));
+        json["other_conversion"] = other;
+    }
+    add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut", 1.0 - spectrum.parameters.elastic_energy_per_modulus / spectrum.uncut_energy_per_modulus, "1",
+                    "share of the stored energy outside longest_wavelength … shortest_wavelength"));
+    return json;
+}
+
+Json surface_json(const study::SurfaceResult& surface, const study::AnalysisOptions& options) {
+    Json json;
+    if (surface.failed()) {
+        json["error"] = surface.error;
+    } else {
+        json = spectrum_json(surface, surface.used(), options);
+        json["spectrum_method"] = study::method_name(surface, surface.method);
+        if (surface.likelihood)
+            for (const auto& [method, spectrum] : study::spectra_of(surface)) json["spectra"][method] = spectrum_json(surface, *spectrum, options);
+        if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
+        json["reconstructed"] = surface.reconstructed;
+        json["n_measurements"] = surface.measurements.size();
+    }
+    Json measurements = Json::array();
+    for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
+    json["measurements"] = measurements;
+    json["alerts"] = to_json(surface.alerts);
+    return json;
+}
+
+Json elastomer_json(const study::ElastomerResult& elastomer) {
+    Json json;
+    auto modulus = quantity("youngs_modulus", "E", elastomer.youngs_modulus, "Pa");
+    modulus.source = elastomer.modulus_from_loops ? "mean of the loops on it" : "given";
+    add(json, modulus);
+    add(json, quantity("contact_modulus", "E*", elastomer.contact_modulus, "Pa"));
+    add(json, quantity("surface_energy", "gamma_1", elastomer.input.surface_energy, "J/m2"));
+    if (elastomer.network_modulus) add(json, named("network_modulus", "rho R T/M_c", *elastomer.network_modulus, "Pa", "plausibility, not a measurement"));
+    if (elastomer.shared_fit) add_outcome(json, "shared_fit", *elastomer.shared_fit, [](const loops::GlobalFit& fit) { return to_json(fit); });
+    json["alerts"] = to_json(elastomer.alerts);
+    return json;
+}
+
+Json predicted_json(const study::PredictedWork& predicted, const char* source) {
+    auto q = quantity("work_of_adhesion", "W_app", predicted.estimate, "J/m2");
+    q.source = source;
+    Json json;
+    add(json, q);
+    add(json, named("work_of_adhesion_floored", "max(0, W_app)", predicted.work.floored, "J/m2", source));
+    json["conforms"] = predicted.work.conforms;
+    return json;
+}
+
+/// Wavelength at which the cumulative share first reaches one half.
+double half_wavelength(const adhesion::ScaleBalance& scales) {
+    for (Index i = 0; i < scales.wavevector.size(); ++i)
+        if (scales.stored_share[i] >= 0.5) return 2.0 * pi / scales.wavevector[i];
+    return undefined;
+}
+
+Quantity predicted_loss(const Estimate& loss) {
+    auto q = quantity("predicted_energy_loss", "W_int A_true", loss, "J");
+    q.source = "[D19] (10) at W_int of the predictions and the contact area at maximum preload";
+    return q;
+}
+
+Json pair_json(const study::PairResult& pair) {
+    Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
+    Json measured;
+    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value, const char* unit) {
+        measured[name] = value ? to_json(quantity(name, symbol, *value, unit)) : Json(nullptr);
+    };
+    add_measured("work_of_adhesion_approach", "W_app", pair.approach, "J/m2");
+    add_measured("work_of_adhesion_pull_off", "W_po", pair.pull_off, "J/m2");
+    add_measured("work_of_adhesion_retraction", "W_ret", pair.retraction, "J/m2");
+    add_measured("energy_loss", "E_loss", pair.loss, "J");
+    measured["contact_area"] = pair.contact_area ? to_json(quantity("contact_area", "pi a_max^2", *pair.contact_area, "m2")) : Json(nullptr);
+    measured["ideal_smooth_sphere_loss"] = pair.ideal_loss ? to_json(quantity("ideal_smooth_sphere_loss", "E_ideal", *pair.ideal_loss, "J")) : Json(nullptr);
+    json["measured"] = measured;
+    if (pair.modified) {
+        add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
+        add(json, quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
+        json["modified"] = predicted_json(*pair.modified, "[D19] (7)");
+        json["modified"]["standard_error_budget"] = {{"spectrum", number(pair.budget->spectrum)},
+                                                     {"modulus", number(pair.budget->modulus)},
+                                                     {"surface_energy", number(pair.budget->surface_energy)},
+                                                     {"work_of_adhesion", number(pair.budget->work_of_adhesion)},
+                                                     {"unit", "J/m2"}};
+        json["predicted_energy_loss"] = pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
+        json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
+        json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
+        if (pair.general) json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2", "[D19] (5), (6) with the elastomer's surface energy law"));
+        if (pair.approach) add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored, "J/m2", "measured minus predicted"));
+        add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m", "longer wavelengths store half of U_el"));
+        json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)}, {"upper", number(pair.scales->bridging->upper)}, {"unit", "1/m"}}
+                                                 : Json(nullptr);
+    }
+    json["alerts"] = to_json(pair.alerts);
+    return json;
+}
+
+Json pairs_json(const study::StudyResult& result) {
+    Json pairs = Json::array();
+    for (const auto& pair : result.pairs) pairs.push_back(pair_json(pair));
+    return pairs;
+}
+
+Json reference_json(const study::ReferenceResult& reference) {
+    Json json{{"elastomer", reference.elastomer}, {"stage", reference.stage}};
+    add(json, quantity("work_of_adhesion_approach", "W_app", reference.approach, "J/m2"));
+    add(json, quantity("work_of_adhesion_retraction", "W_ret", reference.retraction, "J/m2"));
+    if (reference.excess_energy) add(json, quantity("excess_energy", "E_excess", *reference.excess_energy, "J"));
+    if (reference.ideal_loss) add(json, quantity("ideal_smooth_sphere_loss", "E_ideal", *reference.ideal_loss, "J"));
+    if (reference.loss_ratio) add(json, quantity("loss_ratio", "E_loss/E_excess", *reference.loss_ratio, "1"));
+    return json;
+}
+
+Json drift_json(const study::ReferenceDrift& drift) {
+    Json json{{"elastomer", drift.elastomer}};
+    add(json, quantity("work_of_adhesion_approach_change", "dW_app", drift.change.work_of_adhesion_loading, "J/m2"));
+    add(json, quantity("work_of_adhesion_retraction_change", "dW_ret", drift.change.work_of_adhesion_retraction, "J/m2"));
+    add(json, quantity("excess_energy_change", "dE_excess", drift.change.excess_energy, "J"));
+    return json;
+}
+
+Json cutoff_json(const study::CutoffPoint& point, const study::StudyResult& result) {
+    Json json;
+    add(json, quantity("shortest_wavelength", "lambda_s", point.shortest_wavelength, "m"));
+    const auto fit = [](const adhesion::WorkFit& f) {
+        Json inner;
+        add(inner, quantity("work_of_adhesion", "W_int", f.work_of_adhesion, "J/m2"));
+        add(inner, quantity("r_squared", "R2", f.r_squared, "1"));
+        return inner;
+    };
+    json["modified"] = fit(point.modified);
+    json["persson_tosatti"] = fit(point.persson_tosatti);
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
+        Json surface;
+        add(surface, quantity("rms_slope", "h'_rms", point.surfaces[i].rms_slope, "1"));
+        add(surface, quantity("elastic_energy_per_modulus", "U_el/(A E*)", point.surfaces[i].elastic_energy_per_modulus, "m"));
+        json["surfaces"][result.surfaces[i].name] = surface;
+    }
+    return json;
+}
+
+Json cutoffs_json(const study::StudyResult& result) {
+    Json scan = Json::array();
+    for (const auto& point : result.cutoff_scan) scan.push_back(cutoff_json(point, result));
+    return scan;
+}
+
+/// W_int of the predictions, or why there is none.
+void add_work(Json& json, const study::StudyResult& result) {
+    json["work_of_adhesion"] = nullptr;
+    if (!result.work_of_adhesion) {
+        json["work_of_adhesion_reason"] = result.work_of_adhesion.reason;
+        return;
+    }
+    auto work = quantity("work_of_adhesion", "W_int", *result.work_of_adhesion, "J/m2");
+    work.source = result.work_of_adhesion_source;
+    json["work_of_adhesion"] = to_json(work);
+}
+
+Json replicates_json(const study::ElastomerReplicates& replicates) {
+    Json json{{"elastomer", replicates.elastomer}, {"quantity", replicates.data.quantity}, {"symbol", replicates.symbol}};
+    if (!replicates.model) {
+        json["reason"] = replicates.model.reason;
+        json["rows"] = rows_json(replicates.data);
+        return json;
+    }
+    json.update(to_json(replicates.data, *replicates.model));
+    return json;
+}
+
+Json prediction_json(const study::PredictionTest& test) {
+    Json json{{"work_of_adhesion_fitted_to_them", test.work_fitted}, {"pairs", Json::array()}, {"left_out", test.left_out}, {"n", test.n}, {"degrees_of_freedom", test.degrees_of_freedom}};
+    add(json, named("chi_squared", "chi2", test.chi_squared, "1", "r' C^-1 r with the covariance of measured and predicted values"));
+    json["probability"] = number(test.probability);
+    add(json, named("extra_scatter", "tau", test.extra_scatter, "J/m2", "scatter of the model with which chi2 is its degrees of freedom"));
+    add(json, quantity("chi_squared_with_scatter", "chi2", test.chi_squared_with_scatter, "1"));
+    json["probability_with_scatter"] = number(test.probability_with_scatter);
+    for (const auto& pair : test.pairs) {
+        Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
+        add(entry, quantity("measured", "W_app", pair.measured, "J/m2"));
+        add(entry, quantity("predicted", "max(0, (7))", pair.predicted, "J/m2"));
+        add(entry, quantity("residual", "measured - predicted", {.value = pair.residual, .standard_error = pair.standard_error, .method = "delta"}, "J/m2"));
+        add(entry, quantity("standardised_residual", "residual/standard error", pair.standardised(), "1"));
+        json["pairs"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+/// What rests on surfaces, once more with their averages.
+Json by_average_json(const study::StudyResult& result) {
+    Json json;
+    add_work(json, result);
+    json["fits"] = fits_json(result);
+    json["pairs"] = pairs_json(result);
+    add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
+    json["cutoff_scan"] = cutoffs_json(result);
+    return json;
+}
+
+const adhesion::WorkFit* fit_of(const study::StudyResult& result, const std::string& fit) {
+    if (fit == "modified" && result.modified) return &*result.modified;
+    if (fit == "persson_tosatti" && result.persson_tosatti) return &*result.persson_tosatti;
+    if (fit == "loop" && result.loop) return &result.loop->through_origin;
+    return nullptr;
+}
+
+/// What the numbers were made by and from.
+Json provenance_json(const study::StudyResult& result) {
+    Json inputs = Json::array();
+    for (const auto& input : result.inputs)
+        inputs.push_back({{"file", input.path}, {"size", {{"value", input.size}, {"unit", "byte"}}}, {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}});
+    return {{"program", "setae"}, {"version", study::version()}, {"inputs", inputs}};
+}
+
+Json reported_json(const study::ReportedValue& reported, const study::StudyResult& result) {
+    const auto* fit = fit_of(result, reported.fit);
+    const bool work = reported.quantity == "work_of_adhesion";
+    const char* unit = work ? "J/m2" : "1";
+    auto theirs = quantity(reported.quantity, work ? "W_int" : "R2", reported.value, unit);
+    theirs.source = reported.source;
+    return {{"fit", reported.fit},
+            {"reported", to_json(theirs)},
+            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2", work ? fit->work_of_adhesion.value : fit->r_squared, unit)) : Json(nullptr)}};
+}
+
+}  // namespace
+
+Json to_json(const study::StudyResult& result) {
+    const auto& study = result.study;
+    Json json{{"title", study.title}, {"description", study.description}};
+    add_work(json, result);
+    json["fits"] = fits_json(result);
+    json["surfaces"] = Json::object();
+    for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
+    json["elastomers"] = Json::object();
+    for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
+    json["pairs"] = pairs_json(result);
+    add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
+    json["replicates"] = Json::array();
+    for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
+    if (result.by_average) json["by_average"] = by_average_json(*result.by_average);
+    json["experiments"] = Json::array();
+    for (const auto& e : result.experiments) {
+        Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};
+        if (!e.input.lens.empty()) entry["lens"] = e.input.lens;
+        if (!e.input.spot.empty()) entry["spot"] = e.input.spot;
+        if (e.input.excluded()) entry["excluded"] = e.input.exclusion;
+        if (e.failed()) entry["error"] = e.error;
+        entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
+        if (e.models) entry["models"] = to_json(*e.models);
+        json["experiments"].push_back(entry);
+    }
+    json["references"] = Json::array();
+    for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
+    json["reference_changes"] = Json::array();
+    for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
+    json["cutoff_scan"] = cutoffs_json(result);
+    json["reported"] = Json::array();
+    for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
+    json["alerts"] = to_json(result.alerts);
+    json["provenance"] = provenance_json(result);
+    return json;
+}
+
+}  // namespace setae::output

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/study_figures/study_figures.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::report {
+
+/// How a study was run, for its report.
+struct RunRecord {
+    std::string command;  ///< that makes the same report again, such as "setae study uncd.toml"
+    std::string time;     ///< of the run, ISO 8601 with offset, such as "2026-11-21T18:40:20Z"
+};
+
+/// A study as one HTML page that holds everything it needs: text, tables, interactive figures, styles and programs. It asks no
+/// network for anything. The same arguments give the same bytes.
+[[nodiscard]] std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run);
+
+}  // namespace setae::report

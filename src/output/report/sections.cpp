@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "markup.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/units.hpp"
+#include "setae/output/study_tables.hpp"
+#include "table.hpp"
+
+namespace setae::report {
+namespace {
+
+using study::MeasurementResult;
+using study::StudyResult;
+
+/// A table of texts, the last column one of sentences.
+std::string plain_table(const std::string& identifier, const std::string& title, const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
+    DataTable table{identifier, title, "", {}, {}};
+    for (const auto& column : columns) table.columns.push_back({column, ""});
+    for (const auto& row : rows) {
+        table.rows.emplace_back();
+        for (std::size_t i = 0; i < row.size(); ++i) table.rows.back().push_back(i + 1 < row.size() ? Cell(TextCell{row[i]}) : Cell(ProseCell{row[i]}));
+    }
+    return as_html(table, output::Json());
+}
+
+std::string name_of(const MeasurementResult& m) { return m.file.empty() ? m.name : m.file; }
+
+std::string wavelengths(const MeasurementResult& m) {
+    return format_value(2.0 * pi / m.spectrum.q_max, "m", 3) + " … " + format_value(2.0 * pi / m.spectrum.q_min, "m", 3);
+}
+
+/// What of the alerts speaks of data that were cut or changed.
+std::string cuts_of(const MeasurementResult& m) {
+    static const std::set<std::string> codes{"TIP_CUTOFF", "REENTRANT", "CONTOUR_STEPS", "TRACE_NOISE", "UNDEFINED", "PIXEL_NOISE", "LIKELIHOOD_FAILED", "NO_BAND", "COVERAGE_GAP"};
+    std::string text;
+    for (const auto& alert : m.alerts)
+        if (codes.contains(alert.code)) text += (text.empty() ? "" : "; ") + alert.code + ": " + alert.message;
+    return text.empty() ? "size at long and sampling at short wavelengths" : text;
+}
+
+/// What the study says of a measurement's file; null where it came otherwise.
+const study::MeasurementInput* input_of(const StudyResult& result, const std::string& surface, const MeasurementResult& m) {
+    const auto* input = result.study.surface(surface);
+    if (!input) return nullptr;
+    for (const auto& candidate : input->measurements)
+        if (candidate.file == m.file) return &candidate;
+    return nullptr;
+}
+
+std::string steps_of(const MeasurementResult& m, const study::MeasurementInput* input) {
+    std::string text = "read" + (m.spectrum.metadata.format.empty() ? "" : " as " + m.spectrum.metadata.format);
+    if (input && !input->references.empty()) text += fmt::format("; the instrument's artefact, found on {} scans of a smooth standard, subtracted", input->references.size());
+    for (const auto& step : m.processing) text += "; " + step.step;
+    for (const auto& alert : m.alerts) {
+        if (alert.code == "REENTRANT") text += "; contour cleaned: " + alert.message;
+        if (alert.code == "UNDEFINED") text += "; undefined points: " + alert.message;
+    }
+    text += m.trend == topography::Trend::none ? "; no trend removed" : fmt::format("; {} removed", topography::name(m.trend));
+    text += fmt::format("; window {}", m.spectrum.window.empty() ? "none" : m.spectrum.window);
+    if (input && input->tip_radius) text += fmt::format("; tip of {} taken into account", format_value(input->tip_radius->value, "m", 3));
+    if (input && input->resolution) text += fmt::format("; cut at the instrument's resolution of {}", format_value(*input->resolution, "m", 3));
+    return text + "; trusted for wavelengths " + wavelengths(m);
+}
+
+}  // namespace
+
+std::string cut_html(const StudyResult& result) {
+    std::vector<std::vector<std::string>> failed, rows;
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) failed.push_back({"surface", surface.name, surface.name, surface.error});
+        for (const auto& m : surface.measurements) {
+            if (m.failed()) failed.push_back({"measurement", surface.name, name_of(m), m.error});
+            else rows.push_back({surface.name, name_of(m), m.spectrum.metadata.instrument.type, wavelengths(m), cuts_of(m)});
+        }
+    }
+    for (const auto& e : result.experiments)
+        if (e.failed()) failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
+    std::string html = failed.empty() ? "<p>Nothing failed.</p>" : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed);
+    std::vector<std::vector<std::string>> excluded;
+    for (const auto& e : result.experiments)
+        if (e.input.excluded()) excluded.push_back({e.input.reference ? "reference" : e.input.surface, e.input.elastomer, e.input.file, e.input.exclusion});
+    if (!excluded.empty()) html += plain_table("excluded", "Loops left out of every mean, and why", {"surface", "elastomer", "file", "reason"}, excluded);
+    const auto& limits = result.study.analysis.limits;
+    if (limits.shortest || limits.longest)
+        html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>", limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",
+                            limits.longest ? format_value(*limits.longest, "m", 3) : "the longest measured");
+    if (rows.empty()) return html + "<p>No surface was measured in this study; nothing was cut from measurements.</p>";
+    return html + plain_table("cuts", "Band trusted of each measurement, and what limits it", {"surface", "file", "instrument", "wavelengths trusted", "limited by"}, rows);
+}
+
+std::string alerts_html(const StudyResult& result) {
+    const auto table = output::alert_table(result);
+    if (table.rows.empty()) return "<p>No alert.</p>";
+    std::vector<std::string> codes;
+    const auto text = [](const tables::TidyTable::Cell& cell) { return std::get<std::string>(cell); };
+    for (const auto& row : table.rows)
+        if (std::find(codes.begin(), codes.end(), text(row[0])) == codes.end()) codes.push_back(text(row[0]));
+    std::string html;
+    for (const auto& code : codes) {
+        std::vector<std::vector<std::string>> rows;
+        for (const auto& row : table.rows)
+            if (text(row[0]) == code) rows.push_back({text(row[1]), text(row[2]), text(row[3])});
+        const bool one_action = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[2] == rows.front()[2]; });
+        html += fmt::format("<details class=\"alerts\"{}><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary>", rows.size() <= 3 ? " open" : "", escaped(code),
+                            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()), one_action ? "What to do: " + prose(rows.front()[2]) : "");
+        html += "<ul>";
+        for (const auto& row : rows) html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), prose(row[1]), one_action ? "" : " — " + prose(row[2]));
+        html += "</ul></details>\n";
+    }
+    return html;
+}
+
+std::string steps_html(const StudyResult& result) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& surface : result.surfaces)
+        for (const auto& m : surface.measurements)
+            rows.push_back({surface.name, name_of(m), m.failed() ? "failed: " + m.error : steps_of(m, input_of(result, surface.name, m))});
+    return rows.empty() ? "<p>No surface was measured in this study.</p>" : plain_table("steps", "Steps from file to spectrum", {"surface", "file", "steps in order"}, rows);
+}
+
+std::string methods_html(const StudyResult& result) {
+    const auto& options = result.study.analysis;
+    const bool fitted = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& surface) { return surface.fitted.has_value(); });
+    const bool measured = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& surface) { return !surface.measurements.empty(); });
+    std::string html = "<ul>";
+    const auto say = [&html](const std::string& sentence) { html += "<li>" + sentence + "</li>"; };
+    if (measured)
+        say("Power spectral density <i>C</i><sub>1D</sub>(<i>q</i>) = |<i>h̃</i>(<i>q</i>)|²/<i>L</i>, two-sided, <i>q</i> = 2π/wavelength, so that <i>h</i>²<sub>rms</sub> = (1/π) ∫ "
+            "<i>C</i><sub>1D</sub> d<i>q</i>; trend and window of each measurement stand above [J17].");
+    if (fitted)
+        say("The spectrum of a surface is fitted to all its measurements at once, each seen through its window, trend, sampling and tip (Whittle likelihood); the plain average over "
+            "measurements stands beside it.");
+    say(options.conversion == roughness::Conversion::exact
+            ? std::string("Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area exactly for isotropic surfaces.")
+            : std::string("Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by (11) of [D19]."));
+    say("True area: <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> of a surface with Gaussian slopes, (9) of [D19].");
+    say("Work of adhesion of loops by JKR [JKR]; energy lost is ∮ <i>F</i> d<i>δ</i>.");
+    if (!result.replicates.empty())
+        say("Measured values of pairs are means by a linear mixed model over lenses, spots and repeats, fitted by restricted likelihood beside the loops' own errors; degrees of freedom by "
+            "Satterthwaite's formula.");
+    say("Balance (7) of [D19]: <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
+        "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (2) leaves the soft side's term, <i>γ</i><sub>1</sub>, out; (S13), after [PT01], does so with the area of small slopes, 1 + <i>h</i>′²/2. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
+        "<i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");
+    return html + "</ul>";
+}
+
+std::string provenance_html(const StudyResult& result, const RunRecord& run) {
+    const auto& options = result.study.analysis;
+    std::string html = "<dl>";
+    const auto line = [&html](const std::string& term, const std::string& definition) { html += "<dt>" + term + "</dt><dd>" + definition + "</dd>"; };
+    line("Made by", "setae " + escaped(study::version()));
+    line("Command", "<code>" + escaped(run.command) + "</code>");
+    line("Time", escaped(run.time));
+    line("Study", "<code>" + escaped(result.study.path) + "</code>");
+    line("Conversion from line to area", options.conversion == roughness::Conversion::exact ? "exact moments" : "(11) of [D19]");
+    line("Spectrum", options.spectrum ? *options.spectrum == study::SpectrumMethod::likelihood ? "likelihood" : "average" : "likelihood of surfaces with several measurements, average of one alone");
+    line("Bootstrap resamples", std::to_string(options.bootstrap_resamples));
+    line("Seed", std::to_string(options.seed));
+    if (options.tip_percentile > 0.0) line("Tip percentile", fmt::format("{}", options.tip_percentile));
+    line("Rough solid", format_value(result.study.counter_youngs_modulus, "Pa", 4) + fmt::format(", Poisson ratio {}", result.study.counter_poisson_ratio));
+    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2")) : std::string("no"));
+    html += "</dl>";
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& input : result.inputs)
+        rows.push_back({input.path, input.sha256.empty() ? "could not be read" : fmt::format("{}", input.size), input.sha256});
+    if (rows.empty()) return html;
+    return html + plain_table("inputs", "Inputs", {"file", "size [bytes]", "SHA-256"}, rows);
+}
+
+std::string references_html() {
+    return "<p>Whoever publishes numbers or figures of this page cites the paper whose method they follow, and setae:</p><ul class=\"references\">"
+           "<li>[D19] S. Dalvi, A. Gujrati, S. R. Khanal, L. Pastewka, A. Dhinojwala, T. D. B. Jacobs: Linking energy loss in soft adhesion to surface roughness. Proc. Natl. Acad. Sci. USA 116 "
+           "(2019) 25484. doi:10.1073/pnas.1913126116</li>"
+           "<li>[J17] T. D. B. Jacobs, T. Junge, L. Pastewka: Quantitative characterization of surface topography using spectral analysis. Surf. Topogr.: Metrol. Prop. 5 (2017) 013001. "
+           "doi:10.1088/2051-672X/aa51f8</li>"
+           "<li>[PT01] B. N. J. Persson, E. Tosatti: The effect of surface roughness on the adhesion of elastic solids. J. Chem. Phys. 115 (2001) 5597. doi:10.1063/1.1398300</li>"
+           "<li>[JKR] K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the contact of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301. doi:10.1098/rspa.1971.0141</li>"
+           "<li>[setae] The setae developers: setae, from measured roughness to soft adhesion, version " +
+           escaped(study::version()) +
+           ". GPL-3.0-or-later.</li></ul>"
+           "<p class=\"note\">Figures are drawn by plotly.js 4.1.1, © 2012–2026 Plotly, Inc., MIT licence; it is part of this page. The page asks no network for anything.</p>";
+}
+
+}  // namespace setae::report

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "drawing.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::study_figures {
+namespace {
+
+using figures::Mark;
+using figures::Panel;
+using figures::Series;
+using study::StudyResult;
+
+/// One pair of a comparison, in the units of the axes.
+struct Point {
+    std::string surface, elastomer;
+    double x = 0.0, x_lower = 0.0, x_upper = 0.0;
+    double y = 0.0, y_error = undefined;
+    double expected = 0.0;  ///< y where the model holds
+};
+
+/// A panel and its residuals below it.
+struct Comparison {
+    Panel values, residuals;
+};
+
+/// Every pair as a point of its own: symbol of its surface, colour of its elastomer.
+void add_points(Comparison& drawn, const StudyResult& result, const std::vector<Point>& points) {
+    for (const auto& p : points) {
+        const int symbol = static_cast<int>(place_of_surface(result, p.surface)), colour = colour_of_place(place_of_elastomer(result, p.elastomer));
+        const auto name = p.surface + " on " + p.elastomer;
+        const auto one = [](double value) { return Array1D::Constant(1, value); };
+        drawn.values.series.push_back({.label = name, .x = one(p.x), .y = one(p.y), .lower = one(p.y - p.y_error), .upper = one(p.y + p.y_error), .mark = Mark::points,
+                                       .colour = colour, .symbol = symbol, .left = one(p.x_lower), .right = one(p.x_upper), .in_legend = false, .names = {name}});
+        drawn.residuals.series.push_back({.label = name, .x = one(p.x), .y = one(p.y - p.expected), .lower = one(p.y - p.expected - p.y_error),
+                                          .upper = one(p.y - p.expected + p.y_error), .mark = Mark::points, .colour = colour, .symbol = symbol, .in_legend = false,
+                                          .names = {name}});
+    }
+}
+
+/// What symbols and colours mean.
+void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& points) {
+    const auto shown = [&](std::string Point::*name, const std::string& wanted) {
+        return std::any_of(points.begin(), points.end(), [&](const Point& p) { return p.*name == wanted; });
+    };
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i)
+        if (shown(&Point::surface, result.surfaces[i].name))
+            panel.series.push_back({.label = result.surfaces[i].name, .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i),
+                                    .legend_only = true});
+    for (std::size_t i = 0; i < result.elastomers.size(); ++i) {
+        const auto& elastomer = result.elastomers[i];
+        if (!shown(&Point::elastomer, elastomer.input.name)) continue;
+        const double modulus = elastomer.youngs_modulus.value;
+        panel.series.push_back({.label = elastomer.input.name + (modulus > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * modulus) : ""),
+                                .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .line_width = 4.0, .legend_only = true});
+    }
+}
+
+/// A straight line through the origin, between two x.
+Series line(const std::string& label, double slope, double from, double to) {
+    return {.label = label, .x = Array1D{{from, to}}, .y = Array1D{{slope * from, slope * to}}, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.9,
+            .in_legend = false};
+}
+
+/// Ends of the axes: those of values and bars with a margin, from 0 where the lowest value is near it.
+void set_ranges(Comparison& drawn, const std::vector<Point>& points, bool square) {
+    const auto ends = [](double& least, double& most, double value, double lower, double upper) {
+        least = std::min({least, value, std::isfinite(lower) ? lower : value});
+        most = std::max({most, value, std::isfinite(upper) ? upper : value});
+    };
+    double x_least = HUGE_VAL, x_most = -HUGE_VAL, y_least = HUGE_VAL, y_most = -HUGE_VAL;
+    for (const auto& p : points) {
+        ends(x_least, x_most, p.x, p.x_lower, p.x_upper);
+        ends(y_least, y_most, p.y, p.y - p.y_error, p.y + p.y_error);
+    }
+    if (square) {
+        x_least = y_least = std::min(x_least, y_least);
+        x_most = y_most = std::max(x_most, y_most);
+    }
+    const auto set = [&](figures::Axis& axis, double least, double most) {
+        // lines through the origin begin there
+        if (!square && least > 0.0) least = 0.0;
+        if (square && least > 0.0 && least < 0.3 * most) least = 0.0;
+        const double margin = 0.06 * (most > least ? most - least : std::max(std::abs(most), 1.0));
+        axis.from = !square && least == 0.0 ? 0.0 : least - margin;
+        axis.to = most + margin;
+    };
+    set(drawn.values.x, x_least, x_most);
+    set(drawn.values.y, y_least, y_most);
+    drawn.residuals.x.from = drawn.values.x.from;
+    drawn.residuals.x.to = drawn.values.x.to;
+    drawn.values.x.bare = true;
+}
+
+/// Measured against predicted works of adhesion [mJ/m²].
+Comparison against_prediction(const StudyResult& result, const std::vector<Point>& points) {
+    Comparison drawn;
+    drawn.values = {.x = {.quantity = "predicted *W*_{app}", .unit = "mJ/m2"}, .y = {.quantity = "measured *W*_{app}", .unit = "mJ/m2"}};
+    drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "mJ/m2"}, .horizontal_lines = {0.0}, .legend = false};
+    set_ranges(drawn, points, true);
+    const double from = *drawn.values.x.from, to = *drawn.values.x.to;
+    drawn.values.notes.push_back({.text = "y = x", .x = from + 0.02 * (to - from), .y = to - 0.06 * (to - from), .side = figures::Note::Side::right});
+    drawn.values.series.push_back(line("y = x", 1.0, *drawn.values.x.from, *drawn.values.x.to));
+    add_points(drawn, result, points);
+    return drawn;
+}
+
+Point point_of(const study::PairResult& pair, double raw, double error, const Estimate& measured) {
+    Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = 1e3 * std::max(0.0, raw), .x_lower = undefined, .x_upper = undefined, .y = 1e3 * measured.value};
+    if (error > 0.0) {
+        p.x_lower = 1e3 * std::max(0.0, raw - error);
+        p.x_upper = 1e3 * std::max(0.0, raw + error);
+    }
+    if (measured.uncertain()) p.y_error = 1e3 * measured.standard_error;
+    p.expected = p.x;
+    return p;
+}
+
+/// Pairs with a measured and a predicted work of adhesion.
+std::vector<Point> predicted_points(const StudyResult& result, std::optional<study::PredictedWork> study::PairResult::*balance) {
+    std::vector<Point> points;
+    for (const auto& pair : result.pairs)
+        if (pair.approach && pair.*balance) points.push_back(point_of(pair, (pair.*balance)->work.raw, (pair.*balance)->estimate.standard_error, *pair.approach));
+    return points;
+}
+
+std::string why_no_prediction(const StudyResult& result) {
+    if (result.pairs.empty()) return "the study has no pair of surface and elastomer";
+    if (std::none_of(result.pairs.begin(), result.pairs.end(), [](const auto& pair) { return pair.approach.has_value(); })) return "no pair has a measured work of adhesion";
+    if (!result.work_of_adhesion) return result.work_of_adhesion.reason.empty() ? "there is no work of adhesion to predict with" : result.work_of_adhesion.reason;
+    return "no pair has both a measured and a predicted work of adhesion";
+}
+
+std::string fit_in_words(const adhesion::WorkFit& fit) {
+    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.clustered, 1e3, "mJ/m2"), fit.r_squared, fit.n);
+}
+
+/// Panels of one or two comparisons, each above its residuals.
+figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& comparisons) {
+    constexpr double upper = 0.68, first = 0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
+    const bool two = comparisons.size() > 1;
+    figures::Figure figure;
+    const auto add = [&](const Comparison& comparison, const figures::Place& place) {
+        figure.panels.push_back(comparison.values);
+        figure.panels.back().place = figures::Place{place.left, place.top, place.width, upper * place.height};
+        figure.panels.push_back(comparison.residuals);
+        figure.panels.back().place = figures::Place{place.left, place.top + upper * place.height, place.width, (1.0 - upper) * place.height};
+    };
+    if (wide(sitting)) {
+        figure.width_mm = two ? page_mm : 120.0;
+        figure.height_mm = 100.0;
+        add(comparisons[0], {.width = two ? first : 1.0});
+        if (two) add(comparisons[1], {.left = first, .width = 1.0 - first});
+    } else {
+        figure.width_mm = column_mm;
+        figure.height_mm = two ? 184.0 : 92.0;
+        add(comparisons[0], {.height = two ? 0.5 : 1.0});
+        if (two) add(comparisons[1], {.top = 0.5, .height = 0.5});
+    }
+    return figure;
+}
+
+/// E_loss [nJ] against A_true [mm²].
+std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector<Point>& points) {
+    if (!result.loop) return std::nullopt;
+    const auto& fit = result.loop->through_origin;
+    const double slope = 1e3 * fit.work_of_adhesion.value;
+    for (const auto& pair : fit.pairs) {
+        const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(pair.slope_variance);
+        Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = area, .x_lower = undefined, .x_upper = undefined, .y = 1e9 * pair.measured.value,
+                .expected = slope * area};
+        if (error > 0.0) {
+            p.x_lower = area - error;
+            p.x_upper = area + error;
+        }
+        if (pair.measured.uncertain()) p.y_error = 1e9 * pair.measured.standard_error;
+        points.push_back(p);
+    }
+    Comparison drawn;
+    drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"}, .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
+    drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "nJ"}, .horizontal_lines = {0.0}, .legend = false};
+    set_ranges(drawn, points, false);
+    const auto label = fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²"));
+    drawn.values.series.push_back(line(label, slope, 0.0, *drawn.values.x.to));
+    drawn.values.notes.push_back({.text = label, .x = 0.02 * *drawn.values.x.to, .y = 0.94 * *drawn.values.y.to, .side = figures::Note::Side::right});
+    add_points(drawn, result, points);
+    return drawn;
+}
+
+}  // namespace
+
+void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
+    const auto& result = sitting.result;
+    const auto points = predicted_points(result, &study::PairResult::modified);
+    std::vector<Point> losses;
+    auto lost = loss_comparison(result, losses);
+    if (points.empty() && !lost) {
+        drawn.reason = why_no_prediction(result);
+        return;
+    }
+    std::vector<Comparison> comparisons;
+    std::string text;
+    if (!points.empty()) {
+        comparisons.push_back(against_prediction(result, points));
+        comparisons.back().values.title = "A";
+        text = fmt::format("A: work of adhesion measured on approach against that predicted by (7), floored at 0, for {}, with W_int = {} ({}); line: y = x{}. ",
+                           counted(points.size(), "pair"), with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), result.work_of_adhesion_source,
+                           result.modified ? fmt::format("; fit of (7): {}", fit_in_words(*result.modified)) : "");
+    } else {
+        text = "A is missing: " + why_no_prediction(result) + ". ";
+    }
+    if (lost) {
+        comparisons.push_back(*lost);
+        comparisons.back().values.title = "B";
+        text += fmt::format("B: energy lost in a closed loop against the true area at maximum preload, A_true = r π a_max²; line through the origin (10): {}. ",
+                            fit_in_words(result.loop->through_origin));
+    } else {
+        text += "B is missing: " + (result.loop.reason.empty() ? std::string("no loop energies") : result.loop.reason) + ". ";
+    }
+    auto& explained = comparisons.back().values;
+    explain(explained, result, lost ? losses : points);
+    explained.legend_beside = true;
+    if (comparisons.size() > 1 && !wide(sitting)) {
+        explain(comparisons.front().values, result, points);
+        comparisons.front().values.legend_beside = true;
+    }
+    drawn.figure = arranged(sitting, comparisons);
+    drawn.caption = text + fmt::format("Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
+                                       "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
+                                       points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0", reconstruction_note(result) + floored_note(result));
+}
+
+void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
+    const auto& result = sitting.result;
+    std::vector<Point> points;
+    std::string source;
+    if (result.persson_tosatti) {
+        const auto& fit = *result.persson_tosatti;
+        const double work = fit.work_of_adhesion.value;
+        for (const auto& point : fit.pairs) {
+            const double raw = point.slope * work - point.offset;
+            const double error = std::sqrt(point.prediction_variance(work) + point.slope * point.slope * fit.clustered.variance());
+            for (const auto& pair : result.pairs)
+                if (pair.surface == point.surface && pair.elastomer == point.elastomer) points.push_back(point_of(pair, raw, error, point.measured));
+        }
+        source = "its own fit: " + fit_in_words(fit);
+    } else {
+        points = predicted_points(result, &study::PairResult::persson_tosatti);
+        source = "W_int " + result.work_of_adhesion_source;
+    }
+    if (points.empty()) {
+        drawn.reason = why_no_prediction(result);
+        return;
+    }
+    auto comparison = against_prediction(result, points);
+    explain(comparison.values, result, points);
+    comparison.values.legend_beside = true;
+    drawn.figure = arranged(sitting, {comparison});
+    drawn.caption = fmt::format("Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
+                                "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
+                                "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",
+                                counted(points.size(), "pair"), source, reconstruction_note(result));
+}
+
+}  // namespace setae::study_figures

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "builders.hpp"
+#include "setae/core/estimate.hpp"
+
+namespace setae::study_figures {
+
+/// Of figures' palette.
+namespace colour {
+inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, orange = 5, sky = 6;
+}
+
+inline constexpr double column_mm = 85.0, page_mm = 178.0;
+
+[[nodiscard]] inline bool wide(const Sitting& sitting) { return sitting.options.width == FigureWidth::double_column; }
+
+[[nodiscard]] Array1D array_of(const std::vector<double>& values);
+
+/// A curve of a spectrum, at most `most` points: means over even steps of ln q where it has more.
+struct Curve {
+    Array1D x, y;
+};
+[[nodiscard]] Curve log_means(const Curve& curve, Index most = 150);
+
+/// Samples that show a record in at most about `most` points: every so many, and both ends of each jump.
+[[nodiscard]] std::vector<Index> thinned(const Array1D& x, const Array1D& y, Index first, Index last, Index most = 400);
+[[nodiscard]] Array1D taken(const Array1D& values, const std::vector<Index>& samples);
+
+/// Colour and symbol of a surface or an elastomer: its place in the study, black left to lines that are no data.
+[[nodiscard]] int colour_of_place(std::size_t place);
+[[nodiscard]] std::size_t place_of_surface(const study::StudyResult& result, const std::string& name);
+[[nodiscard]] std::size_t place_of_elastomer(const study::StudyResult& result, const std::string& name);
+
+/// A surface's name as a legend has it, with "(reconstruction)" where its spectrum stands for published moments.
+[[nodiscard]] std::string label_of(const study::SurfaceResult& surface);
+
+/// A type of instruments as a reader knows it: "AFM" of "afm".
+[[nodiscard]] std::string instrument_in_words(const std::string& type);
+/// The same of a measurement's instrument; its name where the type is unknown.
+[[nodiscard]] std::string instrument_of(const study::MeasurementResult& measurement);
+/// Instruments of all measurements that were analysed, coarsest first.
+struct InstrumentBand {
+    std::string instrument;
+    Band band;  ///< from the lowest to the highest wavevector any of them shows reliably
+};
+[[nodiscard]] std::vector<InstrumentBand> instrument_bands(const std::vector<const study::SurfaceResult*>& surfaces);
+
+/// "37.1 ± 3.5 mJ/m2": value and standard error times `factor`.
+[[nodiscard]] std::string with_error(const Estimate& estimate, double factor, const std::string& unit);
+
+/// What must be said where a spectrum reconstructed from published moments is shown; empty where none is.
+[[nodiscard]] std::string reconstruction_note(const study::StudyResult& result);
+/// Pairs of such spectra for which (7) is floored although adhesion was measured, and how large the stored energy may be for it not to
+/// be; empty where there is none.
+[[nodiscard]] std::string floored_note(const study::StudyResult& result);
+
+/// "one pair", "3 pairs".
+[[nodiscard]] std::string counted(std::size_t n, const std::string& thing);
+
+}  // namespace setae::study_figures

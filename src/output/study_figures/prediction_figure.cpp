@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "drawing.hpp"
+
+namespace setae::study_figures {
+namespace {
+
+using figures::Mark;
+using figures::Panel;
+using study::PairResult;
+using study::StudyResult;
+
+constexpr double MPa = 1e-6, mJ = 1e3;
+
+/// Measured pairs on a surface for which (7) speaks.
+std::vector<const PairResult*> pairs_on(const StudyResult& result, const std::string& surface) {
+    std::vector<const PairResult*> pairs;
+    for (const auto& pair : result.pairs)
+        if (pair.surface == surface && pair.modified) pairs.push_back(&pair);
+    return pairs;
+}
+
+const study::PredictionResidual* residual_of(const StudyResult& result, const PairResult& pair) {
+    if (!result.prediction_test) return nullptr;
+    for (const auto& residual : result.prediction_test->pairs)
+        if (residual.surface == pair.surface && residual.elastomer == pair.elastomer) return &residual;
+    return nullptr;
+}
+
+/// The mean γ1 of the elastomers, and whether they differ.
+struct CommonSurfaceEnergy {
+    Estimate mean;
+    bool differ = false;
+};
+
+CommonSurfaceEnergy surface_energy_of(const StudyResult& result) {
+    CommonSurfaceEnergy common;
+    const auto n = static_cast<double>(result.elastomers.size());
+    common.mean.standard_error = 0.0;
+    for (const auto& elastomer : result.elastomers) {
+        const auto& own = elastomer.input.surface_energy;
+        common.mean.value += own.value / n;
+        // errors of one and the same liquid's theory are common, too
+        common.mean.standard_error += std::sqrt(own.variance()) / n;
+        common.differ = common.differ || std::abs(own.value - result.elastomers.front().input.surface_energy.value) > 1e-9;
+    }
+    return common;
+}
+
+/// Contact moduli [Pa] from half the least to twice the largest.
+Array1D moduli_of(const StudyResult& result) {
+    double least = HUGE_VAL, most = 0.0;
+    for (const auto& elastomer : result.elastomers) {
+        if (!(elastomer.contact_modulus.value > 0.0)) continue;
+        least = std::min(least, elastomer.contact_modulus.value);
+        most = std::max(most, elastomer.contact_modulus.value);
+    }
+    return Array1D::LinSpaced(121, std::log(0.5 * least), std::log(2.0 * most)).exp();
+}
+
+void add_measured(Panel& panel, const StudyResult& result, const PairResult& pair) {
+    const auto& modulus = result.elastomer(pair.elastomer).contact_modulus;
+    const auto& measured = *pair.approach;
+    const double modulus_error = std::sqrt(modulus.variance()), work_error = std::sqrt(measured.variance());
+    const auto* residual = residual_of(result, pair);
+    const auto place = place_of_elastomer(result, pair.elastomer);
+    const double x = MPa * modulus.value, y = mJ * measured.value;
+    panel.series.push_back({.label = pair.elastomer,
+                            .x = Array1D::Constant(1, x),
+                            .y = Array1D::Constant(1, y),
+                            .lower = Array1D::Constant(1, y - mJ * work_error),
+                            .upper = Array1D::Constant(1, y + mJ * work_error),
+                            .mark = Mark::points,
+                            .colour = colour_of_place(place),
+                            .symbol = static_cast<int>(place),
+                            .left = Array1D::Constant(1, x - MPa * modulus_error),
+                            .right = Array1D::Constant(1, x + MPa * modulus_error),
+                            .in_legend = false,
+                            .names = {fmt::format("{}: measured {}, predicted {:.4g} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"), mJ * pair.modified->work.floored,
+                                                  residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
+}
+
+/// Measured minus predicted in standard errors, above and below the bars in turn, so that neighbours keep apart.
+void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs) {
+    const double away = 0.045 * (*panel.y.to - *panel.y.from);
+    bool above = true;
+    for (const auto* pair : pairs) {
+        const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr;
+        if (!residual) continue;
+        const double error = std::sqrt(pair->approach->variance()), end = pair->approach->value + (above ? error : -error), apart = residual->standardised();
+        panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", apart < 0.0 ? "−" : "+", std::abs(apart)), .x = MPa * result.elastomer(pair->elastomer).contact_modulus.value,
+                               .y = mJ * end + (above ? away : -away), .side = figures::Note::Side::centre});
+        above = !above;
+    }
+}
+
+/// χ² in the upper left corner, above all values.
+void add_test(Panel& panel, const study::PredictionTest& test) {
+    const double step = 0.065 * (*panel.y.to - *panel.y.from);
+    double height = *panel.y.to;
+    const auto write = [&](const std::string& text) { panel.notes.push_back({.text = text, .x = *panel.x.from, .y = height -= step, .side = figures::Note::Side::right}); };
+    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom, test.probability));
+    if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
+}
+
+/// The lower corner above which there is more room.
+figures::Corner roomier_corner(const Panel& panel) {
+    double left = HUGE_VAL, right = HUGE_VAL;
+    const double middle = std::sqrt(*panel.x.from * *panel.x.to);
+    for (const auto& series : panel.series)
+        for (Index i = 0; i < series.x.size(); ++i) {
+            auto& least = series.x[i] < middle ? left : right;
+            least = std::min(least, series.lower.size() > 0 ? series.lower[i] : series.y[i]);
+        }
+    return left > right ? figures::Corner::bottom_left : figures::Corner::bottom_right;
+}
+
+std::string test_in_words(const study::PredictionTest& test) {
+    auto text = fmt::format("χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account", test.chi_squared,
+                            test.degrees_of_freedom, test.probability, counted(static_cast<std::size_t>(test.n), "pair"));
+    if (test.work_fitted) text += ", W_int fitted to them";
+    if (test.extra_scatter > 0.0)
+        text += fmt::format("; with {:.2g} mJ/m2 more scatter of the model χ² = {:.1f} (p = {:.2g})", mJ * test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
+    if (!test.left_out.empty()) text += fmt::format("; left out: {}", fmt::join(test.left_out, ", "));
+    return text;
+}
+
+}  // namespace
+
+void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
+    const auto& result = sitting.result;
+    std::vector<const study::SurfaceResult*> surfaces;
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed() && !pairs_on(result, surface.name).empty()) surfaces.push_back(&surface);
+    if (surfaces.empty()) {
+        const auto& why = result.work_of_adhesion.reason;
+        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer" : !why.empty() ? why : "no pair has a prediction";
+        return;
+    }
+    const auto energy = surface_energy_of(result);
+    const auto moduli = moduli_of(result);
+    figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
+    double highest = 0.0, lowest = 0.0;
+    for (const auto* surface : surfaces) {
+        Panel panel{.title = label_of(*surface),
+                    .x = {.quantity = "contact modulus *E*\\*", .unit = "MPa", .logarithmic = true, .from = MPa * moduli[0], .to = MPa * moduli[moduli.size() - 1]},
+                    .y = {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2"},
+                    .horizontal_lines = {0.0},
+                    .legend = figure.panels.empty()};
+        const auto curve = study::prediction_curve(*surface, energy.mean, *result.work_of_adhesion, moduli);
+        panel.series.push_back({.label = "predicted by (7), 95 %", .x = MPa * curve.contact_modulus, .y = mJ * curve.work_of_adhesion, .lower = mJ * curve.lower, .upper = mJ * curve.upper,
+                                .mark = Mark::band, .colour = colour::black, .dash = 0});
+        highest = std::max(highest, mJ * curve.work_of_adhesion.maxCoeff());
+        for (const auto* pair : pairs_on(result, surface->name)) {
+            if (!pair->approach) continue;
+            add_measured(panel, result, *pair);
+            const double error = std::sqrt(pair->approach->variance());
+            highest = std::max(highest, mJ * (pair->approach->value + error));
+            lowest = std::min(lowest, mJ * (pair->approach->value - error));
+        }
+        if (figure.panels.empty()) {
+            for (std::size_t e = 0; e < result.elastomers.size(); ++e)
+                panel.series.push_back({.label = result.elastomers[e].input.name, .mark = Mark::points, .colour = colour_of_place(e), .symbol = static_cast<int>(e), .legend_only = true});
+        }
+        figure.panels.push_back(std::move(panel));
+    }
+    // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis
+    for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+        auto& panel = figure.panels[p];
+        panel.y.from = lowest - 0.1 * (highest - lowest);
+        panel.y.to = highest + 0.35 * (highest - lowest);
+        add_residuals(panel, result, pairs_on(result, surfaces[p]->name));
+    }
+    figure.panels.front().legend_corner = roomier_corner(figure.panels.front());
+    if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
+    const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
+    const auto rows = (figure.panels.size() + columns - 1) / columns;
+    figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;
+    figure.height_mm = 66.0 * static_cast<double>(rows);
+    drawn.figure = figure;
+    drawn.caption = fmt::format(
+        "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
+        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; beside them measured minus predicted in standard errors of both{}. {}.{}{}",
+        with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
+        result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
+        result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
+        energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.", with_error(energy.mean, mJ, "mJ/m2")) : "", reconstruction_note(result));
+}
+
+}  // namespace setae::study_figures

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "drawing.hpp"
+#include "setae/statistics/forest_plot.hpp"
+
+namespace setae::study_figures {
+
+void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn) {
+    const auto& result = sitting.result;
+    if (result.replicates.empty()) {
+        drawn.reason = "no loop names a lens, a spot or an exclusion";
+        return;
+    }
+    figures::Figure figure{.columns = 1, .width_mm = wide(sitting) ? 140.0 : column_mm, .height_mm = 0.0};
+    std::size_t loops = 0, excluded = 0;
+    std::string why;
+    std::vector<double> heights;
+    for (const auto& replicates : result.replicates) {
+        if (replicates.symbol != "W_app") continue;
+        if (!replicates.model) {
+            why = replicates.model.reason;
+            continue;
+        }
+        auto plot = statistics::forest_plot(replicates.data, *replicates.model, {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
+        auto& panel = plot.panels.front();
+        panel.title = replicates.elastomer;
+        // files stand in the data alone
+        heights.push_back(plot.height_mm + 4.0);
+        figure.height_mm += heights.back();
+        figure.panels.push_back(std::move(panel));
+        loops += replicates.data.rows.size();
+        excluded += replicates.data.exclusions.size();
+    }
+    if (figure.panels.empty()) {
+        drawn.reason = why.empty() ? "no loop on such an elastomer has a work of adhesion" : why;
+        return;
+    }
+    double top = 0.0;
+    for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+        figure.panels[p].place = figures::Place{.top = top / figure.height_mm, .height = heights[p] / figure.height_mm};
+        top += heights[p];
+    }
+    drawn.figure = figure;
+    drawn.caption = fmt::format(
+        "Work of adhesion of approach of {}, by elastomer and surface. Points: fits with the 95 % interval of their own standard errors; diamonds: means of surfaces by a linear mixed model with "
+        "their 95 % interval, its variances pooled over the surfaces of an elastomer; thin lines: where 95 % of further measurements with another lens lie.{}",
+        counted(loops, "loop"), excluded > 0 ? fmt::format(" Hollow: {} excluded, with the reason; hollow diamonds are means with them.", counted(excluded, "loop")) : "");
+}
+
+}  // namespace setae::study_figures

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a spectrum fitted to all measurements knows beside its parameters: tables, columns of curves, JSON.
+#include <algorithm>
+#include <cmath>
+
+#include "json/json_support.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/output/study_tables.hpp"
+#include "table_support.hpp"
+
+namespace setae::output {
+namespace {
+
+constexpr double level = 0.95;
+
+/// Visits every surface whose spectrum was fitted.
+template <class Visit>
+void each_fitted(const study::StudyResult& result, Visit visit) {
+    for (const auto& surface : result.surfaces)
+        if (!surface.failed() && surface.fitted) visit(surface.name, *surface.fitted);
+}
+
+Band decade_of(const spectral_fit::Agreement& row) { return {std::pow(10.0, row.decade), std::pow(10.0, row.decade + 1)}; }
+
+void add_curve(Table& table, const std::string& name, const std::string& unit, const Array1D& values, const Array1D& log_error) {
+    const Array1D factor = (normal_quantile(0.5 * (1.0 + level)) * log_error).exp();
+    table.columns.push_back({name, unit, values});
+    table.columns.push_back({name + "_standard_error", unit, values * log_error});
+    table.columns.push_back({name + "_low", unit, values / factor});
+    table.columns.push_back({name + "_high", unit, values * factor});
+}
+
+Json agreement_json(const spectral_fit::Agreement& row) {
+    const auto decade = decade_of(row);
+    return {{"instrument", row.instrument},
+            {"band", {{"lower", decade.lower}, {"upper", decade.upper}, {"unit", "1/m"}}},
+            {"ratio", number(row.ratio)},
+            {"ratio_standard_error", number(row.standard_error)},
+            {"chi_squared", number(row.chi_squared)},
+            {"groups", row.groups},
+            {"probability", number(row.probability)}};
+}
+
+Json tip_json(const spectral_fit::TipFactor& tip) {
+    return {{"instrument", tip.instrument},
+            {"tip_radius", {{"value", number(tip.tip_radius)}, {"unit", "m"}}},
+            {"wavevector", {{"values", numbers(tip.wavevector)}, {"unit", "1/m"}}},
+            {"transfer", {{"values", numbers(tip.transfer)}, {"unit", "1"}}}};
+}
+
+}  // namespace
+
+tables::TidyTable decade_table(const study::StudyResult& result) {
+    tables::TidyTable table{"", {"surface", "method", "decade_low [1/m]", "decade_high [1/m]", "C1D [m3]"}, {}};
+    append(table.columns, uncertainty_columns("", "m3"));
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        for (const auto& [method, spectrum] : study::spectra_of(surface))
+            for (const auto& q : decade_quantities(surface, *spectrum)) {
+                Cells row;
+                add_cells(row, surface.name, method, q.band->lower, q.band->upper, q.estimate.value);
+                append(row, uncertainty_cells(q.estimate));
+                table.rows.push_back(std::move(row));
+            }
+    }
+    return table;
+}
+
+tables::TidyTable agreement_table(const study::StudyResult& result) {
+    tables::TidyTable table{"", {"surface", "instrument", "decade_low [1/m]", "decade_high [1/m]", "measured/expected [1]", "standard_error [1]", "chi2", "groups", "probability"}, {}};
+    each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
+        for (const auto& a : fitted.agreement) {
+            const auto decade = decade_of(a);
+            table.rows.push_back({surface, a.instrument, decade.lower, decade.upper, a.ratio, a.standard_error, a.chi_squared, static_cast<double>(a.groups), a.probability});
+        }
+    });
+    return table;
+}
+
+tables::TidyTable tip_factor_table(const study::StudyResult& result) {
+    tables::TidyTable table{"", {"surface", "instrument", "group", "tip_radius [m]", "wavevector [1/m]", "tip factor [1]"}, {}};
+    each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
+        double group = 0.0;
+        for (const auto& tip : fitted.tips) {
+            ++group;
+            for (Index k = 0; k < tip.wavevector.size(); ++k)
+                table.rows.push_back({surface, tip.instrument, group, tip.tip_radius, tip.wavevector[k], tip.transfer[k]});
+        }
+    });
+    return table;
+}
+
+Table fitted_spectrum_table(const study::FittedSpectrum& fitted) {
+    Table table;
+    table.columns = {{"wavevector", "1/m", fitted.wavevector}};
+    add_curve(table, "C_iso", "m4", fitted.C_iso, fitted.log_C_iso_standard_error);
+    add_curve(table, "C1D", "m3", fitted.C1D, fitted.log_C1D_standard_error);
+    return table;
+}
+
+std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum) {
+    std::vector<Quantity> found;
+    if (surface.measurements.empty()) return found;
+    for (std::size_t d = 0; d < spectrum.parameters.decade_C1D.size(); ++d) {
+        if (!std::isfinite(spectrum.parameters.decade_C1D[d])) continue;
+        auto q = quantity("decade_mean_C1D", "C1D", spectrum.estimate([d](const roughness::SpectralParameters& p) { return p.decade_C1D[d]; }), "m3");
+        const int decade = roughness::first_decade + static_cast<int>(d);
+        q.band = Band{std::pow(10.0, decade), std::pow(10.0, decade + 1)};
+        q.source = "exp of the mean of ln C1D over ln q";
+        found.push_back(std::move(q));
+    }
+    return found;
+}
+
+Json to_json(const study::FittedSpectrum& fitted) {
+    Json json{{"band", {{"lower", number(fitted.band.lower)}, {"upper", number(fitted.band.upper)}, {"unit", "1/m"}}},
+              {"rounds", fitted.rounds},
+              {"converged", fitted.converged}};
+    json["agreement"] = Json::array();
+    for (const auto& row : fitted.agreement) json["agreement"].push_back(agreement_json(row));
+    json["tip_factors"] = Json::array();
+    for (const auto& tip : fitted.tips) json["tip_factors"].push_back(tip_json(tip));
+    for (const auto& column : fitted_spectrum_table(fitted).columns) json["spectrum"][column.name] = {{"values", numbers(column.values)}, {"unit", column.unit}};
+    json["spectrum"]["level"] = level;
+    return json;
+}
+
+}  // namespace setae::output

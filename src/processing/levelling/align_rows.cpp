@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/processing/align_rows.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "line_polynomial.hpp"
+#include "order_statistic.hpp"
+#include "row_blocks.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "pipeline/step_record.hpp"
+
+namespace setae::processing {
+namespace {
+
+using topography::HeightMap;
+using topography::Mask;
+
+/// Mean or median of the points of a line that count, or of their differences to the line before; NaN where there are none.
+double level_of(LineBand& band, Index line, RowAlignment method, std::vector<double>& values) {
+    values.clear();
+    const double* const heights = band.line(line);
+    const bool differences = method == RowAlignment::median_of_differences;
+    const double* const before = differences ? band.line(line - 1) : nullptr;
+    for (Index i = 0; i < band.points; ++i) {
+        if (!band.counts(line, i) || (differences && !band.counts(line - 1, i))) continue;
+        values.push_back(differences ? heights[i] - before[i] : heights[i]);
+    }
+    if (values.empty()) return undefined;
+    if (method != RowAlignment::mean) return median_in_place(values.data(), static_cast<Index>(values.size()));
+    const double origin = values.front();
+    for (auto& value : values) value -= origin;
+    return origin + Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())).mean();
+}
+
+/// What every line is moved by before their mean is given back; lines without points that count move with a neighbour.
+Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, parallel::Threads threads) {
+    const Index lines = line_count(map.heights, step.direction);
+    const bool differences = step.method == RowAlignment::median_of_differences;
+    Array1D levels = Array1D::Constant(lines, undefined);
+    for_each_band(map.heights, chosen, step.direction, differences ? 1 : 0, false, threads, [&](LineBand& band, Index first, Index last) {
+        std::vector<double> values;
+        values.reserve(static_cast<std::size_t>(band.points));
+        for (Index line = differences ? std::max<Index>(first, 1) : first; line < last; ++line) levels[line] = level_of(band, line, step.method, values);
+    });
+    if (!(levels == levels).any()) throw UndefinedDataError(fmt::format("{}: no line has a point that counts; widen the region", topography::label(map.metadata)));
+    if (differences) {
+        levels[0] = 0.0;
+        for (Index line = 1; line < lines; ++line) levels[line] = levels[line - 1] + (levels[line] == levels[line] ? levels[line] : 0.0);
+        return levels;
+    }
+    for (Index line = 1; line < lines; ++line)
+        if (levels[line] != levels[line]) levels[line] = levels[line - 1];
+    for (Index line = lines - 2; line >= 0; --line)
+        if (levels[line] != levels[line]) levels[line] = levels[line + 1];
+    return levels;
+}
+
+/// Moves every line by its shift.
+void move_lines(const Array1D& shifts, Direction direction, HeightMap& map, parallel::Threads threads) {
+    for_each_row(map.heights.rows(), map.heights.cols(), threads, [&](Index i) {
+        if (direction == Direction::x) map.heights.row(i) -= shifts.transpose();
+        else map.heights.row(i) -= shifts[i];
+    });
+}
+
+/// Subtracts every line's polynomial but for the mean height of all of them; those means. Lines with too few points become undefined.
+Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& chosen, parallel::Threads threads) {
+    const LinePolynomial polynomial(step.degree, points_on_line(map.heights, step.direction));
+    Array1D means = Array1D::Constant(line_count(map.heights, step.direction), undefined);
+    for_each_band(map.heights, chosen, step.direction, 0, true, threads, [&](LineBand& band, Index first, Index last) {
+        for (Index line = first; line < last; ++line) {
+            if (const auto coefficients = polynomial.fitted(band, line)) {
+                polynomial.subtract(*coefficients, band.line(line));
+                means[line] = (*coefficients)[0];
+            } else {
+                std::fill_n(band.line(line), band.points, undefined);
+            }
+        }
+    });
+    if (!(means == means).any()) throw UndefinedDataError(fmt::format("{}: no line has {} points that count; lower the degree or widen the region", topography::label(map.metadata), step.degree + 1));
+    return means;
+}
+
+/// Mean and rms deviation of the defined shifts.
+std::array<double, 2> mean_and_spread(const Array1D& shifts) {
+    const auto defined = shifts == shifts;
+    const auto count = static_cast<double>(defined.count());
+    const double origin = defined.select(shifts, 0.0).sum() / count;
+    const Array1D centred = defined.select(shifts - origin, 0.0);
+    const double rest = centred.sum() / count;
+    return {origin + rest, std::sqrt((centred * centred).sum() / count)};
+}
+
+}  // namespace
+
+Processed apply(const AlignRows& step, topography::Measurement measurement, parallel::Threads threads) {
+    auto* map = std::get_if<HeightMap>(&measurement);
+    if (!map) refuse_line(step_name(step), measurement, "a single line has no rows to align: level it with level_polynomial");
+    const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, *map, threads);
+    StepRecord record{std::string(step_name(step)), {}, {}};
+    const bool polynomial = step.method == RowAlignment::polynomial;
+    const Array1D shifts = polynomial ? remove_polynomials(step, *map, chosen, threads) : shifts_of(step, *map, chosen, threads);
+    const auto [mean, spread] = mean_and_spread(shifts);
+    const Array1D moves = polynomial ? Array1D::Constant(shifts.size(), -mean) : Array1D(shifts - mean);
+    move_lines(moves, step.direction, *map, threads);
+    if (polynomial && step.degree > 0) map->periodic = false;
+    const auto lost = shifts.size() - (shifts == shifts).count();
+    record.numbers.push_back(recorded_count("aligned_lines", shifts.size() - lost));
+    record.numbers.push_back(recorded("rms_shift", "", spread, "m"));
+    if (lost > 0)
+        record.alerts.push_back({"UNDEFINED", topography::label(map->metadata), fmt::format("{} of {} lines have too few points that count and are undefined now", lost, shifts.size()), "lower the degree or widen the region"});
+    return {std::move(measurement), std::move(record)};
+}
+
+}  // namespace setae::processing

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/processing/despike.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "record_number.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/synthesis/random_surface.hpp"
+#include "setae/spectra/self_affine.hpp"
+
+namespace setae::processing {
+namespace {
+
+using topography::HeightMap;
+using topography::LineScan;
+
+HeightMap self_affine(Index n, double hurst_exponent, std::uint64_t seed) {
+    const double size = 1e-6;
+    const spectra::SelfAffine model{1e-30, 2.0 * pi / size * 4.0, hurst_exponent, pi * static_cast<double>(n) / size};
+    synthesis::SurfaceOptions options;
+    options.key = {seed};
+    options.exact_rms_height = 1e-8;
+    return synthesis::random_surface(spectra::density(model), {n, n, size, size}, options);
+}
+
+/// Points far enough from each other, within the map, that get ± `height`.
+std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed) {
+    std::mt19937 engine(seed);
+    std::set<Index> planted;
+    while (static_cast<Index>(planted.size()) < count) {
+        const auto i = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.rows())), j = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.cols()));
+        if (!planted.insert(i * map.heights.cols() + j).second) continue;
+        map.heights(i, j) += planted.size() % 2 == 0 ? height : -height;
+    }
+    return planted;
+}
+
+TEST(FindSpikes, FindsNineteenOfTwentyPlantedSpikesOfFiveRmsOnSelfAffineSurfaces) {
+    for (const double hurst_exponent : {0.3, 0.8}) {
+        Index found = 0, planted_count = 0, wrong = 0;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            auto map = self_affine(128, hurst_exponent, seed);
+            const auto planted = plant(map, 5e-8, 20, static_cast<unsigned>(seed));
+            const auto spikes = find_spikes(map);
+            for (const Index k : planted) found += spikes.mask.data()[k];
+            planted_count += static_cast<Index>(planted.size());
+            Index others = spikes.count;
+            for (const Index k : planted) others -= spikes.mask.data()[k];
+            wrong += others;
+        }
+        EXPECT_GE(static_cast<double>(found), 0.95 * static_cast<double>(planted_count)) << hurst_exponent;
+        EXPECT_LE(wrong, 2) << hurst_exponent;
+    }
+}
+
+TEST(FindSpikes, FindsNearlyNoneOnCleanGaussianSurfaces) {
+    Index false_alarms = 0, points = 0;
+    for (const double hurst_exponent : {0.1, 0.5, 0.8, 1.0})
+        for (std::uint64_t seed = 11; seed <= 13; ++seed) {
+            const auto map = self_affine(128, hurst_exponent, seed);
+            false_alarms += find_spikes(map).count;
+            points += map.heights.size();
+        }
+    EXPECT_LE(false_alarms, points / 100000);
+}
+
+TEST(FindSpikes, TakesTiltsAndStepsAndSmoothWavesForNoSpikes) {
+    std::mt19937 engine(4);
+    std::normal_distribution<double> normal(0.0, 1e-10);
+    HeightMap map{Array2D(80, 60), {1.0, 1.0}};
+    for (Index i = 0; i < 80; ++i)
+        for (Index j = 0; j < 60; ++j) map.heights(i, j) = 1e-8 * static_cast<double>(i) + 1e-7 * static_cast<double>(j) + (i > 40 ? 5e-8 : 0.0) + normal(engine);
+    EXPECT_EQ(find_spikes(map).count, 0);
+    map.heights.block(10, 20, 15, 15) += 3e-7;  // an island with corners
+    EXPECT_EQ(find_spikes(map).count, 0);
+    EXPECT_EQ(find_spikes(LineScan{map.heights.col(25), 1.0}).count, 0);
+    for (Index i = 0; i < 80; ++i)
+        for (Index j = 0; j < 60; ++j) map.heights(i, j) = std::sin(0.2 * static_cast<double>(i + j));
+    EXPECT_EQ(find_spikes(map).count, 0);
+}
+
+TEST(FindSpikes, TakesStepsOfDigitisedHeightsForNoSpikes) {
+    std::mt19937 engine(6);
+    std::normal_distribution<double> normal(0.0, 0.25);
+    HeightMap map{Array2D(100, 100), {1.0, 1.0}};
+    for (Index k = 0; k < map.heights.size(); ++k) map.heights.data()[k] = 1e-9 * std::round(normal(engine));
+    EXPECT_EQ(find_spikes(map).count, 0);
+    map.heights(50, 50) += 2e-8;
+    EXPECT_EQ(find_spikes(map).count, 1);
+}
+
+TEST(FindSpikes, FindsASpikeOnAFlatGroundAndNoneOnAConstantMap) {
+    HeightMap map{Array2D::Constant(30, 30, 0.25), {1.0, 1.0}};
+    EXPECT_EQ(find_spikes(map).count, 0);
+    map.heights(10, 12) += 1e-9;
+    map.heights(0, 20) += 1e-9;  // on the border too
+    const auto spikes = find_spikes(map);
+    EXPECT_EQ(spikes.count, 2);
+    EXPECT_EQ(spikes.mask(10, 12), 1);
+    EXPECT_EQ(spikes.mask(0, 20), 1);
+}
+
+TEST(FindSpikes, LooksPastUndefinedPoints) {
+    auto map = self_affine(64, 0.8, 3);
+    for (Index i = 20; i < 40; ++i) map.heights.row(i).segment(10, 30).setConstant(undefined);
+    map.heights(30, 25) = 1.0;  // with nothing around it, it stands out of nothing
+    map.heights(19, 20) += 1e-7;
+    const auto spikes = find_spikes(map);
+    EXPECT_EQ(spikes.mask(19, 20), 1);
+    EXPECT_EQ(spikes.mask(30, 25), 0);
+    EXPECT_EQ(spikes.mask(25, 15), 0);
+    map.heights.setConstant(undefined);
+    EXPECT_THROW((void)find_spikes(map), UndefinedDataError);
+}
+
+TEST(FindSpikes, OfALineHasAColumnOfPoints) {
+    LineScan scan{Array1D(400), 1.0};
+    for (Index i = 0; i < 400; ++i) scan.heights[i] = std::sin(0.05 * static_cast<double>(i)) + 0.001 * std::sin(7.0 * static_cast<double>(i));
+    scan.heights[33] += 0.5;
+    scan.heights[398] -= 0.5;
+    const auto spikes = find_spikes(scan);
+    EXPECT_EQ(spikes.mask.rows(), 400);
+    EXPECT_EQ(spikes.mask.cols(), 1);
+    EXPECT_EQ(spikes.count, 2);
+    EXPECT_EQ(spikes.mask(33, 0), 1);
+    EXPECT_EQ(spikes.mask(398, 0), 1);
+}
+
+TEST(FindSpikes, DoesNotDependOnAnOffsetOrTheSign) {
+    auto map = self_affine(64, 0.5, 9);
+    (void)plant(map, 5e-8, 10, 2);
+    const auto spikes = find_spikes(map);
+    auto turned = map;
+    turned.heights = 0.1 - turned.heights;  // 10⁷ rms
+    EXPECT_TRUE((find_spikes(turned).mask == spikes.mask).all());
+    EXPECT_NEAR(find_spikes(turned).threshold / spikes.threshold, 1.0, 1e-6);
+}
+
+TEST(FindSpikes, GivesTheSameForAnyNumberOfThreads) {
+    auto map = self_affine(128, 0.5, 9);
+    (void)plant(map, 5e-8, 10, 2);
+    const auto one = find_spikes(map, {}, {1}), three = find_spikes(map, {}, {3});
+    EXPECT_TRUE((one.mask == three.mask).all());
+    EXPECT_EQ(one.threshold, three.threshold);
+}
+
+TEST(Despike, PutsTheLocalMedianWhereSpikesWere) {
+    const auto clean = self_affine(128, 0.8, 5);
+    auto map = clean;
+    const auto planted = plant(map, 8e-8, 20, 3);
+    map.heights(60, 60) += 1e-7, map.heights(60, 61) += 1e-7;  // beside each other
+    const auto done = apply(Despike{}, map);
+    EXPECT_EQ(number_of(done.record, "spikes"), 22.0);
+    EXPECT_NEAR(number_of(done.record, "rms_height_before"), rms_of(map.heights), 1e-18);
+    EXPECT_NEAR(number_of(done.record, "rms_height_after"), rms_of(clean.heights), 1e-3 * rms_of(clean.heights));
+    EXPECT_LT(rms_of(map_of(done).heights - clean.heights), 0.02 * rms_of(clean.heights));
+    for (const Index k : planted) EXPECT_NE(map_of(done).heights.data()[k], map.heights.data()[k]);
+}
+
+TEST(Despike, LeavesHolesWhereAsked) {
+    auto map = self_affine(64, 0.8, 5);
+    map.heights(7, 9) += 1e-6;
+    const auto done = apply(Despike{.replace_by = SpikeReplacement::undefined}, map);
+    EXPECT_EQ(map_of(done).heights.isNaN().count(), 1);
+    EXPECT_TRUE(std::isnan(map_of(done).heights(7, 9)));
+}
+
+TEST(Despike, RefusesWhatItCannotDo) {
+    const auto map = self_affine(64, 0.8, 5);
+    EXPECT_THROW((void)apply(Despike{.threshold = 0.0}, map), InvalidArgument);
+    EXPECT_THROW((void)apply(Despike{.reach = 0}, map), InvalidArgument);
+    EXPECT_THROW((void)apply(Despike{.reach = 11}, map), InvalidArgument);
+    EXPECT_THROW((void)apply(Despike{}, topography::Profile{Array1D::LinSpaced(5, 0.0, 1.0), Array1D::Zero(5), {}}), InvalidArgument);
+    EXPECT_EQ(find_spikes(LineScan{Array1D::Random(2), 1.0}).count, 0);
+    EXPECT_EQ(find_spikes(HeightMap{Array2D::Random(1, 9), {1.0, 1.0}}).count, 0);
+}
+
+}  // namespace
+}  // namespace setae::processing

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/loops/loop.hpp"
+#include "setae/simulation/data_set.hpp"
+#include "setae/topography/measurement.hpp"
+
+namespace setae::simulation {
+
+/// A name as part of a file's name: what is no letter, digit, '-' or '.' becomes '_'.
+[[nodiscard]] std::string file_stem(const std::string& name);
+
+/// Instruments' text exports: x [um] or [nm] and h [nm] in columns, a map as a matrix with Gwyddion's header.
+[[nodiscard]] std::string scan_text(const topography::LineScan& scan);
+[[nodiscard]] std::string map_text(const topography::HeightMap& map);
+[[nodiscard]] std::string contour_text(const topography::Profile& contour);
+[[nodiscard]] std::string loop_text(const loops::Loop& loop);
+
+/// truth.json: what is planted, SI.
+[[nodiscard]] std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces,
+                                     const std::vector<PlantedLoop>& loops);
+
+/// A measurement file of a surface.
+struct MeasurementFile {
+    std::string file;  ///< relative to the data set's folder
+    std::string instrument;
+    std::string tip_radius;  ///< "5e-06 ± 2e-07 m", empty without tip
+    std::vector<std::string> references;  ///< scans of a smooth standard in the same session
+};
+
+/// study.toml: an analysis of all of it that is told only what an experimenter knows.
+[[nodiscard]] std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,
+                                     const std::vector<PlantedLoop>& loops);
+
+}  // namespace setae::simulation

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/simulation/data_set.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "data_files.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "surfaces/surface_patches.hpp"
+
+namespace setae::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+using numerics::RandomKey;
+using numerics::substream;
+
+/// Streams below the seed: one a surface and instrument, one a loop.
+enum Stream : std::uint64_t { of_stylus, of_afm, of_tem };
+constexpr std::uint64_t loop_streams = 1ull << 32;
+
+/// The writing of one or more files, independent of all others.
+struct Job {
+    double cost = 0.0;  ///< dear ones are begun first, so that no thread is left with one at the end
+    std::function<void()> run;
+};
+constexpr double cost_of_strip = 1e9;
+
+/// What the study is told of a tip; nothing of none.
+std::string tip_text(double radius, double standard_error) {
+    if (radius == 0.0) return "";
+    return standard_error > 0.0 ? fmt::format("{:.9g} ± {:.9g} m", radius, standard_error) : fmt::format("{:.9g} m", radius);
+}
+
+/// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.
+class DataSet {
+public:
+    DataSet(const Recipe& recipe, std::string folder) : recipe_(recipe), folder_(std::move(folder)) {}
+
+    void add_surface(std::size_t index) {
+        const SurfaceRecipe& rough = recipe_.surfaces[index];
+        const RandomKey key = substream({.seed = recipe_.seed}, index);
+        const std::string stem = file_stem(rough.surface.name);
+        create(stem);
+        std::vector<MeasurementFile> files;
+        const auto C1D = std::make_shared<const LineSpectrum>(rough.surface);
+        if (rough.stylus) add_stylus(rough, stem, C1D, substream(key, of_stylus), files);
+        if (rough.afm) {
+            const auto names = named(stem, "afm", "txt", rough.afm->sizes.size());
+            for (std::size_t k = 0; k < names.size(); ++k) {
+                files.push_back({names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), {}});
+                const auto side = static_cast<double>(rough.afm->pixels_of(k));
+                jobs_.push_back({side * side, [this, &rough, key, k, name = names[k]] {
+                                     write(name, map_text(afm_scan(rough.surface, *rough.afm, k, substream(key, of_afm))));
+                                 }});
+            }
+        }
+        if (rough.tem) {
+            const auto names = named(stem, "tem", "csv", rough.tem->lengths.size());
+            for (std::size_t k = 0; k < names.size(); ++k) {
+                files.push_back({names[k], "tem", "", {}});
+                jobs_.push_back({0.0, [this, &rough, C1D, key, k, name = names[k]] {
+                                     write(name, contour_text(tem_contour(rough.surface, *C1D, *rough.tem, k, substream(key, of_tem))));
+                                 }});
+            }
+        }
+        measurements_.push_back(std::move(files));
+    }
+
+    void add_truth(SurfaceTruth truth, std::size_t index) {
+        truths_.push_back(std::move(truth));
+        const auto& curve = truths_.back().C1D;
+        if (curve.wavevector.size() == 0) return;
+        const auto name = listed(file_stem(recipe_.surfaces[index].surface.name) + "/truth.csv");
+        tables::write_csv(path(name), {{{"wavevector", "1/m", curve.wavevector}, {"C1D", "m3", curve.values}}, {}});
+    }
+
+    void add_loops(std::vector<PlantedLoop> loops) {
+        loops_ = std::move(loops);
+        if (!loops_.empty()) create("loops");
+        for (std::size_t i = 0; i < loops_.size(); ++i) {
+            listed(loops_[i].file);
+            jobs_.push_back({1.0, [this, i] {
+                                 LoopArtefacts artefacts = recipe_.loops->artefacts;
+                                 artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
+                                 write(loops_[i].file, loop_text(simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts).loop));
+                             }});
+        }
+    }
+
+    std::vector<std::string> finish(parallel::Threads threads) {
+        std::stable_sort(jobs_.begin(), jobs_.end(), [](const Job& a, const Job& b) { return a.cost > b.cost; });
+        parallel::for_each_index(jobs_.size(), threads, [this](std::size_t i) { jobs_[i].run(); });
+        write(listed("truth.json"), truth_text(recipe_, truths_, loops_));
+        write(listed("study.toml"), study_text(recipe_, measurements_, loops_));
+        return files_;
+    }
+
+private:
+    void add_stylus(const SurfaceRecipe& rough, const std::string& stem, const std::shared_ptr<const LineSpectrum>& C1D, RandomKey key,
+                    std::vector<MeasurementFile>& files) {
+        const StylusProtocol& protocol = *rough.stylus;
+        const auto names = named(stem, "stylus", "csv", protocol.lengths.size());
+        std::vector<std::string> references;
+        if (protocol.artefact > 0.0) references = named(stem, "stylus_reference", "csv", protocol.lengths.size());
+        for (std::size_t k = 0; k < names.size(); ++k)
+            files.push_back({names[k], "stylus", tip_text(protocol.tip_radius, protocol.tip_radius_standard_error),
+                             references.empty() ? references : std::vector{references[k]}});
+        jobs_.push_back({cost_of_strip, [this, &rough, &protocol, C1D, key, names, references] {
+                             const auto scans = stylus_scans(rough.surface, *C1D, protocol, key);
+                             for (std::size_t k = 0; k < names.size(); ++k) write(names[k], scan_text(scans[k]));
+                             if (references.empty()) return;
+                             const auto flats = stylus_references(protocol, key);
+                             for (std::size_t k = 0; k < references.size(); ++k) write(references[k], scan_text(flats[k]));
+                         }});
+    }
+
+    [[nodiscard]] std::string path(const std::string& name) const { return (fs::path(folder_) / name).string(); }
+    void write(const std::string& name, const std::string& text) const { bytes::write_whole_file(path(name), text); }
+
+    const std::string& listed(std::string name) { return files_.emplace_back(std::move(name)); }
+
+    std::vector<std::string> named(const std::string& stem, const char* instrument, const char* ending, std::size_t count) {
+        std::vector<std::string> names;
+        for (std::size_t k = 0; k < count; ++k) names.push_back(listed(fmt::format("{}/{}_{}.{}", stem, instrument, k + 1, ending)));
+        return names;
+    }
+
+    void create(const std::string& name) const {
+        std::error_code error;
+        fs::create_directories(path(name), error);
+        if (error) throw FileError(fmt::format("{}: cannot make the folder: {}", path(name), error.message()));
+    }
+
+    const Recipe& recipe_;
+    std::string folder_;
+    std::vector<std::string> files_;
+    std::vector<Job> jobs_;
+    std::vector<std::vector<MeasurementFile>> measurements_;
+    std::vector<SurfaceTruth> truths_;
+    std::vector<PlantedLoop> loops_;
+};
+
+}  // namespace
+
+std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads) {
+    if (recipe.surfaces.empty()) throw InvalidArgument("a recipe without surfaces has nothing to make; declare [surfaces.NAME]");
+    std::vector<SurfaceTruth> truths(recipe.surfaces.size());
+    parallel::for_each_index(truths.size(), threads, [&](std::size_t i) { truths[i] = surface_truth(recipe.surfaces[i].surface); });
+    DataSet data(recipe, folder);
+    data.add_loops(planted_loops(recipe, truths));  // first: what contradicts itself is found before anything is made
+    for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
+        data.add_surface(i);
+        data.add_truth(std::move(truths[i]), i);
+    }
+    return data.finish(threads);
+}
+
+}  // namespace setae::simulation

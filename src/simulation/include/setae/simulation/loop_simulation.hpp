@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/loops/loop.hpp"
+#include "setae/simulation/loop_truth.hpp"
+#include "setae/numerics/random_numbers.hpp"
+
+namespace setae::simulation {
+
+/// What the record says beside the truth.
+///
+///   F_rec = F + offset + slope m + drift t + noise,   δ_rec = δ + c F + drift t + noise
+struct LoopArtefacts {
+    double compliance = 0.0;               ///< c of the load path [m/N] that the displacement contains
+    double force_drift_rate = 0.0;         ///< [N/s]
+    double displacement_drift_rate = 0.0;  ///< [m/s]
+    double baseline_offset = 0.0;          ///< [N]
+    double baseline_slope = 0.0;           ///< [N/m]
+    double force_noise = 0.0;              ///< standard deviation of a sample [N]
+    double displacement_noise = 0.0;       ///< standard deviation of a sample [m]
+    double radius_noise = 0.0;             ///< standard deviation of a frame [m]
+    numerics::RandomKey key{};            ///< of the noise
+};
+
+/// A record and what is behind it.
+struct SimulatedLoop {
+    loops::Loop loop;  ///< contact radius: 0 out of contact, NaN between camera frames
+    LoopTruth truth;
+};
+
+/// The record of such a loop: samples at times i/force_rate, a frame of the camera at the first sample at or after each
+/// multiple of 1/camera_rate. The jumps take no time.
+/// @throws InvalidArgument as loop_truth, for negative noise, a camera faster than the force, and for records of more than
+/// 10⁸ samples.
+[[nodiscard]] SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol,
+                                           const LoopArtefacts& artefacts = {});
+
+}  // namespace setae::simulation

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/estimate.hpp"
+#include "setae/simulation/known_surface.hpp"
+#include "setae/simulation/loop_simulation.hpp"
+#include "setae/simulation/side_view.hpp"
+
+namespace setae::simulation {
+
+/// Scans of a stylus: one line a length.
+struct StylusProtocol {
+    std::vector<double> lengths;             ///< [m]
+    std::vector<double> steps{100e-9};       ///< [m], one for all or one a length
+    double tip_radius = 5e-6;                ///< what the study is told [m]; 0: points are read without a tip
+    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
+    double noise = 0.0;                      ///< standard deviation of a point [m]
+    double bow = 0.0;                        ///< height of the arc over a scan [m]
+    double tilt = 0.0;                       ///< [1]
+    double artefact = 0.0;                   ///< rms of the curve that the drive adds to all scans [m]; > 0: references, too
+    double artefact_wavelength = 1e-3;       ///< longest of that curve [m]
+
+    [[nodiscard]] double step(std::size_t scan) const { return steps.size() == 1 ? steps.front() : steps[scan]; }
+};
+
+/// Square maps of a force microscope: one a size.
+struct AfmProtocol {
+    std::vector<double> sizes;               ///< [m]
+    std::vector<Index> pixels{256};          ///< a side, one for all or one a size
+    double tip_radius = 10e-9;               ///< what the study is told [m]; 0: pixels are read without a tip
+    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
+    double noise = 0.0;                      ///< standard deviation of a pixel [m]
+    double line_offset = 0.0;                ///< standard deviation of the offset of a line [m]
+    double line_drift = 0.0;                 ///< standard deviation of a step of the walk from line to line [m]
+    double tilt = 0.0;                       ///< along the fast axis [1]
+    double bow = 0.0;                        ///< height of the scanner's arc along the fast axis [m]
+    double feedback_lag = 0.0;               ///< distance over which the tip follows a step to 1/e [m]
+
+    [[nodiscard]] Index pixels_of(std::size_t map) const { return pixels.size() == 1 ? pixels.front() : pixels[map]; }
+};
+
+/// Traced contours of a cross-section: one a length.
+struct TemProtocol {
+    std::vector<double> lengths;  ///< [m]
+    double step = 0.2e-9;         ///< mean distance of the traced points [m]
+    ContourSteps steps = ContourSteps::gamma;
+    double step_spread = 0.5;     ///< rms of the distance over its mean
+    double noise = 0.0;           ///< standard deviation of a traced point [m]
+    double foil_thickness = 0.0;  ///< along the beam [m]; 0: the contour is a line
+};
+
+/// A number of a surface's spectrum as it was given, or drawn from its range.
+struct SpectrumParameter {
+    std::string key;     ///< as in the recipe: "rms_slope"
+    double value = 0.0;  ///< SI
+    bool drawn = false;  ///< from a range
+};
+
+/// A surface and how it is measured; an instrument without entry is not used.
+struct SurfaceRecipe {
+    KnownSurface surface;
+    std::vector<SpectrumParameter> parameters;  ///< of the spectrum, and the skewness where one is given
+    std::optional<StylusProtocol> stylus;
+    std::optional<AfmProtocol> afm;
+    std::optional<TemProtocol> tem;
+};
+
+/// A soft sphere.
+struct ElastomerRecipe {
+    std::string name;
+    double youngs_modulus = 0.0;       ///< E [Pa], > 0
+    double poisson_ratio = 0.5;        ///< ν
+    Estimate surface_energy;           ///< γ1 [J/m²]: the value is true, the study is told both
+    double sphere_radius = 0.0;        ///< R [m], > 0
+};
+
+/// Where W_ret comes from.
+enum class RetractionLaw {
+    loss,     ///< the loop loses f W_int A_true
+    pinning,  ///< the roughness pins the edge
+};
+
+/// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than E_loss.
+enum class NonconformingPairs {
+    refuse,  ///< an error that names the pair
+    skip,    ///< left out
+};
+
+/// How loops are made: one a surface and elastomer, and references on a smooth standard before and after.
+struct LoopRecipe {
+    LoadingProtocol protocol;
+    LoopArtefacts artefacts;  ///< the key is the recipe's
+    RetractionLaw law = RetractionLaw::loss;
+    double loss_factor = 1.0;                        ///< f
+    NonconformingPairs nonconforming = NonconformingPairs::refuse;
+    std::optional<double> reference_work;            ///< W of both branches on the standard [J/m²]; none: no references
+};
+
+/// Everything that determines a data set.
+struct Recipe {
+    std::string title;
+    std::string description;
+    std::uint64_t seed = 1;
+    double work_of_adhesion = 0.0;        ///< W_int [J/m²]
+    double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]
+    double counter_poisson_ratio = 0.0;
+    std::vector<SurfaceRecipe> surfaces;
+    std::vector<ElastomerRecipe> elastomers;
+    std::optional<LoopRecipe> loops;
+};
+
+/// Reads a recipe from TOML; docs/laboratory.md describes every key.
+///
+/// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it is
+///
+///   from (to/from)^u,  u uniform in (0, 1), of the seed and the names of table and key alone
+///
+/// so that another surface, or another order, changes no other number. seed: in place of the recipe's.
+/// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one), a
+/// missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a protocol
+/// that is not declared.
+[[nodiscard]] Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed = {});
+
+}  // namespace setae::simulation

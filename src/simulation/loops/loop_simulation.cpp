@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/simulation/loop_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "machine.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::simulation {
+namespace {
+
+using contact::jkr::State;
+
+void require_valid(const LoopArtefacts& artefacts) {
+    const auto require_noise = [](double value, const char* name) {
+        if (!(value >= 0.0 && std::isfinite(value)))
+            throw InvalidArgument(fmt::format("{} noise must be >= 0, got {}", name, value));
+    };
+    require_noise(artefacts.force_noise, "force");
+    require_noise(artefacts.displacement_noise, "displacement");
+    require_noise(artefacts.radius_noise, "radius");
+}
+
+/// Times at which the motor passes what it passes.
+struct Schedule {
+    double turn = 0.0;          ///< largest motor position reached [s]
+    double retraction = 0.0;    ///< end of the hold [s]
+    double end = 0.0;           ///< [s]
+    double largest = 0.0;       ///< motor position at the turn [m]
+    Index samples = 0;
+
+    Schedule(const LoadingProtocol& protocol, double turning_position, double parting_position) : largest(turning_position) {
+        turn = (protocol.start_gap + largest) / protocol.approach_speed;
+        retraction = turn + protocol.hold_time;
+        end = retraction + (largest - parting_position + protocol.start_gap) / protocol.retraction_speed;
+        constexpr double most_samples = 1e8;
+        const double count = std::floor(end * protocol.force_rate) + 1.0;
+        if (!(count <= most_samples))
+            throw InvalidArgument(fmt::format("the record would have {:.3g} samples, {} at most; lower the force rate or move "
+                                              "faster", count, most_samples));
+        samples = static_cast<Index>(count);
+    }
+
+    [[nodiscard]] double motor(double time, const LoadingProtocol& protocol) const {
+        if (time <= turn) return protocol.approach_speed * time - protocol.start_gap;
+        return largest - protocol.retraction_speed * std::max(0.0, time - retraction);
+    }
+};
+
+/// Whether the camera shows this sample: the first at or after a multiple of its period.
+bool has_frame(Index sample, const LoadingProtocol& protocol) {
+    if (sample == 0) return true;
+    const double frames = protocol.camera_rate / protocol.force_rate;
+    constexpr double rounding = 1e-9;  // of a frame: multiples of the period that fall on a sample belong to it
+    const auto frame = [&](Index i) { return std::floor(static_cast<double>(i) * frames + rounding); };
+    return frame(sample) > frame(sample - 1);
+}
+
+void add_artefacts(loops::Loop& loop, const Array1D& motor, const LoopArtefacts& artefacts) {
+    const Index n = loop.force.size();
+    const auto normal = [&](std::uint64_t channel) {
+        Array1D values(n);
+        numerics::fill_normal(numerics::substream(artefacts.key, channel), 0, values);
+        return values;
+    };
+    loop.displacement += artefacts.compliance * loop.force + artefacts.displacement_drift_rate * loop.time;
+    loop.force += artefacts.baseline_offset + artefacts.baseline_slope * motor + artefacts.force_drift_rate * loop.time;
+    if (artefacts.force_noise > 0.0) loop.force += artefacts.force_noise * normal(0);
+    if (artefacts.displacement_noise > 0.0) loop.displacement += artefacts.displacement_noise * normal(1);
+    if (artefacts.radius_noise > 0.0) {
+        const Array1D noise = normal(2);
+        for (Index i = 0; i < n; ++i)
+            if (loop.contact_radius[i] > 0.0)
+                loop.contact_radius[i] = std::max(0.0, loop.contact_radius[i] + artefacts.radius_noise * noise[i]);
+    }
+}
+
+}  // namespace
+
+SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol, const LoopArtefacts& artefacts) {
+    require_valid(artefacts);
+    SimulatedLoop result{.truth = loop_truth(specimen, protocol)};
+    const LoopTruth& truth = result.truth;
+    const Machine machine(protocol.machine_stiffness);
+    const auto approach = machine.approach(specimen), retraction = machine.retraction(specimen);
+    const double turn = machine.motor(truth.turning_point), unpinned = machine.motor(truth.unpinned);
+    const double parting = machine.motor(truth.parting);
+    const Schedule schedule(protocol, turn, parting);
+
+    const Index n = schedule.samples;
+    loops::Loop& loop = result.loop;
+    loop = {.time = Array1D(n), .force = Array1D(n), .displacement = Array1D(n), .contact_radius = Array1D(n)};
+    Array1D motor(n);
+    const double largest = truth.turning_point.contact_radius;
+    for (Index i = 0; i < n; ++i) {
+        const double time = static_cast<double>(i) / protocol.force_rate;
+        const double position = schedule.motor(time, protocol);
+        State state{.displacement = position};
+        if (time <= schedule.turn && position >= 0.0)
+            state = equilibrium(machine.stable_radius(position, approach, largest), approach);
+        else if (time > schedule.turn && position >= unpinned)
+            state = machine.pinned(truth.turning_point, position, specimen.contact_modulus);
+        else if (time > schedule.turn && position >= parting)
+            state = equilibrium(machine.stable_radius(position, retraction, largest), retraction);
+        loop.time[i] = time;
+        motor[i] = position;
+        loop.force[i] = state.force;
+        loop.displacement[i] = state.displacement;
+        loop.contact_radius[i] = has_frame(i, protocol) ? state.contact_radius : undefined;
+    }
+    add_artefacts(loop, motor, artefacts);
+    return result;
+}
+
+}  // namespace setae::simulation

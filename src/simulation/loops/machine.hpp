@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/contact/jkr.hpp"
+#include "setae/simulation/loop_truth.hpp"
+
+namespace setae::simulation {
+
+/// State of JKR equilibrium at a contact radius.
+[[nodiscard]] contact::jkr::State equilibrium(double contact_radius, const contact::jkr::Contact& contact);
+
+/// A motor that pulls the contact by a spring: m = δ + F/k_m.
+class Machine {
+public:
+    explicit Machine(double stiffness) : compliance_(1.0 / stiffness) {}
+
+    [[nodiscard]] static contact::jkr::Contact approach(const LoopSpecimen& specimen) {
+        return {specimen.radius, specimen.contact_modulus, specimen.work_approach};
+    }
+    [[nodiscard]] static contact::jkr::Contact retraction(const LoopSpecimen& specimen) {
+        return {specimen.radius, specimen.contact_modulus, specimen.work_retraction};
+    }
+
+    [[nodiscard]] double motor(const contact::jkr::State& state) const {
+        return state.displacement + compliance_ * state.force;
+    }
+
+    /// Contact radius at which the contact springs apart, dm/da = 0 on JKR's curve: between that under fixed grips and that
+    /// under a fixed load. The derivative times √a has one change of sign in its powers of √a, hence one root.
+    [[nodiscard]] double instability_radius(const contact::jkr::Contact& contact) const;
+
+    /// Contact radius in stable equilibrium at a motor position, at most `largest`.
+    [[nodiscard]] double stable_radius(double motor_position, const contact::jkr::Contact& contact, double largest) const;
+
+    /// State with the edge held where it is at the turning point.
+    [[nodiscard]] contact::jkr::State pinned(const contact::jkr::State& turning_point, double motor_position,
+                                             double contact_modulus) const;
+
+    /// Energy [J] of contact and spring against bodies apart, the spring relaxed.
+    [[nodiscard]] double energy(const contact::jkr::State& state, const contact::jkr::Contact& contact) const;
+
+private:
+    double compliance_;  ///< 1/k_m [m/N]
+};
+
+}  // namespace setae::simulation

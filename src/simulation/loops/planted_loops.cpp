@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "data_files.hpp"
+#include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/simulation/data_set.hpp"
+#include "setae/simulation/retraction_work.hpp"
+
+namespace setae::simulation {
+namespace {
+
+double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
+    return contact::contact_modulus({.youngs_modulus = elastomer.youngs_modulus, .poisson_ratio = elastomer.poisson_ratio},
+                                    {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
+}
+
+/// What a pair's loop is of, or why there is none.
+struct RoughPair {
+    LoopSpecimen specimen;
+    std::string refusal;
+};
+
+RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
+    const LoopRecipe& loops = *recipe.loops;
+    RoughPair pair{.specimen = {.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)}, .refusal = {}};
+    LoopSpecimen& specimen = pair.specimen;
+    const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
+    const auto work = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
+                                                 {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
+    if (!work.conforms) {
+        pair.refusal = fmt::format("(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
+                                   "surface or a larger work of adhesion", 1e3 * work.raw);
+        return pair;
+    }
+    specimen.work_approach = specimen.work_retraction = work.raw;
+    if (loops.law == RetractionLaw::pinning) {
+        specimen.work_retraction = work_retraction_by_pinning({.work_approach = work.raw,
+                                                               .mean_work = recipe.work_of_adhesion,
+                                                               .stored_energy = stored_energy});
+        return pair;
+    }
+    const LoopTruth least = loop_truth(specimen, loops.protocol);
+    const double loss = loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * least.largest_contact_area();
+    if (loss < least.energy_loss())
+        pair.refusal = fmt::format("the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+                                   "loss_factor", least.energy_loss(), loss);
+    else
+        specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
+    return pair;
+}
+
+}  // namespace
+
+std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
+    if (!recipe.loops) return {};
+    std::vector<SurfaceTruth> truths;
+    for (const auto& rough : recipe.surfaces) truths.push_back(surface_truth(rough.surface));
+    return planted_loops(recipe, truths);
+}
+
+std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths) {
+    if (truths.size() != recipe.surfaces.size())
+        throw InvalidArgument(fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
+    std::vector<PlantedLoop> loops;
+    if (!recipe.loops) return loops;
+    const auto add = [&](PlantedLoop loop) {
+        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol);
+        loops.push_back(std::move(loop));
+    };
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const SurfaceRecipe& rough = recipe.surfaces[i];
+        const SurfaceTruth& surface = truths[i];
+        for (const auto& elastomer : recipe.elastomers) {
+            const RoughPair pair = rough_pair(recipe, surface, elastomer);
+            if (pair.refusal.empty())
+                add({.file = fmt::format("loops/{}_{}.csv", file_stem(rough.surface.name), file_stem(elastomer.name)),
+                     .surface = rough.surface.name,
+                     .elastomer = elastomer.name,
+                     .specimen = pair.specimen});
+            else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
+                throw InvalidArgument(fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
+                                                  rough.surface.name, elastomer.name, pair.refusal));
+        }
+    }
+    if (const auto& work = recipe.loops->reference_work)
+        for (const auto& elastomer : recipe.elastomers)
+            for (const char* stage : {"before", "after"})
+                add({.file = fmt::format("loops/reference_{}_{}.csv", file_stem(elastomer.name), stage),
+                     .elastomer = elastomer.name,
+                     .stage = stage,
+                     .specimen = {.radius = elastomer.sphere_radius,
+                                  .contact_modulus = contact_modulus(recipe, elastomer),
+                                  .work_approach = *work,
+                                  .work_retraction = *work}});
+    return loops;
+}
+
+}  // namespace setae::simulation

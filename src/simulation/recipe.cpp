@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/simulation/recipe.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "range_draws.hpp"
+#include "recipe_protocols.hpp"
+#include "surfaces/recipe_spectrum.hpp"
+
+namespace setae::simulation {
+namespace {
+
+using bytes::TomlReader;
+
+constexpr Dimension frequency{{0, 0, -1, 0, 0, 0}};
+constexpr Dimension speed{{1, 0, -1, 0, 0, 0}};
+constexpr Dimension force_per_time{{1, 1, -3, 0, 0, 0}};
+constexpr Dimension compliance = {{0, -1, 2, 0, 0, 0}};
+
+double required(TomlReader& reader, const char* key, const Dimension& unit) { return reader.required_uncertain(key, unit).value; }
+
+void take(TomlReader& reader, const char* key, const Dimension& unit, double& value) {
+    if (const auto given = reader.quantity(key, unit)) value = *given;
+}
+
+double number_or(TomlReader& reader, const char* key, double fallback) { return reader.number(key).value_or(fallback); }
+
+SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols, const std::string& folder,
+                           const RangeDraws& draws) {
+    const auto wanted = reader.required_text("protocol");
+    const auto protocol = protocols.find(wanted);
+    if (protocol == protocols.end()) reader.fail("protocol", fmt::format("'{}' is not declared under [protocols]", wanted));
+    SurfaceRecipe recipe = protocol->second;
+    KnownSurface& surface = recipe.surface;
+    surface.name = name;
+    surface.description = reader.text("description").value_or("");
+    read_spectrum(reader, folder, draws, recipe);
+    reader.finish();
+    return recipe;
+}
+
+ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const RangeDraws& draws) {
+    ElastomerRecipe elastomer{.name = name};
+    elastomer.youngs_modulus = draws.required(reader, "youngs_modulus", dimension::pressure);
+    elastomer.poisson_ratio = number_or(reader, "poisson_ratio", elastomer.poisson_ratio);
+    const auto energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
+    elastomer.surface_energy = {energy.value, energy.standard_error > 0.0 ? energy.standard_error : 0.0};
+    elastomer.sphere_radius = required(reader, "sphere_radius", dimension::length);
+    reader.finish();
+    return elastomer;
+}
+
+LoopRecipe read_loops(TomlReader reader) {
+    LoopRecipe loops;
+    LoadingProtocol& protocol = loops.protocol;
+    take(reader, "maximum_force", dimension::force, protocol.maximum_force);
+    take(reader, "speed", speed, protocol.approach_speed);
+    protocol.retraction_speed = protocol.approach_speed;
+    take(reader, "retraction_speed", speed, protocol.retraction_speed);
+    take(reader, "start_gap", dimension::length, protocol.start_gap);
+    take(reader, "hold_time", dimension::time, protocol.hold_time);
+    take(reader, "force_rate", frequency, protocol.force_rate);
+    take(reader, "camera_rate", frequency, protocol.camera_rate);
+    take(reader, "machine_stiffness", dimension::stiffness, protocol.machine_stiffness);
+    LoopArtefacts& artefacts = loops.artefacts;
+    take(reader, "compliance", compliance, artefacts.compliance);
+    take(reader, "force_drift_rate", force_per_time, artefacts.force_drift_rate);
+    take(reader, "displacement_drift_rate", speed, artefacts.displacement_drift_rate);
+    take(reader, "baseline_offset", dimension::force, artefacts.baseline_offset);
+    take(reader, "baseline_slope", dimension::stiffness, artefacts.baseline_slope);
+    take(reader, "force_noise", dimension::force, artefacts.force_noise);
+    take(reader, "displacement_noise", dimension::length, artefacts.displacement_noise);
+    take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
+    loops.law = reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}}).value_or(loops.law);
+    loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
+    loops.nonconforming = reader.choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
+                                                                              {"skip", NonconformingPairs::skip}})
+                              .value_or(loops.nonconforming);
+    loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
+    reader.finish();
+    return loops;
+}
+
+}  // namespace
+
+Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
+    const auto parsed = bytes::parse_toml_file(path);
+    TomlReader reader(parsed, path, "recipe");
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    Recipe recipe;
+    recipe.title = reader.text("title").value_or("");
+    recipe.description = reader.text("description").value_or("");
+    if (const auto own = reader.integer("seed")) {
+        if (*own < 0) reader.fail("seed", "expected a whole number from 0");
+        recipe.seed = static_cast<std::uint64_t>(*own);
+    }
+    recipe.seed = seed.value_or(recipe.seed);
+    recipe.work_of_adhesion = RangeDraws(recipe.seed, "").required(reader, "work_of_adhesion", dimension::surface_energy);
+    if (!reader.is_table("rough_solid")) reader.fail("rough_solid", "missing: the elasticity of the rough body");
+    reader.table("rough_solid", [&](TomlReader inner) {
+        recipe.counter_youngs_modulus = required(inner, "youngs_modulus", dimension::pressure);
+        recipe.counter_poisson_ratio = number_or(inner, "poisson_ratio", 0.0);
+        inner.finish();
+    });
+    const Protocols protocols = read_protocols(reader);
+    reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) {
+        recipe.surfaces.push_back(read_surface(name, std::move(inner), protocols, folder, {recipe.seed, "surfaces." + name}));
+    });
+    reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
+        recipe.elastomers.push_back(read_elastomer(name, std::move(inner), {recipe.seed, "elastomers." + name}));
+    });
+    reader.table("loops", [&](TomlReader inner) { recipe.loops = read_loops(std::move(inner)); });
+    reader.finish();
+    if (recipe.surfaces.empty()) reader.fail("surfaces", "missing: expected [surfaces.NAME]");
+    return recipe;
+}
+
+}  // namespace setae::simulation

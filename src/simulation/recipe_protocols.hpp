@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "setae/bytes/toml_reader.hpp"
+#include "setae/simulation/recipe.hpp"
+
+namespace setae::simulation {
+
+/// Who measures, by name: the instruments of a surface without its spectrum.
+using Protocols = std::map<std::string, SurfaceRecipe>;
+
+/// Reads [protocols.NAME]. @throws FormatError as read_recipe.
+[[nodiscard]] Protocols read_protocols(bytes::TomlReader& recipe);
+
+}  // namespace setae::simulation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/simulation/known_surface.hpp"
+#include "setae/synthesis/height_transform.hpp"
+#include "setae/numerics/random_numbers.hpp"
+
+namespace setae::simulation {
+
+/// Heights of a patch of the Gaussian parent become those of the surface. The waves that are longer than the patch set the
+/// height about which it lies, drawn here and taken off again.
+class PatchHeights {
+public:
+    /// patch_size: longest wavelength that the patch holds [m].
+    PatchHeights(const KnownSurface& surface, double patch_size, numerics::RandomKey key);
+
+    void operator()(double* heights, Index count) const;
+
+private:
+    synthesis::HeightTransform transform_;  ///< empty for Gaussian heights
+    double rms_height_ = 0.0;
+    double level_ = 0.0;
+};
+
+}  // namespace setae::simulation

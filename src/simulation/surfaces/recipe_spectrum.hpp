@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "range_draws.hpp"
+#include "setae/simulation/recipe.hpp"
+
+namespace setae::simulation {
+
+/// Reads spectrum, anisotropy and skewness of a surface and keeps every number of them. folder: where files are looked for.
+/// @throws FormatError as read_recipe.
+void read_spectrum(bytes::TomlReader& surface_table, const std::string& folder, const RangeDraws& draws, SurfaceRecipe& recipe);
+
+}  // namespace setae::simulation

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/simulation/data_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "setae/core/errors.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/roughness/true_area.hpp"
+
+namespace setae::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* small_recipe = R"(
+seed = 3
+work_of_adhesion = "37 mJ/m2"
+[rough_solid]
+youngs_modulus = "1100 GPa"
+poisson_ratio = 0.06
+[protocols.tiny]
+stylus = { lengths = ["20 um"], step = "0.2 um", tip_radius = "5 um" }
+afm = { sizes = ["100 nm"], pixels = 32 }
+tem = { lengths = ["20 nm"], noise = "0.01 nm" }
+[surfaces.A]
+protocol = "tiny"
+spectrum = { model = "self_affine", hurst_exponent = 0.8, rolloff_wavelength = "1 um", short_wavelength = "1 nm", rms_slope = 0.5 }
+[surfaces.B]
+protocol = "tiny"
+skewness = 0.5
+spectrum = { model = "two_slopes", hurst_exponent = 0.9, short_hurst_exponent = 0.7, crossover_wavelength = "50 nm", rolloff_wavelength = "1 um", short_wavelength = "1 nm", rms_height = "10 nm" }
+[elastomers.soft]
+youngs_modulus = "0.7 MPa"
+surface_energy = "25 ± 1 mJ/m2"
+sphere_radius = "1.25 mm"
+[loops]
+reference_work = "40 mJ/m2"
+force_noise = "0.1 uN"
+loss_factor = 1.2
+)";
+
+fs::path scratch(const std::string& name) {
+    const fs::path folder = fs::path(testing::TempDir()) / ("setae_data_set_" + name);
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+Recipe recipe_of(const std::string& text, const std::string& name) {
+    const std::string path = (scratch(name) / "recipe.toml").string();
+    bytes::write_whole_file(path, text);
+    return read_recipe(path);
+}
+
+KnownSurface self_affine(const spectra::SelfAffine& model, double skewness = 0.0) {
+    return {.C_iso = spectra::density(model),
+            .rolloff_wavelength = 2.0 * pi / model.rolloff_wavevector,
+            .short_wavelength = 2.0 * pi / model.short_wavevector,
+            .skewness = skewness};
+}
+
+constexpr spectra::SelfAffine model{.plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
+
+TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
+    const SurfaceTruth truth = surface_truth(self_affine(model));
+    EXPECT_NEAR(truth.parameters.rms_height / spectra::rms_height(model), 1.0, 1e-6);
+    EXPECT_NEAR(truth.parameters.rms_slope / spectra::rms_slope(model), 1.0, 1e-6);
+    EXPECT_NEAR(truth.parameters.rms_curvature / spectra::rms_curvature(model), 1.0, 1e-6);
+    EXPECT_NEAR(truth.parameters.elastic_energy_per_modulus / (spectra::moment(model, 1.0) / (8.0 * pi)), 1.0, 1e-6);
+    const Array1D exact = spectra::profile_power_spectrum(model, truth.C1D.wavevector);
+    const Index inner = truth.C1D.wavevector.size() - 3;  // profile_density is less exact close to q_s, and 1.2e-3 off at the roll-off, where C_iso bends between nodes
+    for (Index i = 0; i < inner; ++i) EXPECT_NEAR(truth.C1D.values[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
+}
+
+TEST(SurfaceTruth, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
+    const SurfaceTruth gaussian = surface_truth(self_affine(model)), skewed = surface_truth(self_affine(model, 1e-3));
+    EXPECT_NEAR(skewed.parameters.rms_slope / gaussian.parameters.rms_slope, 1.0, 1e-5);
+    EXPECT_NEAR(skewed.parameters.rms_curvature / gaussian.parameters.rms_curvature, 1.0, 1e-5);
+    EXPECT_NEAR(skewed.area_ratio, gaussian.area_ratio, 1e-5);
+    EXPECT_NEAR(skewed.parameters.elastic_energy_per_modulus / gaussian.parameters.elastic_energy_per_modulus, 1.0, 1e-3);
+}
+
+TEST(SurfaceTruth, OfLogNormalHeightsStretchesSlopesByItsVariance) {
+    // g = (exp(σz − σ²/2) − 1)/√(e^σ² − 1): ⟨g'²⟩ = σ² e^σ²/(e^σ² − 1); a skewness of 0.6 has σ = 0.195550204
+    constexpr double sigma2 = 0.195550204 * 0.195550204;
+    const double stretch = sigma2 * std::exp(sigma2) / std::expm1(sigma2);
+    const double skewed = surface_truth(self_affine(model, 0.6)).parameters.rms_slope;
+    EXPECT_NEAR(std::pow(skewed / spectra::rms_slope(model), 2), stretch, 1e-5);
+}
+
+TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
+    const Recipe recipe = recipe_of(small_recipe, "planted");
+    const auto loops = planted_loops(recipe);
+    ASSERT_EQ(loops.size(), 4u);
+    const SurfaceTruth surface = surface_truth(recipe.surfaces[0].surface);
+    EXPECT_NEAR(surface.parameters.rms_slope, 0.5, 1e-9);
+    const double r = surface.area_ratio, E = loops[0].specimen.contact_modulus;
+    EXPECT_NEAR(E, 0.7e6 / 0.75, 2e-6 * E);  // diamond is 1.6e6 times stiffer
+    EXPECT_NEAR(loops[0].specimen.work_approach, 0.037 * r - 0.025 * (r - 1.0) - E * surface.parameters.elastic_energy_per_modulus, 1e-12);
+    EXPECT_NEAR(loops[0].truth.energy_loss() / (1.2 * 0.037 * r * loops[0].truth.largest_contact_area()), 1.0, 1e-9);
+    EXPECT_EQ(loops[2].specimen.work_retraction, 0.040);
+    EXPECT_EQ(loops[3].stage, "after");
+}
+
+TEST(PlantedLoops, WhichWouldNotConformAreRefusedByName) {
+    Recipe recipe = recipe_of(small_recipe, "stiff");
+    recipe.elastomers[0].youngs_modulus = 1e9;
+    try {
+        (void)planted_loops(recipe);
+        FAIL();
+    } catch (const InvalidArgument& error) {
+        EXPECT_NE(std::string(error.what()).find("surface A on elastomer soft"), std::string::npos) << error.what();
+    }
+}
+
+TEST(MakeDataSet, GivesTheSameBytesForAnyNumberOfThreadsAndOthersForAnotherSeed) {
+    Recipe recipe = recipe_of(small_recipe, "recipe");
+    recipe.loops.reset();
+    const fs::path one = scratch("one"), three = scratch("three"), other = scratch("other");
+    const auto files = make(recipe, one.string(), {1});
+    EXPECT_EQ(files, make(recipe, three.string(), {3}));
+    recipe.seed = 4;
+    make(recipe, other.string(), {2});
+    for (const auto& file : files)
+        EXPECT_EQ(bytes::read_file((one / file).string()), bytes::read_file((three / file).string())) << file;
+    for (const char* file : {"A/stylus_1.csv", "A/afm_1.txt", "A/tem_1.csv"})
+        EXPECT_NE(bytes::read_file((one / file).string()), bytes::read_file((other / file).string())) << file;
+    const auto map = std::get<topography::HeightMap>(formats::read((one / "A/afm_1.txt").string(), 0, {}));
+    EXPECT_EQ(map.heights.rows(), 32);
+    EXPECT_NEAR(map.size[0], 100e-9, 1e-15);
+}
+
+TEST(ReadRecipe, NamesWhatContradictsItself) {
+    const auto message = [](const std::string& from, const std::string& to) {
+        std::string text = small_recipe;
+        text.replace(text.find(from), from.size(), to);
+        try {
+            (void)recipe_of(text, "bad");
+        } catch (const FormatError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(message("rms_slope = 0.5", "rms_slope = 0.5, rms_height = \"1 nm\"").find("exactly one"), std::string::npos);
+    EXPECT_NE(message("protocol = \"tiny\"", "protocol = \"tny\"").find("'tny' is not declared"), std::string::npos);
+    EXPECT_NE(message("loss_factor", "los_factor").find("loss_factor"), std::string::npos);
+    EXPECT_NE(message("rolloff_wavelength = \"1 um\"", "rolloff_wavelength = \"0.5 nm\""), "");
+}
+
+}  // namespace
+}  // namespace setae::simulation

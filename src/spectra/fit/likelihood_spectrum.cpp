@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include "observed_groups.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/estimate.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/spectral_fit/contour_kernel.hpp"
+#include "setae/spectral_fit/hat_node.hpp"
+#include "setae/spectral_fit/independent_lines.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/numerics/random_numbers.hpp"
+
+namespace setae::spectral_fit {
+namespace {
+
+/// Σ |ρ|² over the modes of a group of its own size under the Hann window: their mean is worth size/this values.
+double shared_within(double size) { return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size)); }
+
+/// Agreement below it is an alert: neighbouring groups share the window, so that chance goes further than χ² says.
+constexpr double improbable = 1e-6;
+
+/// τ² of each instrument.
+using Scatter = std::map<std::string, double>;
+
+/// Log-normal heights beyond it are another kind of surface.
+constexpr double most_skewness = 1.5;
+
+/// rms change of ln T, weighted by freedoms, that ends the rounds.
+constexpr double small_change = 0.005;
+
+/// Fit and everything it is repeated with.
+class JointFit {
+public:
+    JointFit(std::vector<ObservedGroup> groups, const SpectrumRange& range, const LikelihoodOptions& options)
+        : groups_(std::move(groups)), options_(options), spline_(range.lowest, range.shortest),
+          smoothness_{options.bend, 0.5, 8.0 * range.lowest / 0.6} {
+        for (auto& g : groups_) {
+            const Index n = g.data.wavevector.size();
+            g.data.log_transfer = g.data.amplitude_response = Array1D::Zero(n);
+            g.data.freedom = freedom(g, Array1D::Ones(n));
+        }
+    }
+
+    void run() {
+        refit();
+        find_independent_shares();
+        count_lines();
+        refit();
+        bool settled = !options_.tip_factor;
+        while (!settled && rounds_ < options_.rounds) {
+            settled = simulate_tips();
+            refit();
+            count_lines();
+            ++rounds_;
+        }
+        refit();
+    }
+
+    [[nodiscard]] LikelihoodSpectrum result() const {
+        LikelihoodSpectrum r;
+        const auto count = static_cast<Index>(std::floor(std::log(spline_.shortest() / std::exp(spline_.position(1))) / node_spacing + 1e-9)) + 1;
+        r.wavevector = spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
+        r.design = spline_.design(r.wavevector);
+        r.theta = fit_.theta;
+        const auto scatter = scatter_between_measurements();
+        r.covariance = full_covariance(scatter);
+        r.C_iso = (r.design * r.theta).array().exp();
+        r.standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
+        r.rounds = rounds_;
+        r.converged = fit_.converged;
+        r.band = used_band();
+        add_agreement(r);
+        add_scatter_alerts(r, scatter);
+        add_rolloff_alert(r);
+        for (const auto& g : groups_)
+            if (g.tip.log_transfer.size() > 0) r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
+        if (!r.converged)
+            r.alerts.push_back({"NOT_CONVERGED", "spectrum", fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
+                                "look at the agreement of each instrument; a measurement in the wrong unit does this"});
+        return r;
+    }
+
+private:
+    /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
+    [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
+        return g.data.wavevector[k] <= g.band_end && std::exp(g.data.log_transfer[k]) >= options_.least_transfer && g.data.periodogram[k] > 0.0;
+    }
+
+    /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
+    [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines) const {
+        Array1D result = g.independent_share * g.mode_counts * lines * static_cast<double>(g.measurements);
+        for (Index k = 0; k < result.size(); ++k)
+            if (!inside(g, k)) result[k] = 0.0;
+        return result;
+    }
+
+    void refit() {
+        std::vector<PeriodogramClass> classes;
+        for (const auto& g : groups_) classes.push_back(g.data);
+        fit_ = fit_whittle(classes, spline_, smoothness_, fit_.theta);
+    }
+
+    [[nodiscard]] spectra::SpectralDensity C_iso() const {
+        return [this, theta = fit_.theta](double q) { return spline_.value(theta, q); };
+    }
+
+    void find_independent_shares() {
+        for (auto& g : groups_) {
+            if (!g.contour) continue;
+            const Array1D C_iso = g.data.nodes.unaryExpr([&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+            g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
+        }
+    }
+
+    void count_lines() {
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            auto& g = groups_[c];
+            const Index n = g.data.wavevector.size();
+            Array1D lines = Array1D::Ones(n);
+            if (g.lines > 1) {
+                const double noise = std::exp(fit_.log_noise[static_cast<Index>(c)]);
+                const Array1D signal = (1.0 - g.data.noise_response * noise / fit_.expected[c]).max(0.0).min(1.0);
+                lines = independent_lines(C_iso(), g.data.wavevector, signal, g.lines, g.pitch);
+            }
+            g.data.freedom = freedom(g, lines);
+        }
+    }
+
+    [[nodiscard]] double median_wavelength() const {
+        const double total = spline_moment(spline_, fit_.theta, 1.0, spline_.shortest()).value;
+        double lower = std::log(std::exp(spline_.position(1)) * 0.1), upper = std::log(spline_.shortest());
+        for (int i = 0; i < 40; ++i) {
+            const double middle = 0.5 * (lower + upper);
+            (spline_moment(spline_, fit_.theta, 1.0, std::exp(middle)).value < 0.5 * total ? lower : upper) = middle;
+        }
+        return 2.0 * pi / std::exp(0.5 * (lower + upper));
+    }
+
+    /// C1D of the fit on ten wavevectors a decade.
+    [[nodiscard]] spectra::SpectralDensity C1D() const {
+        const double lowest = std::exp(spline_.position(1)), end = spline_.shortest();
+        const auto nodes = static_cast<Index>(std::ceil(20.0 * std::log10(end / lowest)));
+        const Array1D q = Array1D::LinSpaced(nodes + 1, std::log(lowest), std::log(end)).exp();
+        const Array1D values = q.unaryExpr([&](double x) { return spline_.value(fit_.theta, std::min(x, end)); });
+        Array1D line = spectra::profile_from_isotropic(q, values, q.head(nodes));
+        const Array1D at = q.head(nodes);
+        return spectra::tabulated_density(at, line);
+    }
+
+    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as the tip reads them. Whether T was what the derivatives had
+    /// led the fit to expect.
+    bool simulate_tips() {
+        if (rounds_ == 0) wavelength_ = median_wavelength();
+        const auto line_density = C1D();
+        std::map<double, bool> done;
+        double change = 0.0, weight = 0.0;
+        for (auto& g : groups_) {
+            if (!(g.tip_radius > 0.0)) continue;
+            if (!done[g.tip_radius]) simulate_tip(g.tip_radius);
+            done[g.tip_radius] = true;
+            const Array1D expected = expected_transfer(g);
+            g.tip = sampled(responses_.at(g.tip_radius), line_density, g.pixel_size, g.data.wavevector);
+            change += (g.data.freedom * (g.tip.log_transfer - expected).square()).sum();
+            weight += g.data.freedom.sum();
+            g.data.log_transfer = g.tip.log_transfer;
+            g.data.amplitude_response = g.tip.amplitude_response;
+            const bool fine = g.tip_radius < 0.25 * wavelength_;
+            g.data.amplitude_order = fine ? 5.0 : 1.0;
+            g.data.amplitude_end = fine ? pi / g.tip_radius : spline_.shortest();
+            g.data.reference_amplitude = amplitude(g);
+        }
+        return rounds_ > 0 && change < small_change * small_change * weight;
+    }
+
+    void simulate_tip(double radius) {
+        const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) { return g.tip_radius == radius && g.tip_radius_error > 0.0; });
+        TipSimulation simulation{.tip_radius = radius,
+                                 .step = simulation_step(radius, wavelength_, 0.5 * options_.shortest_wavelength),
+                                 .points = options_.tip_points,
+                                 .radius_response = uncertain,
+                                 .correlation_length = 0.5 * wavelength_,
+                                 .seed = options_.seed,
+                                 .threads = options_.threads};
+        const auto skewness = surface_skewness(simulation);
+        const bool newly_skewed = skewness.uncertain() && !skewness_[radius].uncertain();
+        skewness_[radius] = skewness;
+        simulation.skewness = skewness.value;
+        simulation.skewness_response = skewness.uncertain();
+        if (rounds_ == 0 || newly_skewed) {
+            simulation.repetitions = 1;
+            responses_[radius] = tip_response(C_iso(), simulation);
+        } else {
+            responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
+        }
+    }
+
+    /// Of the surface's heights: what the tip has read less what it adds to them. 0 and certain unless the readings of at least three
+    /// measurements show that the heights are not Gaussian, and where the simulated patch lacks the longest waves.
+    [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
+        constexpr double waves_a_patch = 8.0, significant = 4.0;
+        const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.tip_radius);
+        if (!measured.uncertain() || simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_) return gaussian;
+        auto skewed = simulation;
+        if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.tip_radius).value;
+        const double excess = measured.value - added_skewness(C_iso(), skewed);
+        if (std::abs(excess) < significant * measured.standard_error) return gaussian;
+        return {std::clamp(excess, -most_skewness, most_skewness), measured.standard_error};
+    }
+
+    /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.
+    [[nodiscard]] Estimate measured_skewness(double radius) const {
+        std::vector<double> values;
+        for (const auto& g : groups_)
+            if (g.tip_radius == radius) values.insert(values.end(), g.skewness.begin(), g.skewness.end());
+        const auto n = static_cast<double>(values.size());
+        double mean = 0.0, squares = 0.0;
+        for (const double v : values) mean += v / n;
+        for (const double v : values) squares += (v - mean) * (v - mean);
+        return {mean, values.size() < 3 ? undefined : std::sqrt(squares / (n * (n - 1.0)))};
+    }
+
+    /// A that T answers to.
+    [[nodiscard]] double amplitude(const ObservedGroup& g) const {
+        return spline_moment(spline_, fit_.theta, g.data.amplitude_order, g.data.amplitude_end).value;
+    }
+
+    /// ln T the fit has used.
+    [[nodiscard]] Array1D expected_transfer(const ObservedGroup& g) const {
+        if (!(g.data.reference_amplitude > 0.0)) return g.data.log_transfer;
+        return g.data.log_transfer + g.data.amplitude_response * std::log(amplitude(g) / g.data.reference_amplitude);
+    }
+
+    /// How the spectrum answers to relative changes of a group's periodograms.
+    [[nodiscard]] Eigen::MatrixXd answer(std::size_t c) const {
+        return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
+    }
+
+    /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m = Σ ν (P/E − 1)/Σ ν
+    /// scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0 unless Σ b²Σν is
+    /// significantly larger than their number.
+    [[nodiscard]] Scatter scatter_between_measurements() const {
+        struct Sum {
+            double chi_squared = 0.0, excess = 0.0;
+            int count = 0;
+        };
+        std::map<std::string, Sum> sums;
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            const auto& g = groups_[c];
+            const double freedom = g.data.freedom.sum() / g.measurements;
+            if (!(freedom > 0.0)) continue;
+            auto& sum = sums[g.data.instrument];
+            for (const auto& periodogram : g.periodograms) {
+                const double departure = (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
+                sum.chi_squared += departure * departure * freedom;
+                sum.excess += departure * departure - 1.0 / freedom;
+                ++sum.count;
+            }
+        }
+        constexpr double significant = 0.01;
+        Scatter variance;
+        for (const auto& [instrument, sum] : sums) {
+            const double probability = chi_squared_exceedance(sum.chi_squared, sum.count);
+            variance[instrument] = probability < significant ? std::max(0.0, sum.excess / sum.count) : 0.0;
+        }
+        return variance;
+    }
+
+    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself, and what
+    /// measurements differ by as wholes.
+    [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
+        Eigen::MatrixXd covariance = fit_.covariance;
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            const auto found = scatter.find(groups_[c].data.instrument);
+            if (found == scatter.end() || found->second == 0.0) continue;
+            const Eigen::VectorXd together = answer(c).rowwise().sum();
+            covariance += together * together.transpose() * (found->second / groups_[c].measurements);
+        }
+        for (const auto& [radius, response] : responses_) {
+            // a column a repetition, then by the radius, then by the skewness
+            const Index repetitions = response.simulation_errors.rows();
+            const auto& skewness = skewness_.at(radius);
+            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 2);
+            for (std::size_t c = 0; c < groups_.size(); ++c) {
+                const auto& g = groups_[c];
+                if (g.tip_radius != radius) continue;
+                const Eigen::MatrixXd answers = answer(c);
+                moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
+                moved.col(repetitions) += answers * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+                moved.col(repetitions + 1) += answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
+            }
+            covariance += moved * moved.transpose();
+        }
+        return covariance;
+    }
+
+    [[nodiscard]] Band used_band() const {
+        Band band{std::numeric_limits<double>::infinity(), 0.0};
+        for (const auto& g : groups_)
+            for (Index k = 0; k < g.data.wavevector.size(); ++k)
+                if (inside(g, k)) {
+                    band.lower = std::min(band.lower, g.data.wavevector[k]);
+                    band.upper = std::max(band.upper, g.data.wavevector[k]);
+                }
+        return band;
+    }
+
+    /// Where the longest waves seen still carry about as much of the mean square height, q² C_iso per ln q, as any.
+    static void add_rolloff_alert(LikelihoodSpectrum& r) {
+        constexpr double much = 0.5;
+        const Array1D height = (r.wavevector >= r.band.lower).select(r.wavevector.square() * r.C_iso, 0.0);
+        const auto first = std::lower_bound(r.wavevector.data(), r.wavevector.data() + r.wavevector.size(), r.band.lower) - r.wavevector.data();
+        if (first == r.wavevector.size() || height[first] < much * height.maxCoeff()) return;
+        r.alerts.push_back({"ROLLOFF_NOT_SEEN", "spectrum",
+                            fmt::format("it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
+                                        2.0e6 * pi / r.band.lower),
+                            "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
+    }
+
+    static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
+        for (const auto& [instrument, variance] : scatter)
+            if (variance > 0.0)
+                r.alerts.push_back({"MEASUREMENTS_SCATTER", instrument,
+                                    fmt::format("its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it", 100.0 * std::sqrt(variance)),
+                                    "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
+    }
+
+    void add_agreement(LikelihoodSpectrum& r) const {
+        std::map<std::pair<std::string, int>, Agreement> rows;
+        std::map<std::pair<std::string, int>, double> weights;
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            const auto& g = groups_[c];
+            for (Index k = 0; k < g.data.wavevector.size(); ++k) {
+                if (!inside(g, k)) continue;
+                const std::pair key{g.data.instrument, static_cast<int>(std::floor(std::log10(g.data.wavevector[k])))};
+                auto& row = rows[key];
+                const double ratio = g.data.periodogram[k] / fit_.expected[c][k], nu = g.data.freedom[k];
+                row.ratio = (weights[key] * (weights[key] > 0.0 ? row.ratio : 0.0) + nu * ratio) / (weights[key] + nu);
+                weights[key] += nu;
+                const double own = nu / (g.independent_share[k] * shared_within(g.mode_counts[k]));
+                row.standard_error += nu * nu / own;
+                row.chi_squared += 2.0 * own * (ratio - 1.0 - std::log(ratio)) / (1.0 + 1.0 / (6.0 * own));
+                ++row.groups;
+            }
+        }
+        for (auto& [key, row] : rows) {
+            row.instrument = key.first;
+            row.decade = key.second;
+            row.standard_error = std::sqrt(row.standard_error) / weights[key];
+            row.probability = chi_squared_exceedance(row.chi_squared, row.groups);
+            if (row.probability < improbable)
+                r.alerts.push_back({"INSTRUMENTS_DISAGREE", row.instrument,
+                                    fmt::format("between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
+                                                row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),
+                                    "check its calibration, tip radius and shape; look at its own spectrum beside the others"});
+            r.agreement.push_back(row);
+        }
+    }
+
+    std::vector<ObservedGroup> groups_;
+    LikelihoodOptions options_;
+    LogSpline spline_;
+    Smoothness smoothness_;
+    WhittleFit fit_;
+    std::map<double, TipResponse> responses_;  ///< by radius
+    std::map<double, Estimate> skewness_;      ///< of the surface's heights, by radius of the tip that read them
+    double wavelength_ = 0.0;                  ///< half of ∫ q C_iso dq lies below it
+    int rounds_ = 0;
+};
+
+}  // namespace
+
+LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
+    const auto range = spectrum_range(observed, options);
+    JointFit fit(observed_groups(observed, range, options), range, options);
+    fit.run();
+    return fit.result();
+}
+
+Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed) {
+    const Index n = spectrum.theta.size();
+    const Eigen::LLT<Eigen::MatrixXd> root(0.5 * (spectrum.covariance + spectrum.covariance.transpose()));
+    if (root.info() != Eigen::Success) throw InternalError("covariance of the spectrum is not positive definite");
+    const Eigen::MatrixXd lower = root.matrixL();
+    Array2D result(count, spectrum.wavevector.size());
+    Array1D normal(n);
+    for (Index r = 0; r < count; ++r) {
+        numerics::fill_normal({seed, 0}, static_cast<std::uint64_t>(r * n), normal);
+        result.row(r) = (spectrum.design * (spectrum.theta + lower * normal.matrix())).array().exp().transpose();
+    }
+    return result;
+}
+
+}  // namespace setae::spectral_fit

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
+#include "setae/spectral_fit/tip_response.hpp"
+#include "setae/spectral_fit/whittle_fit.hpp"
+
+namespace setae::spectral_fit {
+
+/// Measurements of one shape by one instrument: what the fit sees of them and what they were.
+struct ObservedGroup {
+    PeriodogramClass data;
+    double tip_radius = 0.0;        ///< [m]; 0: no tip
+    double tip_radius_error = 0.0;  ///< [m]
+    double pixel_size = 0.0;        ///< [m]; 0 for contours
+    double pitch = 0.0;             ///< between lines [m]
+    Index lines = 1;                ///< of one measurement
+    int measurements = 0;
+    std::vector<Array1D> periodograms;  ///< of each measurement [m³]
+    std::vector<double> skewness;   ///< of the heights of each measurement with a tip
+    double band_end = 0.0;          ///< geometric mean of the reliable bands' ends [1/m]
+    Array1D mode_counts;            ///< modes in each group of modes
+    Array1D independent_share;      ///< ω of each group of modes
+    const topography::Profile* contour = nullptr;  ///< where it is one
+    SampledResponse tip;
+};
+
+/// From the lowest wavevector of the spectrum to q_s [1/m].
+struct SpectrumRange {
+    double lowest = 0.0;
+    double shortest = 0.0;
+};
+
+/// @throws InvalidArgument without measurements or for a shortest wavelength that is not positive.
+[[nodiscard]] SpectrumRange spectrum_range(std::span<const ObservedSurface> observed, const LikelihoodOptions& options);
+
+/// Periodograms with their kernels, measurements of one shape averaged; freedoms are left to the fit. Contours stand alone,
+/// are pointed to, and have the ω of equal steps until their spectrum is known.
+[[nodiscard]] std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed, const SpectrumRange& range,
+                                                         const LikelihoodOptions& options);
+
+}  // namespace setae::spectral_fit

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectral_fit/tip_response.hpp"
+
+#include <cmath>
+#include <complex>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/synthesis/random_surface.hpp"
+#include "setae/topography/dilation.hpp"
+
+namespace setae::spectral_fit {
+namespace {
+
+/// Flat below 2π/1 µm, falling as q^-5 above, with a given rms slope.
+spectra::SpectralDensity gentle(double slope) {
+    const double bend = 2.0 * pi / 1e-6;
+    // h'² = (1/2π) ∫ q³ C dq = (c/2π) (1/4 + 1) q_b⁴
+    const double level = 2.0 * pi * slope * slope / (1.25 * std::pow(bend, 4));
+    return [=](double q) { return level * (q < bend ? 1.0 : std::pow(q / bend, -5.0)); };
+}
+
+TipSimulation simulation(double radius) {
+    return {.tip_radius = radius, .step = 10e-9, .points = 512, .repetitions = 1, .correlation_length = 300e-9, .threads = {1}};
+}
+
+double at(const Array1D& x, const Array1D& y, double wavevector) {
+    Index i = 0;
+    (x - wavevector).abs().minCoeff(&i);
+    return y[i];
+}
+
+TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
+    const auto response = tip_response(gentle(0.01), simulation(50e-9));
+    EXPECT_LT(response.log_transfer.abs().maxCoeff(), 2e-3);
+}
+
+// The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of sixteen
+// lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation behind T to as much.
+TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
+    auto options = simulation(1e-6);
+    options.repetitions = 4;
+    options.radius_response = false;
+    const auto response = tip_response(gentle(0.1), options);
+    constexpr Index n = 512, first = 10, last = 22;
+    double plain = 0.0, read = 0.0;
+    const auto band_power = [](const Array2D& heights) {
+        double sum = 0.0;
+        for (Index j = 0; j < n; j += 8)
+            for (Index k = first; k <= last; ++k) {
+                std::complex<double> mode = 0.0;
+                for (Index i = 0; i < n; ++i) mode += heights(i, j) * std::polar(1.0, -2.0 * pi * static_cast<double>(i * k) / n);
+                sum += std::norm(mode);
+            }
+        return sum;
+    };
+    for (std::uint64_t r = 0; r < 4; ++r) {
+        const auto surface = synthesis::random_surface(gentle(0.1), {n, n, n * options.step, n * options.step}, {.key = {77, r}, .threads = {1}});
+        plain += band_power(surface.heights);
+        read += band_power(topography::dilated(surface, topography::SphereTip{1e-6}, {.threads = {1}}).heights);
+    }
+    double expected = 0.0, weight = 0.0;
+    for (Index k = first; k <= last; ++k) {
+        const double q = 2.0 * pi * static_cast<double>(k) / (n * options.step), C1D = std::pow(q, -4.0);
+        expected += C1D * std::exp(at(response.wavevector, response.log_transfer, q));
+        weight += C1D;
+    }
+    EXPECT_LT(read / plain, 0.9);
+    EXPECT_NEAR(read / plain, expected / weight, 0.09);
+}
+
+// Smoothing is linear, so that differences of ln T between two radii, or two amplitudes, are the derivatives themselves.
+TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
+    const auto C_iso = gentle(0.1);
+    const auto response = tip_response(C_iso, simulation(1e-6)), blunter = tip_response(C_iso, simulation(1.1e-6)),
+               higher = tip_response([&](double q) { return 1.2 * C_iso(q); }, simulation(1e-6));
+    EXPECT_NEAR(((blunter.log_transfer - response.log_transfer) / std::log(1.1) - response.radius_response).abs().maxCoeff(), 0.0, 1e-9);
+    EXPECT_NEAR(((higher.log_transfer - response.log_transfer) / std::log(1.2) - response.amplitude_response).abs().maxCoeff(), 0.0, 1e-9);
+    EXPECT_LT(at(response.wavevector, response.radius_response, 2.0 * pi / 300e-9), -0.05);
+}
+
+// A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than they are.
+TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
+    auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
+    peaks.skewness = 0.8;
+    valleys.skewness = -0.8;
+    gaussian.skewness_response = true;
+    const auto C_iso = gentle(0.1);
+    const double q = 2.0 * pi / 600e-9;
+    const auto of_gaussian = tip_response(C_iso, gaussian);
+    const auto loss = [&](const TipResponse& r) { return at(r.wavevector, r.log_transfer, q); };
+    EXPECT_GT(loss(tip_response(C_iso, peaks)), loss(of_gaussian) + 0.02);
+    EXPECT_LT(loss(tip_response(C_iso, valleys)), loss(of_gaussian) - 0.02);
+    EXPECT_GT(at(of_gaussian.wavevector, of_gaussian.skewness_response, q), 0.02);
+    EXPECT_GT(added_skewness(C_iso, gaussian), 0.02);
+}
+
+TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
+    const auto first = tip_response(gentle(0.02), simulation(1e-6));
+    const auto again = tip_response(gentle(0.021), simulation(1e-6), first);
+    EXPECT_TRUE((again.amplitude_response == first.amplitude_response).all());
+    EXPECT_TRUE((again.radius_response == first.radius_response).all());
+    // T itself is what the derivative foretold
+    const double q = 2.0 * pi / 400e-9, change = std::log(1.05 * 1.05);
+    EXPECT_NEAR(at(again.wavevector, again.log_transfer, q),
+                at(first.wavevector, first.log_transfer, q) + change * at(first.wavevector, first.amplitude_response, q), 2e-3);
+}
+
+TEST(TipResponse, IsTheSameForAnyNumberOfThreads) {
+    auto two = simulation(1e-6);
+    two.threads = {2};
+    two.repetitions = 2;
+    auto one = two;
+    one.threads = {1};
+    const auto a = tip_response(gentle(0.05), one), b = tip_response(gentle(0.05), two);
+    EXPECT_TRUE((a.log_transfer == b.log_transfer).all());
+    EXPECT_TRUE((a.simulation_errors == b.simulation_errors).all());
+}
+
+// Two repetitions a and b: the mean is uncertain by ± (a − b)/2, each mode with its own sign.
+TEST(TipResponse, KnowsTheNoiseOfItsSimulation) {
+    auto options = simulation(1e-6);
+    EXPECT_EQ(tip_response(gentle(0.1), options).simulation_errors.rows(), 0);
+    options.repetitions = 2;
+    const auto errors = tip_response(gentle(0.1), options).simulation_errors;
+    ASSERT_EQ(errors.rows(), 2);
+    EXPECT_GT(errors.row(0).abs().maxCoeff(), 1e-4);
+    EXPECT_LT((errors.row(0) + errors.row(1)).abs().maxCoeff(), 1e-12);
+}
+
+TEST(TipResponse, RefusesImpossibleTips) {
+    EXPECT_THROW((void)tip_response(gentle(0.1), simulation(0.0)), InvalidArgument);
+    auto without_step = simulation(1e-6);
+    without_step.step = 0.0;
+    EXPECT_THROW((void)tip_response(gentle(0.1), without_step), InvalidArgument);
+}
+
+// A line read every pixel: aliases are weighted with their C1D. Two waves, one of them folded on the other.
+TEST(SampledResponse, WeighsAliasesByTheirPower) {
+    TipResponse response;
+    response.wavevector = Array1D::LinSpaced(2, 1e6, 9e6);
+    response.log_transfer = Array1D(2);
+    response.log_transfer << 0.0, std::log(0.5);
+    response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(2);
+    const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 fold together
+    const auto C1D = [](double q) { return std::abs(q - 1e6) < 1.0 ? 3.0 : std::abs(q - 9e6) < 1.0 ? 1.0 : 0.0; };
+    const auto found = sampled(response, C1D, pixel, Array1D::Constant(1, 1e6));
+    EXPECT_NEAR(std::exp(found.log_transfer[0]), (3.0 + 0.5) / 4.0, 1e-12);
+}
+
+TEST(SimulationStep, IsTheFinerOfWaveAndTipButNoFinerThanAsked) {
+    EXPECT_DOUBLE_EQ(simulation_step(10e-9, 1e-6, 2e-10), 0.5e-9);
+    EXPECT_DOUBLE_EQ(simulation_step(5e-6, 1e-6, 2e-10), 20e-9);
+    EXPECT_DOUBLE_EQ(simulation_step(1e-9, 1e-6, 2e-10), 2e-10);
+}
+
+}  // namespace
+}  // namespace setae::spectral_fit

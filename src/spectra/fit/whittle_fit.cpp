@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/spectral_fit/whittle_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SparseCore>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::spectral_fit {
+namespace {
+
+/// What is known of ln σ² before the fit.
+struct NoisePrior {
+    double centre, deviation;
+    double bound;       ///< ln of the least P/N of any mode: more noise there cannot be
+    bool seen = false;  ///< as the floor of the periodogram
+    bool known = false;  ///< beforehand
+};
+
+/// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave, noise is what is left of
+/// the upper one when a surface falling sixfold an octave is taken off, (6 − r)/5 of it: a surface alone falls at least threefold there,
+/// aliases included. Else the bound is all that is known; far below it noise does not matter, and data that need more will say so at
+/// little cost.
+NoisePrior noise_prior(const PeriodogramClass& data) {
+    constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, known_to = 0.3, unknown_to = 3.0, weakest = 1e-60;
+    const double share_of_bound = std::log(1e-3);
+    const Array1D level = (data.periodogram / data.noise_response).max(weakest);
+    const double nyquist = data.wavevector[data.wavevector.size() - 1], bound = std::log(level.minCoeff());
+    double sums[2] = {0.0, 0.0};
+    Index counts[2] = {0, 0};
+    for (Index k = 0; k < level.size(); ++k) {
+        if (data.wavevector[k] < 0.25 * nyquist) continue;
+        const int octave = data.wavevector[k] < 0.5 * nyquist ? 0 : 1;
+        sums[octave] += level[k];
+        ++counts[octave];
+    }
+    const double lower = sums[0] / static_cast<double>(counts[0]), upper = sums[1] / static_cast<double>(counts[1]);
+    if (lower > hardly * upper || level.maxCoeff() < far * upper) return {bound + share_of_bound, unknown_to, bound};
+    const double left = (sixfold - std::max(1.0, lower / upper)) / (sixfold - 1.0);
+    return {std::log(left * upper), known_to, bound, true};
+}
+
+/// One a class, of those with noise. What one class of an instrument shows is expected of its others, to a factor of e in σ².
+std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classes) {
+    constexpr double like_others = 1.0;
+    std::vector<NoisePrior> priors(classes.size());
+    std::map<std::string, std::pair<double, int>> seen;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        if (classes[c].noise_response.size() == 0) continue;
+        if (classes[c].noise_known_to > 0.0) {
+            priors[c] = {0.0, classes[c].noise_known_to, 0.0, false, true};
+            continue;
+        }
+        priors[c] = noise_prior(classes[c]);
+        if (!priors[c].seen) continue;
+        auto& [sum, count] = seen[classes[c].instrument];
+        sum += priors[c].centre;
+        ++count;
+    }
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        const auto found = seen.find(classes[c].instrument);
+        if (found == seen.end() || priors[c].seen || priors[c].known) continue;
+        priors[c].centre = std::min(found->second.first / found->second.second, priors[c].bound);
+        priors[c].deviation = like_others;
+    }
+    return priors;
+}
+
+/// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is known beforehand.
+class Problem {
+public:
+    Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
+        : classes_(classes), spline_(spline), parameters_(spline.coefficients()) {
+        for (const auto& c : classes) {
+            designs_.push_back(spline.design(c.nodes).sparseView());
+            noise_index_.push_back(index_of_noise(c));
+            responds_ = responds_ || c.reference_amplitude > 0.0;
+        }
+        prior_centre_ = Eigen::VectorXd::Zero(parameters_);
+        precision_ = Eigen::MatrixXd::Zero(parameters_, parameters_);
+        add_smoothness(smoothness);
+        add_noise_priors();
+    }
+
+    [[nodiscard]] Index parameters() const { return parameters_; }
+    [[nodiscard]] Index noise_index(std::size_t c) const { return noise_index_[c]; }
+    [[nodiscard]] const Eigen::VectorXd& prior_centre() const { return prior_centre_; }
+    [[nodiscard]] const Eigen::MatrixXd& precision() const { return precision_; }
+
+    struct State {
+        double objective = 0.0;
+        Eigen::VectorXd score;          // J₀ᵀνr − Q(x − centre)
+        Eigen::MatrixXd information;    // J₀ᵀνJ₀
+        Eigen::MatrixXd with_response;  // J₀ᵀν(J₀ + J_T)
+        std::vector<Eigen::MatrixXd> jacobian;
+        std::vector<Array1D> expected;
+    };
+
+    [[nodiscard]] State state(const Eigen::VectorXd& x) const {
+        State s;
+        const Eigen::VectorXd away = x - prior_centre_;
+        s.score = -(precision_ * away);
+        s.objective = -0.5 * away.dot(precision_ * away);
+        s.information = Eigen::MatrixXd::Zero(parameters_, parameters_);
+        s.with_response = s.information;
+        for (std::size_t c = 0; c < classes_.size(); ++c) add_class(c, x, s);
+        return s;
+    }
+
+    /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not raise it: the score
+    /// nearer to zero then, in the metric of the information.
+    [[nodiscard]] bool better(const State& next, const State& now) const {
+        constexpr double rounding = 1e-13;
+        if (!responds_) return next.objective > now.objective - rounding * std::abs(now.objective);
+        const Eigen::LDLT<Eigen::MatrixXd> metric(now.information + precision_);
+        return next.score.dot(metric.solve(next.score)) < now.score.dot(metric.solve(now.score));
+    }
+
+    /// A quadratic through ln(P/response) against ln q, by least squares with the freedoms as weights.
+    [[nodiscard]] Eigen::VectorXd start() const {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (const auto& c : classes_)
+            for (Index k = 0; k < c.wavevector.size(); ++k) {
+                if (!(c.freedom[k] > 0.0) || !(c.periodogram[k] > 0.0)) continue;
+                const double u = std::log(c.wavevector[k]);
+                const Eigen::Vector3d row(1.0, u, u * u);
+                const double weight = std::min(c.freedom[k], 10.0);
+                normal += weight * row * row.transpose();
+                right += weight * row * std::log(c.periodogram[k] * pi / c.wavevector[k]);
+            }
+        if (!(normal(0, 0) > 0.0)) throw InvalidArgument("no periodogram has a value inside its reliable band; nothing to fit a spectrum to");
+        const Eigen::Vector3d fit = normal.colPivHouseholderQr().solve(right);
+        Eigen::VectorXd x = prior_centre_;
+        for (Index m = 0; m < spline_.coefficients(); ++m) {
+            const double u = spline_.position(m);
+            x[m] = fit[0] + fit[1] * u + fit[2] * u * u;
+        }
+        return x;
+    }
+
+private:
+    /// Of a class's ln σ² among the parameters; −1 without.
+    [[nodiscard]] Index index_of_noise(const PeriodogramClass& c) {
+        if (c.noise_response.size() == 0) return -1;
+        if (!(c.noise_known_to > 0.0)) return parameters_++;
+        const auto [place, is_new] = known_noise_.emplace(c.instrument, parameters_);
+        if (is_new) ++parameters_;
+        return place->second;
+    }
+
+    void add_smoothness(const Smoothness& smoothness) {
+        const Index n = spline_.coefficients();
+        const double bend = 1.0 / (smoothness.bend * smoothness.bend), slope = 1.0 / (smoothness.slope * smoothness.slope);
+        for (Index m = 0; m + 2 < n; ++m) {
+            Eigen::Vector3d row(1.0, -2.0, 1.0);
+            precision_.block(m, m, 3, 3) += bend * row * row.transpose();
+        }
+        for (Index m = 0; m + 1 < n; ++m) {
+            if (std::exp(spline_.position(m + 1)) > smoothness.slope_end) break;
+            Eigen::Vector2d row(1.0, -1.0);
+            precision_.block(m, m, 2, 2) += slope * row * row.transpose();
+        }
+    }
+
+    void add_noise_priors() {
+        const auto priors = noise_priors(classes_);
+        for (std::size_t c = 0; c < classes_.size(); ++c) {
+            const Index at = noise_index_[c];
+            if (at < 0) continue;
+            prior_centre_[at] = priors[c].centre;
+            precision_(at, at) = 1.0 / (priors[c].deviation * priors[c].deviation);
+        }
+    }
+
+    void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
+        const auto& c = classes_[index];
+        const Eigen::VectorXd theta = x.head(spline_.coefficients());
+        const Array1D f = (designs_[index] * theta).array().exp();
+        Array1D log_transfer = c.log_transfer;
+        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
+        if (c.reference_amplitude > 0.0) {
+            const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
+            log_transfer += c.amplitude_response * std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            amplitude_slope = amplitude.gradient / amplitude.value;
+        }
+        const Eigen::MatrixXd scaled = (c.response.colwise() * log_transfer.exp()).matrix() * f.matrix().asDiagonal();
+        const Array1D surface = scaled.rowwise().sum().array();
+        Array1D expected = surface;
+        Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
+        derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
+        if (const Index at = noise_index_[index]; at >= 0) {
+            derivative.col(at) = (c.noise_response * std::exp(x[at])).matrix();
+            expected += derivative.col(at).array();
+        }
+        expected = expected.max(1e-300);
+        derivative = expected.inverse().matrix().asDiagonal() * derivative;
+        Eigen::MatrixXd total = derivative;
+        if (amplitude_slope.size() > 0) total.leftCols(spline_.coefficients()) += (c.amplitude_response * surface / expected).matrix() * amplitude_slope.transpose();
+        const Array1D ratio = c.periodogram / expected;
+        for (Index k = 0; k < ratio.size(); ++k)
+            if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
+        const Eigen::MatrixXd weighted = c.freedom.matrix().asDiagonal() * derivative;
+        s.score += weighted.transpose() * (ratio - 1.0).matrix();
+        s.information += weighted.transpose() * derivative;
+        s.with_response += weighted.transpose() * total;
+        s.jacobian.push_back(derivative.leftCols(spline_.coefficients()));
+        s.expected.push_back(expected);
+    }
+
+    const std::vector<PeriodogramClass>& classes_;
+    const LogSpline& spline_;
+    std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
+    std::vector<Index> noise_index_;
+    std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
+    Index parameters_;
+    bool responds_ = false;  ///< a tip's T to the fit
+    Eigen::VectorXd prior_centre_;
+    Eigen::MatrixXd precision_;
+};
+
+}  // namespace
+
+WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness,
+                       const Eigen::VectorXd& start) {
+    constexpr int most_iterations = 60;
+    constexpr double longest_step = 3.0, small_decrement = 1e-4;
+    const Problem problem(classes, spline, smoothness);
+    Eigen::VectorXd x = problem.start();
+    if (start.size() > 0) x.head(spline.coefficients()) = start;
+    WhittleFit fit;
+    auto state = problem.state(x);
+    double damping = 1e-3;
+    while (fit.iterations < most_iterations && !fit.converged) {
+        ++fit.iterations;
+        Eigen::MatrixXd matrix = state.with_response + problem.precision();
+        matrix.diagonal() += damping * (state.information + problem.precision()).diagonal();
+        Eigen::VectorXd step = matrix.partialPivLu().solve(state.score);
+        const double largest = step.cwiseAbs().maxCoeff();
+        if (largest > longest_step) step *= longest_step / largest;
+        auto next = problem.state(x + step);
+        if (std::isfinite(next.objective) && problem.better(next, state)) {
+            fit.converged = std::abs(step.dot(state.score)) < small_decrement;
+            x += step;
+            state = std::move(next);
+            damping = std::max(damping / 10.0, 1e-9);
+        } else {
+            damping *= 10.0;
+            if (damping > 1e8) break;
+        }
+    }
+    const Eigen::MatrixXd gain = (state.with_response + problem.precision()).inverse();
+    const Index n = spline.coefficients();
+    fit.covariance = (gain * (state.information + problem.precision()) * gain.transpose()).topLeftCorner(n, n);
+    fit.gain = gain.topLeftCorner(n, n);
+    fit.theta = x.head(n);
+    fit.log_noise = Array1D::Constant(static_cast<Index>(classes.size()), undefined);
+    for (std::size_t c = 0; c < classes.size(); ++c)
+        if (problem.noise_index(c) >= 0) fit.log_noise[static_cast<Index>(c)] = x[problem.noise_index(c)];
+    fit.jacobian = std::move(state.jacobian);
+    fit.expected = std::move(state.expected);
+    fit.log_likelihood = state.objective;
+    return fit;
+}
+
+SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order, double end) {
+    // ∫ q^{order+1} C d(ln q) by the midpoint rule, 40 a decade, and the closed form of the constant part
+    const double lowest = std::exp(spline.position(1)), upper = std::min(end, spline.shortest());
+    const double below = std::pow(std::min(lowest, upper), order + 1.0) / (order + 1.0);
+    const Index pieces = upper > lowest ? std::max<Index>(1, static_cast<Index>(std::ceil(40.0 * std::log10(upper / lowest)))) : 0;
+    const double width = pieces > 0 ? std::log(upper / lowest) / static_cast<double>(pieces) : 0.0;
+    Array1D q(pieces + 1), weight(pieces + 1);
+    q[0] = lowest;
+    weight[0] = below;
+    for (Index i = 0; i < pieces; ++i) {
+        q[i + 1] = lowest * std::exp(width * (static_cast<double>(i) + 0.5));
+        weight[i + 1] = width * std::pow(q[i + 1], order + 1.0);
+    }
+    const Eigen::MatrixXd design = spline.design(q);
+    const Array1D part = weight * (design * theta).array().exp();
+    return {part.sum(), design.transpose() * part.matrix()};
+}
+
+}  // namespace setae::spectral_fit

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+#include "setae/statistics/replicate_data.hpp"
+
+namespace setae::statistics {
+
+/// A variance that can be told from the others: between the groups of a level.
+struct DesignLevel {
+    std::vector<std::string> includes;  ///< names of the levels whose groups these are, outermost first
+    std::vector<int> group;             ///< of each row of the design, rising
+    int groups = 0;
+    int degrees_of_freedom = 0;
+};
+
+/// Rows in the order of their groups, so that every group's rows are neighbours, with the levels whose variances can be told.
+/// The last level, where there is any, has one row a group.
+struct NestedDesign {
+    std::vector<std::string> surfaces;
+    std::vector<std::size_t> rows;  ///< of the data
+    std::vector<int> surface;       ///< of each row of the design, rising
+    Array1D value;
+    Array1D known_variance;         ///< 0 where no standard error is known
+    std::vector<DesignLevel> levels;
+    std::vector<std::string> not_estimable;
+
+    [[nodiscard]] Index size() const { return value.size(); }
+};
+
+/// The design of some rows of valid data; surfaces in the order of their first row.
+[[nodiscard]] NestedDesign nested_design(const ReplicateData& data, const std::vector<std::size_t>& rows);
+
+/// Whether no row has a label at a level.
+[[nodiscard]] bool level_missing(const ReplicateData& data, std::size_t level);
+
+}  // namespace setae::statistics

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nested_design.hpp"
+#include "setae/core/arrays.hpp"
+
+namespace setae::statistics {
+
+/// Variances of a design's levels where its restricted likelihood is largest.
+struct LikelihoodMaximum {
+    Array1D variances;            ///< one a level, >= 0
+    double log_likelihood = 0.0;  ///< as VarianceFit
+    bool converged = true;
+};
+
+/// ln L_R of a design at given variances, one a level.
+[[nodiscard]] double log_restricted_likelihood(const NestedDesign& design, const Array1D& variances);
+
+/// The global maximum over variances >= 0: every set of levels at 0, the others by Newton steps in ln θ from several starts.
+[[nodiscard]] LikelihoodMaximum maximise_restricted_likelihood(const NestedDesign& design);
+
+/// A surface's mean at given variances.
+struct GeneralizedMean {
+    double value = 0.0;
+    double variance = 0.0;  ///< 1/1ᵀV⁻¹1
+    Array1D gradient;       ///< of the variance by each level's θ
+};
+
+/// What a design says of its means and variances at given θ.
+struct DesignInformation {
+    std::vector<GeneralizedMean> means;  ///< in the order of the surfaces
+    Array2D covariance;                  ///< of the variances: inverse of ½ tr(P Z_j Z_jᵀ P Z_k Z_kᵀ)
+};
+
+/// @throws InternalError where V cannot be inverted.
+[[nodiscard]] DesignInformation information_of(const NestedDesign& design, const Array1D& variances);
+
+}  // namespace setae::statistics

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/study/open_loop.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/imaging/contact_radius.hpp"
+#include "setae/tables/clocks.hpp"
+#include "setae/tables/loop_file.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::study {
+namespace {
+
+/// Messages of a computation begin with the file it is about.
+template <class Computation>
+auto naming(const std::string& file, Computation&& computation) {
+    const auto named = [&](const std::string& message) { return message.starts_with(file) ? message : file + ": " + message; };
+    try {
+        return computation();
+    } catch (const UndefinedDataError& error) {
+        throw UndefinedDataError(named(error.what()));
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(named(error.what()));
+    }
+}
+
+Table read_unmapped(const LoopSource& source) {
+    const auto file = bytes::file_source(source.file);
+    if (tables::is_loop_file(file)) return tables::read_loop(source.file);
+    if (tables::force_curve_format(file)) {
+        auto curve = tables::read_force_curve(file, source.force_curve);
+        if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
+            throw FormatError(source.file, {}, fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity", missing->second));
+        return curve;
+    }
+    return tables::read_loop_table(source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
+}
+
+/// Whether a path is pictures, not a table of radii.
+bool is_recording(const std::string& path) {
+    if (std::filesystem::is_directory(path)) return true;
+    const auto head = bytes::file_source(path).head(12);
+    return head.starts_with(std::string_view("II*\0", 4)) || head.starts_with(std::string_view("MM\0*", 4)) || head.starts_with("II+") ||
+           (head.starts_with("RIFF") && head.ends_with("AVI "));
+}
+
+Table radii_of(const CameraInput& camera, std::vector<Alert>& alerts) {
+    if (camera.mapping) return tables::read_mapped_table(camera.file, tables::read_mapping(*camera.mapping));
+    if (!is_recording(camera.file)) return tables::read_table(camera.file);
+    const imaging::FrameSource frames(camera.file, {.pixel_size = camera.pixel_size, .frame_rate = camera.frame_rate});
+    const auto radii = imaging::measure_contact_radii(frames, {.frame = {.fringes = camera.fringes}});
+    const auto& found = radii.summary;
+    if (const auto lost = found.not_found + found.bad; lost > 0)
+        alerts.push_back({"FRAMES_BAD", camera.file, fmt::format("{} of {} frames have no contact radius", lost, found.frames),
+                          "see `setae jkr radius` with --overlay for what is wrong with them"});
+    return imaging::as_table(radii);
+}
+
+void align(OpenedLoop& opened, const LoopSource& source) {
+    const auto camera = radii_of(*source.camera, opened.alerts);
+    tables::require_one_clock(camera, source.camera->file);
+    double offset = source.camera->clock_offset.value_or(0.0);
+    if (!source.camera->clock_offset) {
+        const auto* displacement = opened.table.find("displacement");
+        opened.clock = naming(source.camera->file, [&] {
+            return loops::align_clocks({.time = opened.table.at("time"), .force = opened.table.at("force"), .displacement = displacement ? displacement->values : Array1D()},
+                                            {.time = camera.at("time"), .contact_radius = camera.at("contact_radius")});
+        });
+        offset = opened.clock->offset.value;
+        if (!opened.clock->doubt.empty())
+            opened.alerts.push_back({"CLOCK_DOUBTFUL", source.file, fmt::format("the camera's clock was set {:.4g} s behind the force's, but {}", offset, opened.clock->doubt),
+                                     "compare jump-in and pull-off in both records and give the offset"});
+    }
+    opened.table = naming(source.camera->file, [&] { return tables::merged_by_time(opened.table, camera, offset); });
+    if (opened.clock) opened.table.metadata["camera_clock_offset_error"] = fmt::format("{} s", opened.clock->offset.standard_error);
+    const auto& outside = opened.table.metadata.at("frames_outside");
+    if (outside != "0") opened.alerts.push_back({"FRAMES_OUTSIDE", source.file, fmt::format("{} frames of {} lie outside the force record", outside, source.camera->file), "check the clock offset"});
+}
+
+OpenedLoop on_one_clock(const LoopSource& source, Table table) {
+    OpenedLoop opened{.table = std::move(table)};
+    if (!source.camera) return opened;
+    tables::require_one_clock(opened.table, source.file);
+    align(opened, source);
+    return opened;
+}
+
+}  // namespace
+
+std::vector<std::string> LoopSource::files() const {
+    std::vector<std::string> names{file};
+    if (mapping) names.push_back(*mapping);
+    if (!camera) return names;
+    if (std::filesystem::is_directory(camera->file)) {
+        const auto pictures = names.size();
+        for (const auto& entry : std::filesystem::directory_iterator(camera->file))
+            if (entry.is_regular_file()) names.push_back(entry.path().string());
+        std::sort(names.begin() + static_cast<std::ptrdiff_t>(pictures), names.end());
+    } else {
+        names.push_back(camera->file);
+    }
+    if (camera->mapping) names.push_back(*camera->mapping);
+    return names;
+}
+
+OpenedLoop open_loop(const LoopSource& source) {
+    return source.mapping ? open_loop(source, tables::read_mapping(*source.mapping)) : on_one_clock(source, read_unmapped(source));
+}
+
+OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) { return on_one_clock(source, tables::read_mapped_table(source.file, mapping)); }
+
+loops::LensAndCounterBody bodies_stated_in(const Table& loop) {
+    loops::LensAndCounterBody bodies;
+    bodies.radius = tables::loop_quantity(loop, "sphere_radius").value_or(bodies.radius);
+    bodies.lens_poisson_ratio = tables::loop_quantity(loop, "lens_poisson_ratio").value_or(bodies.lens_poisson_ratio);
+    bodies.counter_youngs_modulus = tables::loop_quantity(loop, "counter_youngs_modulus").value_or(std::numeric_limits<double>::infinity());
+    bodies.counter_poisson_ratio = tables::loop_quantity(loop, "counter_poisson_ratio").value_or(bodies.counter_poisson_ratio);
+    bodies.lens_height = tables::loop_quantity(loop, "lens_height");
+    bodies.layer_thickness = tables::loop_quantity(loop, "layer_thickness");
+    return bodies;
+}
+
+loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file, const loops::LensAndCounterBody& bodies,
+                                      const loops::AnalysisOptions& options) {
+    return naming(file, [&] {
+        auto analysis = loops::analyse(loops::loop_from_table(opened.table), bodies, options, file);
+        analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
+        return analysis;
+    });
+}
+
+loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& options) {
+    return analyse_loop(open_loop(source), source.file, bodies, options);
+}
+
+}  // namespace setae::study

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "setae/parallel/for_each.hpp"
+#include "setae/study/study.hpp"
+
+namespace setae::study {
+
+/// A file a study read.
+struct InputFile {
+    std::string path;    ///< as results name it
+    std::string sha256;  ///< of its content, 64 hexadecimal digits; empty where it could not be read
+    std::uintmax_t size = 0;  ///< [bytes]
+};
+
+/// Every file a study names, each once and in its order, the study itself first.
+[[nodiscard]] std::vector<InputFile> input_files(const Study& study, parallel::Threads threads = {});
+
+/// Release and digest of the sources this program was built from, such as "0.1.0+4f1c09ab".
+[[nodiscard]] std::string version();
+
+}  // namespace setae::study

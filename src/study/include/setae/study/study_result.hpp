@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/scale_balance.hpp"
+#include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/loops/reference_loop.hpp"
+#include "setae/statistics/mixed_model.hpp"
+#include "setae/adhesion/pair_fit.hpp"
+#include "setae/study/prediction_test.hpp"
+#include "setae/study/provenance.hpp"
+#include "setae/study/run_options.hpp"
+#include "setae/study/study.hpp"
+#include "setae/study/surface_analysis.hpp"
+
+namespace setae::study {
+
+/// One loop file of a study, or why it failed.
+struct ExperimentResult {
+    ExperimentInput input;
+    loops::LensAndCounterBody bodies;
+    std::string error;
+    std::optional<loops::LoopAnalysis> analysis;
+    std::optional<LoopModels> models;  ///< where the study asks for them
+    std::vector<Alert> alerts;
+
+    [[nodiscard]] bool failed() const { return !error.empty(); }
+};
+
+/// An elastomer with the modulus the study uses and a check of plausibility.
+struct ElastomerResult {
+    ElastomerInput input;
+    Estimate youngs_modulus;   ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
+    bool modulus_from_loops = false;
+    Estimate contact_modulus;  ///< E* against the rough solid [Pa]
+    std::optional<double> network_modulus;  ///< ρRT/M_c [Pa]
+    std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of all loops on it, where the study asks for one
+    std::vector<Alert> alerts;
+};
+
+/// One balance evaluated for a pair.
+struct PredictedWork {
+    adhesion::ApparentWork work;
+    Estimate estimate;  ///< the raw value, all sources of its error together
+};
+
+/// What each uncertain input adds to the standard error of a pair's prediction by (7) [J/m²].
+struct PredictionBudget {
+    double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
+};
+
+/// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
+struct ElastomerReplicates {
+    std::string elastomer;
+    std::string symbol;  ///< such as "W_app"
+    statistics::ReplicateData data;  ///< levels surface, lens, spot; rows named by their files
+    loops::Outcome<statistics::MixedModel> model;
+};
+
+/// One surface × elastomer pair: what was measured on it and what roughness predicts.
+struct PairResult {
+    std::string surface;
+    std::string elastomer;
+    std::optional<Estimate> approach;          ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;          ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;        ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;              ///< E_loss [J]
+    std::optional<double> contact_area;        ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;          ///< of a smooth sphere with this W and E* [J]
+    int experiments = 0;                       ///< loops behind the measured values; 0 for published ones
+
+    double area_ratio = 1.0;
+    Estimate stored_energy;                    ///< U_el/A_app [J/m²]
+    std::optional<PredictedWork> modified;             ///< (7)
+    std::optional<PredictedWork> persson_tosatti;      ///< (S13)
+    std::optional<PredictedWork> without_area_change;  ///< (2)
+    std::optional<Estimate> predicted_loss;            ///< (10) at W_int and the contact area [J]
+    std::optional<adhesion::ApparentWork> general;     ///< (5)–(6), where the elastomer has a surface energy law
+    std::optional<PredictionBudget> budget;            ///< of `modified`
+    std::optional<adhesion::ScaleBalance> scales;
+    std::vector<Alert> alerts;
+};
+
+/// A smooth reference: from loops, or published.
+struct ReferenceResult {
+    std::string elastomer;
+    std::string stage;
+    Estimate approach, retraction;       ///< W of both branches [J/m²]
+    std::optional<Estimate> excess_energy;  ///< [J]
+    std::optional<double> ideal_loss;             ///< [J]
+    std::optional<double> loss_ratio;             ///< mean rough loss on this elastomer over the excess energy
+};
+
+/// W of both branches and excess energy after the rough loops minus before.
+struct ReferenceDrift {
+    std::string elastomer;
+    loops::ReferenceChange change;
+};
+
+template <class T>
+using Outcome = loops::Outcome<T>;
+
+/// E_loss against A_true = r π a_max², the four ways of THEORY §10.
+struct LoopFits {
+    adhesion::WorkFit through_origin;
+    std::optional<adhesion::WorkFit> through_origin_without_ideal_loss;  ///< the smooth sphere's own loss subtracted
+    std::optional<adhesion::LineFit> with_intercept;
+    std::optional<adhesion::LineFit> with_intercept_without_ideal_loss;
+};
+
+/// W_int with every spectrum cut at one shortest wavelength.
+struct CutoffPoint {
+    double shortest_wavelength = 0.0;  ///< [m]
+    adhesion::WorkFit modified, persson_tosatti;
+    std::vector<roughness::SpectralParameters> surfaces;  ///< in the order of StudyResult::surfaces
+};
+
+struct StudyResult {
+    Study study;
+    std::vector<InputFile> inputs;  ///< every file the study names
+    std::vector<SurfaceResult> surfaces;
+    std::vector<ElastomerResult> elastomers;
+    std::vector<ExperimentResult> experiments;
+    std::vector<PairResult> pairs;
+    std::vector<ElastomerReplicates> replicates;  ///< of elastomers whose loops name a lens, a spot or an exclusion
+    std::vector<ReferenceResult> references;
+    std::vector<ReferenceDrift> reference_drifts;
+    Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
+    std::string work_of_adhesion_source;
+    Outcome<adhesion::WorkFit> modified;
+    Outcome<adhesion::WorkFit> persson_tosatti;
+    Outcome<adhesion::WorkFit> without_area_change;
+    Outcome<LoopFits> loop;
+    Outcome<adhesion::FreeEnergyFit> free_energies;
+    std::vector<CutoffPoint> cutoff_scan;
+    Outcome<PredictionTest> prediction_test;  ///< of (7) with both errors
+    std::vector<Alert> alerts;
+    /// Pairs, fits and predictions once more with the average over measurements, where likelihoods are used here.
+    std::shared_ptr<const StudyResult> by_average;
+
+    [[nodiscard]] int failures() const;   ///< measurements, surfaces and experiments that failed
+    [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not
+    /// @throws InternalError for a name that is not in the study (both).
+    [[nodiscard]] const SurfaceResult& surface(const std::string& name) const;
+    [[nodiscard]] const ElastomerResult& elastomer(const std::string& name) const;
+};
+
+/// Runs a study. Failures of single items stand in the result and do not stop the rest.
+/// The result does not depend on the options: not on threads, and not on what a store already holds.
+/// @throws Cancelled where the options say so; what is done by then is in the store.
+[[nodiscard]] StudyResult run_study(Study study, const RunOptions& options = {});
+
+/// One step of a study and whether its result is already in the store.
+struct PlannedStep {
+    std::string stage, item;  ///< as Progress
+    std::string error;        ///< why it will fail, as far as its files say so
+    bool cached = false;
+};
+
+/// What run_study() would do, without doing it: files are opened, not analysed.
+[[nodiscard]] std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options = {});
+
+}  // namespace setae::study

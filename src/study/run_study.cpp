@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pairs/pairs.hpp"
+#include "run.hpp"
+#include "setae/contact/elasticity.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/loops/rubber.hpp"
+#include "setae/study/open_loop.hpp"
+#include "setae/study/study_result.hpp"
+#include "statistics.hpp"
+#include "surfaces/surface_run.hpp"
+
+namespace setae::study {
+namespace {
+
+/// What the heights of a surface may take in memory [bytes], from the sizes of its files.
+double memory_of(const SurfaceInput& surface) {
+    constexpr double bytes_a_byte = 4.0;  // heights of 16 bits become doubles
+    std::set<std::string> files;
+    for (const auto& m : surface.measurements) files.insert(m.file);
+    double sum = 0.0;
+    for (const auto& file : files) {
+        std::error_code missing;
+        const auto size = std::filesystem::file_size(file, missing);
+        if (!missing) sum += bytes_a_byte * static_cast<double>(size);
+    }
+    return sum;
+}
+
+/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go into each.
+std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
+    constexpr double most_memory = 2e9;  // [bytes]
+    std::vector<double> memory;
+    for (const auto& surface : study.surfaces) memory.push_back(memory_of(surface));
+    std::sort(memory.rbegin(), memory.rend());
+    int at_once = 0;
+    for (double sum = 0.0; at_once < std::min<int>(threads.resolved(), static_cast<int>(memory.size())); ++at_once) {
+        sum += memory[static_cast<std::size_t>(at_once)];
+        if (at_once > 0 && sum > most_memory) break;
+    }
+    std::vector<SurfaceResult> results(study.surfaces.size());
+    const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
+    parallel::for_each_index(results.size(), {std::max(1, at_once)},
+                             [&](std::size_t i) {
+                                 run.stop_if_cancelled();
+                                 results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside);
+                             });
+    return results;
+}
+
+/// @throws InvalidArgument where nobody says how large the sphere is.
+loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& study) {
+    const auto& elastomer = *study.elastomer(input.elastomer);
+    const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
+    if (!radius) throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'", input.file, elastomer.name));
+    loops::LensAndCounterBody bodies;
+    bodies.radius = *radius;
+    bodies.lens_poisson_ratio = elastomer.poisson_ratio;
+    bodies.counter_youngs_modulus = study.counter_youngs_modulus;
+    bodies.counter_poisson_ratio = study.counter_poisson_ratio;
+    bodies.lens_height = elastomer.sphere_height;
+    return bodies;
+}
+
+ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study, Run& run) {
+    ExperimentResult result;
+    result.input = input;
+    bool cached = false;
+    run.step_begins("experiment", input.file);
+    try {
+        result.bodies = bodies_of(input, study);
+        const auto& bodies = result.bodies;
+        const auto key = experiment_key(run, input, bodies);
+        result.analysis = run.find<loops::LoopAnalysis>(key);
+        cached = result.analysis.has_value();
+        if (!cached) {
+            result.analysis = analyse_loop(input, bodies, input.options);
+            run.keep(key, *result.analysis);
+        }
+        result.alerts = result.analysis->alerts;
+        if (study.loop_models.any()) result.models = loop_models(*result.analysis, bodies, input.options, study.loop_models);
+    } catch (const Error& error) {
+        result.error = error.what();
+    }
+    run.step_done("experiment", input.file, cached, experiment_work);
+    return result;
+}
+
+void expect_steps(const Study& study, Run& run) {
+    for (const auto& surface : study.surfaces) {
+        run.expect(surface.measurements.size(), measurement_work);
+        run.expect(1, surface_work(study.analysis, surface.measurements.size()));
+    }
+    run.expect(study.experiments.size(), experiment_work);
+}
+
+/// One fit of all loops on an elastomer that are not excluded.
+Outcome<loops::GlobalFit> share(const StudyResult& result, const std::string& elastomer) {
+    std::vector<loops::GlobalBranch> loops;
+    const auto& options = result.study.loop_models;
+    try {
+        for (const auto& e : result.experiments)
+            if (e.analysis && e.input.elastomer == elastomer && !e.input.excluded() && (options.branch == loops::LoopBranch::loading || e.analysis->unloading))
+                loops.push_back(branch_to_share(e.input.file, *e.analysis, e.bodies, e.input.options, options));
+        return {shared_fit(loops, options)};
+    } catch (const Error& error) {
+        return Outcome<loops::GlobalFit>::missing(error.what());
+    }
+}
+
+void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
+    elastomer.youngs_modulus = elastomer.input.youngs_modulus;
+    if (!(elastomer.youngs_modulus.value > 0.0)) {
+        std::vector<Estimate> from_loops;
+        for (const auto& e : result.experiments)
+            if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
+        if (from_loops.empty()) return;
+        elastomer.youngs_modulus = mean_of(from_loops);
+        elastomer.modulus_from_loops = true;
+    }
+    const contact::ElasticSolid rough{result.study.counter_youngs_modulus, result.study.counter_poisson_ratio};
+    const auto against_rough = [&](double modulus) { return contact::contact_modulus({modulus, elastomer.input.poisson_ratio}, rough); };
+    const auto& E = elastomer.youngs_modulus;
+    elastomer.contact_modulus.value = against_rough(E.value);
+    // linear propagation by a central difference over the ± itself
+    elastomer.contact_modulus.method = "delta";
+    if (E.uncertain())
+        elastomer.contact_modulus.standard_error = 0.5 * (against_rough(E.value + E.standard_error) - against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
+}
+
+void check_plausibility(ElastomerResult& elastomer) {
+    if (!elastomer.input.crosslink_molar_mass || !(elastomer.youngs_modulus.value > 0.0)) return;
+    elastomer.network_modulus = loops::rubber_modulus(elastomer.input.density, elastomer.input.temperature, *elastomer.input.crosslink_molar_mass);
+    const double ratio = elastomer.youngs_modulus.value / *elastomer.network_modulus;
+    constexpr double largest_ratio = 30.0;  // entanglements raise E of lightly linked networks, E = 3G alone gives 3
+    if (ratio > 1.0 / largest_ratio && ratio < largest_ratio) return;
+    elastomer.alerts.push_back({"MODULUS_IMPLAUSIBLE", elastomer.input.name,
+                                fmt::format("E = {:.3g} Pa is {:.2g} times rho R T/M_c = {:.3g} Pa", elastomer.youngs_modulus.value, ratio, *elastomer.network_modulus),
+                                "check the unit of the modulus and of the molar mass between crosslinks"});
+}
+
+/// Surfaces, elastomers and loops brought together: pairs, references, fits, predictions.
+StudyResult related(StudyResult result) {
+    result.replicates = elastomer_replicates(result);
+    result.pairs = measured_pairs(result);
+    evaluate_references(result);
+    fit_pairs(result);
+    predict_pairs(result);
+    test_predictions(result);
+    return result;
+}
+
+StudyResult with_averages(StudyResult result) {
+    for (auto& surface : result.surfaces) surface.method = SpectrumMethod::average;
+    return result;
+}
+
+}  // namespace
+
+int StudyResult::failures() const {
+    int count = 0;
+    for (const auto& s : surfaces) {
+        count += s.failed() ? 1 : 0;
+        for (const auto& m : s.measurements) count += m.failed() ? 1 : 0;
+    }
+    for (const auto& e : experiments) count += e.failed() ? 1 : 0;
+    return count;
+}
+
+int StudyResult::successes() const {
+    const auto fine = [](const auto& item) { return !item.failed(); };
+    return static_cast<int>(std::count_if(surfaces.begin(), surfaces.end(), fine) + std::count_if(experiments.begin(), experiments.end(), fine));
+}
+
+const SurfaceResult& StudyResult::surface(const std::string& name) const {
+    for (const auto& surface : surfaces)
+        if (surface.name == name) return surface;
+    throw InternalError(fmt::format("surface '{}' is not in the study", name));
+}
+
+const ElastomerResult& StudyResult::elastomer(const std::string& name) const {
+    for (const auto& elastomer : elastomers)
+        if (elastomer.input.name == name) return elastomer;
+    throw InternalError(fmt::format("elastomer '{}' is not in the study", name));
+}
+
+StudyResult run_study(Study study, const RunOptions& options) {
+    StudyResult result;
+    result.study = std::move(study);
+    const auto& inputs = result.study;
+    result.inputs = input_files(inputs, options.threads);
+    Run run(options, result.inputs);
+    expect_steps(inputs, run);
+    if (inputs.surfaces.empty() && inputs.experiments.empty())
+        result.alerts.push_back({"EMPTY_STUDY", inputs.title, "the study names no surface and no experiment: there is nothing to conclude from",
+                                 "add [surfaces.NAME] or [[experiments]], see docs/study.md"});
+    result.surfaces = analyse_surfaces(inputs, run, options.threads);
+    result.experiments.resize(inputs.experiments.size());
+    parallel::for_each_index(inputs.experiments.size(), options.threads, [&](std::size_t i) {
+        if (!run.cancelled()) result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs, run);
+    });
+    run.stop_if_cancelled();
+    for (const auto& input : inputs.elastomers) {
+        ElastomerResult elastomer;
+        elastomer.input = input;
+        set_modulus(elastomer, result);
+        if (result.study.loop_models.shared()) elastomer.shared_fit = share(result, elastomer.input.name);
+        check_plausibility(elastomer);
+        result.elastomers.push_back(std::move(elastomer));
+    }
+    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
+    if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
+    return related(std::move(result));
+}
+
+std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options) {
+    const Run run(options, input_files(study, options.threads));
+    std::vector<PlannedStep> steps;
+    for (const auto& surface : study.surfaces)
+        for (auto& step : planned_steps(surface, study.analysis, run)) steps.push_back(std::move(step));
+    for (const auto& input : study.experiments) {
+        PlannedStep step{"experiment", input.file, {}, false};
+        try {
+            const auto key = experiment_key(run, input, bodies_of(input, study));
+            if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
+            step.cached = options.store && options.store->holds(key);
+        } catch (const Error& error) {
+            step.error = error.what();
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+}  // namespace setae::study

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "average_spectrum.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/spectral_fit/independent_lines.hpp"
+#include "setae/spectra/bootstrap.hpp"
+#include "setae/spectra/jackknife.hpp"
+#include "setae/spectra/parametric_noise.hpp"
+#include "setae/spectra/abel.hpp"
+#include "setae/spectra/spectral_density.hpp"
+
+namespace setae::study {
+namespace {
+
+using roughness::SpectralParameters;
+using roughness::SpectrumCurve;
+
+SpectrumCurve curve_of(const spectra::CombinedSpectrum& combined) {
+    return {combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}};
+}
+
+/// A single measurement speaks with its own modes: no bins, so sums over them obey Parseval. The first mode stands for
+/// half a step on either side.
+SpectrumCurve curve_of(const spectra::PowerSpectrum1D& spectrum) {
+    const auto own = spectra::within_band(spectrum);
+    const double half_step = 0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
+    return {own.wavevector, own.C1D, {own.wavevector[0] - half_step, own.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
+}
+
+std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementResult>& measurements) {
+    std::vector<spectra::PowerSpectrum1D> found;
+    for (const auto& m : measurements)
+        if (!m.failed()) found.push_back(m.spectrum);
+    return found;
+}
+
+/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an instrument,
+/// so their errors do not average out.
+std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements, std::size_t direction) {
+    std::vector<spectra::PowerSpectrum1D> moved;
+    for (const auto& m : measurements) {
+        if (m.failed()) continue;
+        moved.push_back(m.spectrum);
+        if (!m.bands_of_uncertain_tip) continue;
+        moved.back().q_min = (*m.bands_of_uncertain_tip)[direction].lower;
+        moved.back().q_max = (*m.bands_of_uncertain_tip)[direction].upper;
+    }
+    return moved;
+}
+
+bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
+    return std::any_of(measurements.begin(), measurements.end(), [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
+}
+
+std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options, parallel::Threads threads) {
+    if (options.bootstrap_resamples == 0 || binned.C1D.rows() < 2) return {};
+    spectra::BootstrapOptions bootstrap;
+    bootstrap.resamples = options.bootstrap_resamples;
+    bootstrap.seed = options.seed;
+    bootstrap.weighting = options.weighting;
+    bootstrap.threads = threads;
+    const auto resampled = spectra::bootstrap(binned, bootstrap);
+    std::vector<SpectralParameters> replicas;
+    for (Index i = 0; i < resampled.C1D.rows(); ++i) replicas.push_back(parameters_of({resampled.wavevector, resampled.C1D.row(i), band}, options));
+    return replicas;
+}
+
+std::vector<std::vector<SpectralParameters>> parameters_without_each(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options) {
+    const auto without = spectra::jackknife(binned, options.weighting);
+    std::vector<std::vector<SpectralParameters>> strata;
+    for (const auto& curves : without.C1D) {
+        auto& stratum = strata.emplace_back();
+        for (Index i = 0; i < curves.rows(); ++i) stratum.push_back(parameters_of({without.wavevector, curves.row(i), band}, options));
+    }
+    return strata;
+}
+
+/// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
+Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum) {
+    const Index lines = static_cast<Index>(spectrum.count[0]);
+    Array1D independent = Array1D::Ones(spectrum.wavevector.size());
+    if (lines > 1) {
+        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.C1D, std::numeric_limits<double>::infinity());
+        independent = spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
+                                                   Array1D::Ones(independent.size()), lines, spectrum.pitch);
+    }
+    return independent * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
+}
+
+/// What other places of the surface would give, as far as one measurement can say.
+void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum, const AnalysisOptions& options) {
+    auto replica = spectrum;
+    const Array2D drawn = spectra::parametric_noise(spectrum, own_freedom(spectrum), options.bootstrap_resamples, options.seed);
+    for (Index r = 0; r < drawn.rows(); ++r) {
+        replica.C1D = drawn.row(r).transpose();
+        spread.replicas.push_back(parameters_of(curve_of(replica), options));
+    }
+    spread.replica_method = "parametric noise";
+}
+
+}  // namespace
+
+void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
+    const auto found = spectra_of(surface.measurements);
+    if (found.empty()) throw UndefinedDataError(fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
+    spectra::CombinationOptions combination;
+    combination.weighting = options.weighting;
+    surface.combined = spectra::combine(found, combination);
+    surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
+    const auto curve_from = [](const std::vector<spectra::PowerSpectrum1D>& spectra, const spectra::CombinedSpectrum& combined) {
+        return spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(combined);
+    };
+    surface.average = spectrum_result(curve_from(found, *surface.combined), options);
+    auto& spread = surface.average.spread;
+    const auto members = spectra::binned(found, combination);
+    const auto band = curve_of(*surface.combined).band;
+    if (found.size() == 1 && options.bootstrap_resamples > 0) add_parametric_noise(spread, found.front(), options);
+    else spread.replicas = resampled_parameters(members, band, options, threads);
+    spread.seed = options.seed;
+    if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);
+    if (!has_uncertain_tip(surface.measurements)) return;
+    const auto moved = [&](std::size_t direction) {
+        const auto spectra = with_moved_tips(surface.measurements, direction);
+        return parameters_of(curve_from(spectra, spectra::combine(spectra, combination)), options);
+    };
+    spread.sources.push_back({"tip radius", moved(0), moved(1)});
+}
+
+}  // namespace setae::study

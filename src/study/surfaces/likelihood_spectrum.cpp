@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "likelihood_spectrum.hpp"
+
+#include <algorithm>
+
+#include "setae/core/constants.hpp"
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
+#include "setae/spectral_fit/line_spectrum.hpp"
+
+namespace setae::study {
+namespace {
+
+/// Groups of modes end a little above the wavevector they are named by.
+constexpr double group_end = 1.04;
+
+roughness::SpectrumCurve curve_of(const spectral_fit::LikelihoodSpectrum& spectrum) {
+    const double end = spectrum.wavevector[spectrum.wavevector.size() - 1];
+    return {spectrum.wavevector, spectrum.C_iso, {spectrum.band.lower, std::min(end, group_end * spectrum.band.upper)}, roughness::Density::C_iso};
+}
+
+/// C1D of a fitted C_iso and of draws about it.
+class Lines {
+public:
+    Lines(const roughness::SpectrumCurve& C_iso, const AnalysisOptions& options)
+        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.values)), limits_(options.limits) {}
+
+    [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
+
+    /// Of a draw, to first order in its ln C_iso: where data end, draws of the prior differ by orders of magnitude, which C1D below
+    /// would show although the data there exclude them.
+    ///   ln C1D' = ln C1D + A(C_iso ln(C_iso'/C_iso))/C1D,  A the Abel integral
+    [[nodiscard]] roughness::DecadeMeans decade_means(const Array1D& drawn) const {
+        const Array1D change = spectral_fit::line_spectrum(C_iso_.wavevector, C_iso_.values * (drawn / C_iso_.values).log()) / C1D_;
+        return means_of(C1D_ * change.exp());
+    }
+
+private:
+    [[nodiscard]] roughness::DecadeMeans means_of(const Array1D& C1D) const {
+        return roughness::decade_means(roughness::limited({C_iso_.wavevector, C1D, C_iso_.band}, limits_));
+    }
+
+    roughness::SpectrumCurve C_iso_;
+    Array1D C1D_;
+    roughness::WavelengthLimits limits_;
+};
+
+/// Standard error of ln C1D. Theta moves ln C_iso along the columns of the design, and C1D is linear in C_iso:
+///   ∂ ln C1D/∂θ_k = A(C_iso design_k)/C1D,  A the Abel integral
+Array1D log_error_of_lines(const spectral_fit::LikelihoodSpectrum& spectrum, const Array1D& C1D) {
+    Eigen::MatrixXd gradient(spectrum.design.rows(), spectrum.design.cols());
+    for (Index k = 0; k < gradient.cols(); ++k)
+        gradient.col(k) = (spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso * spectrum.design.col(k).array()) / C1D).matrix();
+    return (gradient * spectrum.covariance).cwiseProduct(gradient).rowwise().sum().array().max(0.0).sqrt();
+}
+
+FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum, const Band& band) {
+    const Array1D C1D = spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso);
+    const Array1D error = log_error_of_lines(spectrum, C1D);
+    const auto& q = spectrum.wavevector;
+    const auto first = std::lower_bound(q.begin(), q.end(), band.lower) - q.begin(), end = std::upper_bound(q.begin(), q.end(), band.upper) - q.begin();
+    const auto inside = [&](const Array1D& values) -> Array1D { return values.segment(first, end - first); };
+    return {band, inside(q), inside(spectrum.C_iso), inside(spectrum.standard_error), inside(C1D), inside(error),
+            spectrum.agreement, spectrum.tips, spectrum.rounds, spectrum.converged};
+}
+
+}  // namespace
+
+void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
+                            parallel::Threads threads) {
+    std::vector<spectral_fit::ObservedSurface> observed;
+    for (std::size_t i = 0; i < prepared.size(); ++i)
+        if (!surface.measurements[i].failed()) observed.push_back({std::move(prepared[i].measurement), prepared[i].trend});
+    auto likelihood = options.likelihood;
+    likelihood.seed = options.seed;
+    likelihood.threads = threads;
+    const auto spectrum = spectral_fit::likelihood_spectrum(observed, likelihood);
+    auto curve = curve_of(spectrum);
+    auto result = spectrum_result(curve, options);
+    const Lines lines(curve, options);
+    result.parameters.decade_C1D = lines.decade_means();
+    result.spread.seed = options.seed;
+    result.spread.replicas_are_draws = true;
+    const Array2D drawn = spectral_fit::drawn_spectra(spectrum, std::max(options.bootstrap_resamples, 40), options.seed);
+    for (Index r = 0; r < drawn.rows(); ++r) {
+        curve.values = drawn.row(r).transpose();
+        result.spread.replicas.push_back(parameters_of(curve, options));
+        result.spread.replicas.back().decade_C1D = lines.decade_means(curve.values);
+    }
+    surface.fitted = fitted_spectrum(spectrum, curve.band);
+    surface.likelihood = std::move(result);
+    surface.method = SpectrumMethod::likelihood;
+    for (auto alert : spectrum.alerts) {
+        alert.subject = surface.name + ": " + alert.subject;
+        surface.alerts.push_back(std::move(alert));
+    }
+}
+
+}  // namespace setae::study

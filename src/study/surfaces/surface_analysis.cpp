@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/study/surface_analysis.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "average_spectrum.hpp"
+#include "given_spectrum.hpp"
+#include "likelihood_spectrum.hpp"
+#include "surface_run.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::study {
+namespace {
+
+using roughness::SpectralParameters;
+using roughness::SpectrumCurve;
+
+struct Task {
+    std::string file;
+    std::string key;  ///< of its result; empty: none
+    MeasurementSource source;
+};
+
+std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
+    std::vector<Task> tasks;
+    for (const auto& measurement : input.measurements) {
+        try {
+            std::size_t ordinal = 0;
+            for (auto& source : measurement_sources(measurement))
+                tasks.push_back({measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
+        } catch (const Error& error) {
+            tasks.push_back({measurement.file, {}, {[message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }, {}}});
+        }
+    }
+    return tasks;
+}
+
+/// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
+/// order, else nothing: maps need not all fit into memory at once for an average.
+std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                                                      parallel::Threads threads) {
+    const auto tasks = tasks_of(input, options, run);
+    run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
+    const bool keep = wants_likelihood(options, std::ssize(tasks));
+    std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
+    surface.measurements.resize(tasks.size());
+    const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
+    parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) {
+        if (run.cancelled()) return;
+        const auto& task = tasks[i];
+        run.step_begins("measurement", task.file);
+        auto& result = surface.measurements[i];
+        auto found = run.find<MeasurementResult>(task.key);
+        try {
+            PreparedMeasurement prepared;
+            const bool large = !keep && too_large(task.source, options);
+            if (keep || (!found && !large)) prepared = task.source.prepare();
+            if (found) result = std::move(*found);
+            else result = large ? analyse_large_map(*task.source.by_bands, options, inside) : analyse_measurement(prepared, options, inside);
+            if (!found) run.keep(task.key, result);
+            if (keep) kept[i] = std::move(prepared);
+        } catch (const Error& error) {
+            result.error = error.what();
+        }
+        result.file = task.file;
+        run.step_done("measurement", task.file, found.has_value(), measurement_work);
+    });
+    run.stop_if_cancelled();
+    return kept;
+}
+
+/// The likelihood's spectrum beside the average, where it is wanted and can be had.
+void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options, parallel::Threads threads) {
+    const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); });
+    if (!wants_likelihood(options, analysed)) return;
+    try {
+        estimate_by_likelihood(surface, std::move(prepared), options, threads);
+    } catch (const Error& error) {
+        surface.alerts.push_back({"LIKELIHOOD_FAILED", surface.name, error.what(), "its numbers rest on the average over measurements"});
+    }
+}
+
+}  // namespace
+
+SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads) {
+    const double work = surface_work(options, input.measurements.size());
+    const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
+    if (auto found = run.find<SurfaceResult>(key)) {
+        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()), measurement_work);
+        for (const auto& measurement : found->measurements) run.step_done("measurement", measurement.file, true, measurement_work);
+        run.step_done("surface", input.name, true, work);
+        return std::move(*found);
+    }
+    SurfaceResult surface;
+    surface.name = input.name;
+    try {
+        if (input.moments) {
+            take_moments(surface, *input.moments, options);
+        } else if (input.power_spectrum) {
+            take_power_spectrum(surface, *input.power_spectrum, options);
+        } else {
+            auto prepared = analyse_measurements(surface, input, options, run, threads);
+            run.step_begins("surface", input.name);
+            estimate_by_average(surface, options, threads);
+            add_likelihood(surface, std::move(prepared), options, threads);
+        }
+        // a failure may be gone the next time
+        if (std::none_of(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); })) run.keep(key, surface);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        surface.error = error.what();
+    }
+    run.step_done("surface", input.name, false, work);
+    return surface;
+}
+
+SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+    Run run;
+    return analyse_surface(input, options, run, threads);
+}
+
+std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
+    const auto held = [&run](const std::string& key) { return !key.empty() && run.store() && run.store()->holds(key); };
+    const bool whole = !input.measurements.empty() && held(surface_key(run, input, options));
+    std::vector<PlannedStep> steps;
+    for (const auto& measurement : input.measurements) {
+        try {
+            for (std::size_t ordinal = 0; ordinal < measurement_sources(measurement).size(); ++ordinal)
+                steps.push_back({"measurement", measurement.file, {}, whole || held(measurement_key(run, measurement, ordinal, options))});
+        } catch (const Error& error) {
+            steps.push_back({"measurement", measurement.file, error.what(), false});
+        }
+    }
+    steps.push_back({"surface", input.name, {}, whole});
+    return steps;
+}
+
+SpectralParameters parameters_of(const SpectrumCurve& whole, const AnalysisOptions& options) {
+    return roughness::spectral_parameters(roughness::limited(whole, options.limits), options.conversion);
+}
+
+SpectrumResult spectrum_result(const SpectrumCurve& whole, const AnalysisOptions& options) {
+    SpectrumResult result;
+    result.uncut_energy_per_modulus = roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;
+    result.curve = roughness::limited(whole, options.limits);
+    result.parameters = roughness::spectral_parameters(result.curve, options.conversion);
+    if (result.curve.density == roughness::Density::C1D) {
+        const bool exact = options.conversion == roughness::Conversion::exact;
+        result.other_conversion = roughness::spectral_parameters(result.curve, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact);
+    }
+    return result;
+}
+
+std::string method_name(const SurfaceResult& surface, SpectrumMethod method) {
+    if (surface.reconstructed) return "moments";
+    if (surface.measurements.empty()) return "given";
+    return method == SpectrumMethod::average ? "average" : "likelihood";
+}
+
+std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface) {
+    std::vector<NamedSpectrum> found{{method_name(surface, SpectrumMethod::average), &surface.average}};
+    if (!surface.likelihood) return found;
+    const NamedSpectrum likelihood{method_name(surface, SpectrumMethod::likelihood), &*surface.likelihood};
+    found.insert(surface.method == SpectrumMethod::likelihood ? found.begin() : found.end(), likelihood);
+    return found;
+}
+
+SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits, roughness::Conversion conversion) {
+    return roughness::spectral_parameters(roughness::limited(spectrum.curve, limits), conversion);
+}
+
+}  // namespace setae::study

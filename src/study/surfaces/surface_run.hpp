@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "run.hpp"
+
+namespace setae::study {
+
+/// Everything about one surface as a step of a run: what the store holds is not computed again.
+/// @throws Cancelled where the run is.
+[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads);
+
+/// The steps analyse_surface() will take.
+[[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run);
+
+}  // namespace setae::study

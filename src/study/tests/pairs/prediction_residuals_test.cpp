@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measured against predicted: χ² of planted truths over seeds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "setae/core/errors.hpp"
+#include "setae/output/json.hpp"
+#include "setae/output/study_tables.hpp"
+
+namespace setae::study {
+namespace {
+
+std::vector<PredictionResidual> pairs_of(const Array1D& measured, const Array1D& predicted) {
+    std::vector<PredictionResidual> pairs;
+    for (Index i = 0; i < measured.size(); ++i) pairs.push_back({"S", "E", {measured[i]}, {predicted[i]}});
+    return pairs;
+}
+
+TEST(PredictionTest, OfIndependentErrorsIsTheSumOfSquares) {
+    const Array1D measured{{3.0, 5.0, 4.0}}, predicted{{2.0, 5.0, 6.0}};
+    Array2D covariance = Array2D::Zero(3, 3);
+    covariance(0, 0) = 1.0, covariance(1, 1) = 4.0, covariance(2, 2) = 4.0;
+    const auto test = prediction_test(pairs_of(measured, predicted), covariance, std::nullopt);
+    EXPECT_NEAR(test.chi_squared, 2.0, 1e-12);
+    EXPECT_EQ(test.degrees_of_freedom, 3);
+    EXPECT_EQ(test.extra_scatter, 0.0);
+    EXPECT_NEAR(test.pairs[2].standardised(), -1.0, 1e-12);
+}
+
+TEST(PredictionTest, OfAFittedWorkLeavesItsDirectionOut) {
+    // all residuals alike are what another W_int explains
+    const Array1D measured{{2.0, 3.0, 4.0}}, predicted{{1.0, 2.0, 3.0}}, slopes = Array1D::Ones(3);
+    const Array2D covariance = Eigen::MatrixXd::Identity(3, 3).array();
+    const auto test = prediction_test(pairs_of(measured, predicted), covariance, slopes);
+    EXPECT_NEAR(test.chi_squared, 0.0, 1e-12);
+    EXPECT_EQ(test.degrees_of_freedom, 2);
+    EXPECT_NEAR(prediction_test(pairs_of(measured, predicted), covariance, std::nullopt).chi_squared, 3.0, 1e-12);
+}
+
+TEST(PredictionTest, ExtraScatterBringsChiSquaredToItsFreedom) {
+    const Array1D measured{{4.0, -3.0, 5.0, -2.0}}, predicted = Array1D::Zero(4);
+    const Array2D covariance = Eigen::MatrixXd::Identity(4, 4).array();
+    const auto test = prediction_test(pairs_of(measured, predicted), covariance, std::nullopt);
+    EXPECT_NEAR(test.chi_squared, 54.0, 1e-12);
+    // 54/(1 + τ²) = 4
+    EXPECT_NEAR(test.extra_scatter, std::sqrt(12.5), 1e-9);
+    EXPECT_NEAR(test.chi_squared_with_scatter, 4.0, 1e-9);
+    EXPECT_LT(test.probability, 1e-9);
+    EXPECT_GT(test.probability_with_scatter, 0.3);
+}
+
+TEST(PredictionTest, RefusesWhatTestsNothing) {
+    const Array1D one = Array1D::Ones(1);
+    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(2, 2), std::nullopt), InvalidArgument);
+    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(1, 1), one), InvalidArgument);
+    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Zero(1, 1), std::nullopt), UndefinedDataError);
+}
+
+/// Three surfaces by their moments and three elastomers, every input uncertain.
+Study study_of_nine_pairs() {
+    Study study;
+    // polished diamond, flatter and steeper
+    for (const auto& [name, scale] : {std::pair{"A", 0.7}, std::pair{"B", 1.0}, std::pair{"C", 1.3}}) {
+        SurfaceInput surface;
+        surface.name = name;
+        surface.moments = PublishedMoments{.rms_height = {scale * 4.6e-9, 0.3e-9, "given"}, .rms_slope = {scale * 0.39, 0.02, "given"}, .rms_curvature = {scale * 1.13e9, 0.05e9, "given"},
+                                           .short_wavevector = 1.6e10};
+        study.surfaces.push_back(surface);
+    }
+    for (const double modulus : {1e6, 3e6, 8e6}) {
+        ElastomerInput elastomer;
+        elastomer.name = std::to_string(modulus);
+        elastomer.youngs_modulus = {modulus, 0.05 * modulus, "given"};
+        elastomer.surface_energy = {0.025, 0.002, "given"};
+        study.elastomers.push_back(elastomer);
+    }
+    study.counter_youngs_modulus = INFINITY;
+    study.work_of_adhesion = Estimate{0.045, 0.001, "given"};
+    return study;
+}
+
+/// The study with values measured on the truth, which differs from what the study says by the ± of its inputs.
+Study planted(const Study& nominal, std::mt19937_64& random, double measured_error) {
+    std::normal_distribution<double> normal;
+    const auto drawn = [&](Estimate& estimate) { estimate.value += estimate.standard_error * normal(random); };
+    auto truth = nominal;
+    for (auto& surface : truth.surfaces)
+        for (auto* moment : {&surface.moments->rms_height, &surface.moments->rms_slope, &surface.moments->rms_curvature}) drawn(*moment);
+    for (auto& elastomer : truth.elastomers) {
+        drawn(elastomer.youngs_modulus);
+        drawn(elastomer.surface_energy);
+    }
+    drawn(*truth.work_of_adhesion);
+    const auto true_result = run_study(truth, {1});
+    auto study = nominal;
+    for (const auto& pair : true_result.pairs)
+        study.published.push_back({.surface = pair.surface, .elastomer = pair.elastomer,
+                                   .approach = Estimate{pair.modified->work.raw + measured_error * normal(random), measured_error, "given"}});
+    return study;
+}
+
+TEST(PredictionTest, OfPlantedTruthsIsItsDegreesOfFreedom) {
+    const auto nominal = study_of_nine_pairs();
+    std::mt19937_64 random(11);
+    constexpr int seeds = 30;
+    double given = 0.0, fitted = 0.0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        auto study = planted(nominal, random, 0.002);
+        const auto result = run_study(study, {1});
+        ASSERT_TRUE(result.prediction_test) << result.prediction_test.reason;
+        ASSERT_GT(result.pairs.back().modified->work.raw, 0.0);  // the floor is not met
+        EXPECT_EQ(result.prediction_test->degrees_of_freedom, 9);
+        given += result.prediction_test->chi_squared / seeds;
+        study.work_of_adhesion.reset();
+        const auto with_fit = run_study(study, {1});
+        EXPECT_EQ(with_fit.prediction_test->degrees_of_freedom, 8);
+        EXPECT_TRUE(with_fit.prediction_test->work_fitted);
+        fitted += with_fit.prediction_test->chi_squared / seeds;
+    }
+    // means of 30 χ²: scatter √(2ν/30), three of it, and 5 % for what is not linear
+    EXPECT_NEAR(given, 9.0, 3.0 * std::sqrt(18.0 / seeds) + 0.45);
+    EXPECT_NEAR(fitted, 8.0, 3.0 * std::sqrt(16.0 / seeds) + 0.40);
+}
+
+TEST(PredictionTest, LeavesPairsWithoutErrorsOutByName) {
+    auto study = study_of_nine_pairs();
+    study.published.push_back({.surface = "A", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03}});
+    study.published.push_back({.surface = "B", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03, 0.002, "given"}});
+    const auto result = run_study(study, {1});
+    ASSERT_TRUE(result.prediction_test) << result.prediction_test.reason;
+    EXPECT_EQ(result.prediction_test->n, 1);
+    EXPECT_EQ(result.prediction_test->left_out.at(0), "A × " + study.elastomers[0].name + ": no standard error of the measured value");
+    const auto json = output::to_json(result);
+    EXPECT_DOUBLE_EQ(json.at("prediction_test").at("chi_squared").at("value").get<double>(), result.prediction_test->chi_squared);
+    const auto table = output::prediction_test_table(result);
+    ASSERT_EQ(table.rows.size(), 2U);
+    EXPECT_EQ(table.rows[0].size(), table.columns.size());
+    EXPECT_EQ(table.rows[1].size(), table.columns.size());
+}
+
+TEST(PredictionTest, WithoutMeasuredValuesSaysSo) {
+    const auto result = run_study(study_of_nine_pairs(), {1});
+    EXPECT_FALSE(result.prediction_test);
+    EXPECT_NE(result.prediction_test.reason.find("0 pairs"), std::string::npos);
+    EXPECT_TRUE(output::to_json(result).at("prediction_test").is_null());
+}
+
+TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
+    const auto study = study_of_nine_pairs();
+    const auto result = run_study(study, {1});
+    for (const auto& pair : result.pairs) {
+        ASSERT_TRUE(pair.modified);
+        const auto curve = prediction_curve(result.surface(pair.surface), study.elastomers[0].surface_energy, *study.work_of_adhesion,
+                                            Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
+        EXPECT_NEAR(curve.work_of_adhesion[0], pair.modified->work.floored, 1e-15);
+        // the pair's error without that of its modulus, normal
+        const double error = std::sqrt(pair.modified->estimate.variance() - pair.budget->modulus * pair.budget->modulus);
+        EXPECT_NEAR(curve.upper[0] - curve.work_of_adhesion[0], 1.959964 * error, 1e-4 * error);
+    }
+}
+
+}  // namespace
+}  // namespace setae::study

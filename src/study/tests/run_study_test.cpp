@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole chain on files made here: roughness with a known spectrum, loops with known work of adhesion and loss.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <unistd.h>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/output/json.hpp"
+#include "setae/output/study_tables.hpp"
+
+namespace setae::study {
+namespace {
+
+namespace jkr = contact::jkr;
+constexpr double sphere_radius = 1e-3;
+constexpr double contact_modulus = 1e6;
+
+/// One press and release: JKR with one work of adhesion in, with another out, free flight at both ends; fixed grips.
+Table loop(double work_in, double work_out, double depth) {
+    const jkr::Contact in{sphere_radius, contact_modulus, work_in}, out{sphere_radius, contact_modulus, work_out};
+    const double gap = 5e-6, step = depth / 2000.0;
+    std::vector<double> displacement, force, radius;
+    const auto add = [&](double d, double a, double f) {
+        displacement.push_back(d);
+        radius.push_back(a);
+        force.push_back(f);
+    };
+    for (double d = -gap; d < 0.0; d += step) add(d, 0.0, 0.0);
+    for (double d = 0.0; d <= depth; d += step) {
+        const double a = jkr::contact_radius_at_displacement(d, in, jkr::Branch::outer);
+        add(d, a, jkr::force(a, in));
+    }
+    const double end = jkr::pull_off_at_fixed_grips(out).displacement;
+    for (double d = depth; d > end; d -= step) {
+        const double a = jkr::contact_radius_at_displacement(d, out, jkr::Branch::outer);
+        add(d, a, jkr::force(a, out));
+    }
+    for (double d = end - step; d > end - gap; d -= step) add(d, 0.0, 0.0);
+    const auto column = [](const std::vector<double>& v) -> Array1D { return Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size())); };
+    return {{{"time", "s", Array1D::LinSpaced(static_cast<Index>(force.size()), 0.0, 100.0)},
+             {"force", "N", column(force)},
+             {"displacement", "m", column(displacement)},
+             {"contact_radius", "m", column(radius)}},
+            {}};
+}
+
+/// ∮F dδ of such a loop in closed form: the work to and fro is the change of elastic minus surface energy of each branch.
+double loss(double work_in, double work_out, double depth) {
+    const jkr::Contact in{sphere_radius, contact_modulus, work_in}, out{sphere_radius, contact_modulus, work_out};
+    const auto energy = [](const jkr::Contact& c, double d) { return jkr::total_energy(jkr::contact_radius_at_displacement(d, c, jkr::Branch::outer), d, c); };
+    const auto pull_off = jkr::pull_off_at_fixed_grips(out);
+    const double pressed = energy(in, depth) - energy(in, 0.0);
+    const double released = energy(out, depth) - jkr::total_energy(pull_off.contact_radius, pull_off.displacement, out);
+    return pressed - released;
+}
+
+class StudyOfFiles : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder_);
+        write_scan("a.csv", 20e-9);
+        write_scan("b.csv", 60e-9);
+        for (int i = 0; i < 4; ++i) tables::write_csv((folder_ / ("loop" + std::to_string(i) + ".csv")).string(), loop(0.03 + 0.004 * i, 0.06 + 0.01 * i, 20e-6));
+        tables::write_csv((folder_ / "smooth_before.csv").string(), loop(0.040, 0.0405, 20e-6));
+        tables::write_csv((folder_ / "smooth_after.csv").string(), loop(0.041, 0.0415, 20e-6));
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    /// A line of 200 µm with one cosine of 5 µm wavelength.
+    void write_scan(const std::string& name, double amplitude) {
+        const Array1D x = Array1D::LinSpaced(2000, 0.0, 199.9e-6);
+        tables::write_csv((folder_ / name).string(), {{{"x", "m", x}, {"h", "m", amplitude * (2.0 * pi * x / 5e-6).cos()}}, {}});
+    }
+
+    StudyResult run(const std::string& experiments, int threads = 2) {
+        const auto path = (folder_ / "study.toml").string();
+        std::ofstream(path) << "[rough_solid]\nyoungs_modulus = \"1e9 GPa\"\npoisson_ratio = 0.0\n"
+                               "[analysis]\nwindow = \"none\"\nbootstrap_resamples = 0\n"
+                               "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+                               "[surfaces.B]\nmeasurements = [{ file = \"b.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+                               "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
+                               "[elastomers.other]\nyoungs_modulus = \"0.75 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
+                            << experiments;
+        auto study = read_study(path);
+        return run_study(study, {threads});
+    }
+
+    static constexpr const char* rough_loops =
+        "[[experiments]]\nfile = \"loop0.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n"
+        "[[experiments]]\nfile = \"loop1.csv\"\nsurface = \"B\"\nelastomer = \"soft\"\n"
+        "[[experiments]]\nfile = \"loop2.csv\"\nsurface = \"A\"\nelastomer = \"other\"\n"
+        "[[experiments]]\nfile = \"loop3.csv\"\nsurface = \"B\"\nelastomer = \"other\"\n";
+
+    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_chain_" + std::to_string(::getpid()));
+};
+
+TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
+    const auto result = run(rough_loops);
+    const double q = 2.0 * pi / 5e-6;
+    for (const auto& [name, amplitude] : {std::pair{"A", 20e-9}, {"B", 60e-9}}) {
+        const auto& surface = result.surface(name);
+        ASSERT_EQ(surface.error, "");
+        EXPECT_NEAR(surface.average.parameters.rms_height / (amplitude / std::sqrt(2.0)), 1.0, 1e-6) << name;
+        // taken for isotropic, a line of one wave has U_el/(A E*) = (1/8) ∫ q C1D dq = π q A²/16
+        EXPECT_NEAR(surface.average.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0), 1.0, 1e-6) << name;
+    }
+}
+
+TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
+    // one measured walk with a tip known exactly and once more with an uncertain one
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> step(0.0, 2e-9);
+    const Array1D x = Array1D::LinSpaced(2000, 0.0, 199.9e-6);
+    Array1D h = Array1D::Zero(2000);
+    for (Index i = 1; i < 2000; ++i) h[i] = h[i - 1] + step(random);
+    tables::write_csv((folder_ / "walk.csv").string(), {{{"x", "m", x}, {"h", "m", h}}, {}});
+    SurfaceInput input;
+    input.name = "walk";
+    for (const double error : {0.0, 1e-6}) {
+        MeasurementInput measurement;
+        measurement.file = (folder_ / "walk.csv").string();
+        measurement.tip_radius = Estimate{5e-6, error};
+        input.measurements.push_back(measurement);
+    }
+    const auto surface = analyse_surface(input, {.spectrum = SpectrumMethod::average}, {1});
+    ASSERT_EQ(surface.error, "");
+    EXPECT_FALSE(surface.measurements[0].bands_of_uncertain_tip);
+    ASSERT_TRUE(surface.measurements[1].bands_of_uncertain_tip);
+    const auto& [blunter, sharper] = *surface.measurements[1].bands_of_uncertain_tip;
+    EXPECT_LT(blunter.upper, surface.measurements[1].spectrum.q_max);
+    EXPECT_GT(sharper.upper, surface.measurements[1].spectrum.q_max);
+    ASSERT_EQ(surface.average.spread.sources.size(), 1u);
+    EXPECT_GT(surface.average.spread.sources[0].minus.rms_slope, surface.average.spread.sources[0].plus.rms_slope);
+}
+
+TEST_F(StudyOfFiles, FindsTheWorkAndTheLossPutIn) {
+    const auto result = run(rough_loops);
+    int checked = 0;
+    for (const auto& pair : result.pairs) {
+        const int i = (pair.elastomer == "other" ? 2 : 0) + (pair.surface == "B" ? 1 : 0);
+        ASSERT_TRUE(pair.approach && pair.retraction && pair.loss) << pair.surface << pair.elastomer;
+        EXPECT_NEAR(pair.approach->value, 0.03 + 0.004 * i, 2e-5);
+        EXPECT_NEAR(pair.retraction->value, 0.06 + 0.01 * i, 2e-3);
+        EXPECT_NEAR(pair.loss->value / loss(0.03 + 0.004 * i, 0.06 + 0.01 * i, 20e-6), 1.0, 0.01);
+        ++checked;
+    }
+    EXPECT_EQ(checked, 4);
+    EXPECT_NEAR(result.elastomer("soft").youngs_modulus.value, 0.75e6, 1e3);
+    EXPECT_TRUE(result.elastomer("soft").modulus_from_loops);
+}
+
+TEST_F(StudyOfFiles, FitsTheLossOfAllPairsAgainstTrueArea) {
+    const auto result = run(rough_loops);
+    ASSERT_TRUE(result.loop) << result.loop.reason;
+    double products = 0.0, squares = 0.0;
+    for (const auto& pair : result.pairs) {
+        const double area = result.surface(pair.surface).area_ratio() * *pair.contact_area;
+        products += area * pair.loss->value;
+        squares += area * area;
+    }
+    EXPECT_NEAR(result.loop->through_origin.work_of_adhesion.value / (products / squares), 1.0, 1e-9);
+    ASSERT_TRUE(result.loop->through_origin_without_ideal_loss);
+    EXPECT_LT(result.loop->through_origin_without_ideal_loss->work_of_adhesion.value, result.loop->through_origin.work_of_adhesion.value);
+    EXPECT_TRUE(result.loop->with_intercept);
+}
+
+TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
+    // the balances as lines in W_int, which the fits use, against the balances themselves, which the predictions use
+    const auto result = run(rough_loops);
+    for (const auto& [fit, predicted] : {std::pair{&result.modified, &PairResult::modified}, {&result.persson_tosatti, &PairResult::persson_tosatti},
+                                         {&result.without_area_change, &PairResult::without_area_change}})
+        for (const auto& point : (*fit)->pairs)
+            for (const auto& pair : result.pairs) {
+                if (pair.surface != point.surface || pair.elastomer != point.elastomer) continue;
+                EXPECT_NEAR((pair.*predicted)->work.floored, point.prediction(result.work_of_adhesion->value), 1e-15);
+            }
+}
+
+TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
+    const auto result = run(std::string(rough_loops) +
+                            "[[experiments]]\nfile = \"smooth_before.csv\"\nrole = \"reference\"\nstage = \"before\"\nelastomer = \"soft\"\n"
+                            "[[experiments]]\nfile = \"smooth_after.csv\"\nrole = \"reference\"\nstage = \"after\"\nelastomer = \"soft\"\n");
+    ASSERT_EQ(result.references.size(), 2u);
+    EXPECT_NEAR(result.references[0].approach.value, 0.040, 2e-5);
+    EXPECT_NEAR(result.references[0].excess_energy->value / loss(0.040, 0.0405, 20e-6), 1.0, 0.02);
+    EXPECT_GT(*result.references[0].loss_ratio, 1.0);
+    ASSERT_EQ(result.reference_drifts.size(), 1u);
+    EXPECT_NEAR(result.reference_drifts[0].change.work_of_adhesion_loading.value, 0.001, 4e-5);
+}
+
+TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
+    const auto result = run(std::string(rough_loops) + "[[experiments]]\nfile = \"none.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
+    EXPECT_EQ(result.failures(), 1);
+    EXPECT_TRUE(result.loop);
+    EXPECT_NE(result.experiments.back().error.find("none.csv"), std::string::npos);
+}
+
+TEST_F(StudyOfFiles, GivesTheSameBytesForAnyNumberOfThreads) {
+    EXPECT_EQ(output::to_json(run(rough_loops, 1)).dump(), output::to_json(run(rough_loops, 3)).dump());
+}
+
+TEST_F(StudyOfFiles, WritesWholeTablesWithUnits) {
+    auto result = run(rough_loops);
+    result.study.output = (folder_ / "out").string();
+    const auto files = output::write_results(result);
+    for (const auto& file : files) EXPECT_GT(std::filesystem::file_size(folder_ / "out" / file), 0u) << file;
+    std::size_t present = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_ / "out")) ++present;
+    EXPECT_EQ(present, files.size()) << "no temporary file is left behind";
+    std::ifstream pairs(folder_ / "out" / "pairs.csv");
+    std::string header;
+    std::getline(pairs, header);
+    EXPECT_NE(header.find("W_app measured [J/m2]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace setae::study

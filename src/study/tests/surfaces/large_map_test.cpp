@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Maps that take more memory than may be used are read by bands of scan lines, with the same numbers.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "setae/formats/npy.hpp"
+#include "setae/synthesis/random_surface.hpp"
+#include "setae/study/surface_analysis.hpp"
+
+namespace setae::study {
+namespace {
+
+constexpr Index nx = 200, ny = 150;
+
+class LargeMap : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto map = synthesis::random_surface(spectra::density({1e-28, 1e7, 0.8, 1e9}), {nx, ny, 1e-6, 0.75e-6}, {.key = {5}});
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder = std::filesystem::temp_directory_path() / ("setae_large_map_" + test);  // tests run side by side
+        std::filesystem::create_directories(folder);
+        input.file = (folder / "map.npy").string();
+        input.size = std::vector{1e-6, 0.75e-6};
+        input.unit = "nm";
+        input.instrument = "afm";
+        input.tip_radius = Estimate{2e-8, 5e-9, "given"};
+        formats::write_npy(input.file, Array2D(map.heights * 1e9));
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    MeasurementResult analysed(std::uint64_t largest_map) const {
+        AnalysisOptions options;
+        options.spectrum = SpectrumMethod::average;
+        options.largest_map = largest_map;
+        return analyse_surface({.name = "A", .measurements = {input}}, options, {2}).measurements.at(0);
+    }
+
+    std::filesystem::path folder;
+    MeasurementInput input;
+};
+
+TEST_F(LargeMap, HasTheNumbersOfTheWholeMap) {
+    const auto whole = analysed(std::uint64_t{1} << 30), by_bands = analysed(nx * 16 * sizeof(double));
+    ASSERT_EQ(whole.error, "");
+    ASSERT_EQ(by_bands.error, "");
+    EXPECT_EQ(by_bands.trend, whole.trend);
+    EXPECT_EQ(by_bands.name, whole.name);
+    EXPECT_NEAR(by_bands.real_space.rms_height, whole.real_space.rms_height, 1e-10 * whole.real_space.rms_height);
+    EXPECT_NEAR(by_bands.real_space.rms_curvature, whole.real_space.rms_curvature, 1e-10 * whole.real_space.rms_curvature);
+    EXPECT_LT(((by_bands.spectrum.C1D - whole.spectrum.C1D) / whole.spectrum.C1D).abs().maxCoeff(), 1e-8);
+    EXPECT_NEAR(by_bands.spectrum.q_max, whole.spectrum.q_max, 1e-6 * whole.spectrum.q_max);
+    ASSERT_TRUE(whole.bands_of_uncertain_tip && by_bands.bands_of_uncertain_tip);
+    for (const std::size_t side : {0, 1})
+        EXPECT_NEAR((*by_bands.bands_of_uncertain_tip)[side].upper, (*whole.bands_of_uncertain_tip)[side].upper, 1e-6 * whole.spectrum.q_max);
+    EXPECT_LT((by_bands.preview.map - whole.preview.map).abs().maxCoeff(), 1e-12 * whole.real_space.rms_height / 1e-9);
+}
+
+TEST_F(LargeMap, SaysThatItWasReadByBands) {
+    const auto by_bands = analysed(nx * 16 * sizeof(double));
+    ASSERT_FALSE(by_bands.alerts.empty());
+    EXPECT_EQ(by_bands.alerts.front().code, "LARGE_MAP");
+    EXPECT_FALSE(by_bands.slopes);
+    EXPECT_FALSE(by_bands.triangulated);
+}
+
+}  // namespace
+}  // namespace setae::study

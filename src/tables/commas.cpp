@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/tables/commas.hpp"
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+
+namespace setae::tables {
+
+std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view>& lines, const Layout& layout) {
+    if (layout.dialect.decimal_point != ',' || layout.dialect.separator == ';') return std::nullopt;
+    std::vector<std::string_view> cells;
+    std::optional<DoubtfulComma> doubtful;
+    for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
+        const auto line = trimmed(lines[i]);
+        if (line.starts_with('#') || line.starts_with('%')) continue;
+        split_cells(lines[i], layout.dialect.separator, cells);
+        for (const auto cell : cells) {
+            if (cell.find(',') == std::string_view::npos) continue;
+            if (!is_grouped(cell, ',', true)) return std::nullopt;
+            if (!doubtful) doubtful = DoubtfulComma{std::string(cell), i + 1};
+        }
+    }
+    return doubtful;
+}
+
+void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line, const Layout& layout, const std::string& name) {
+    if (layout.dialect.separator != ',' || header.empty()) return;
+    std::vector<std::string_view> cells;
+    split_cells(header.back(), ',', cells);
+    if (cells.size() < 2 || 2 * cells.size() != layout.columns || first_row.find('.') != std::string_view::npos) return;
+    throw FormatError(name, {.line = line},
+                      fmt::format("{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
+                                  "export with semicolons or tabs, or with decimal points", layout.columns, cells.size()));
+}
+
+}  // namespace setae::tables

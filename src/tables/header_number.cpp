@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/tables/header_number.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "setae/core/text.hpp"
+
+namespace setae::tables {
+namespace {
+
+template <class Number>
+std::optional<Number> whole(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::optional<double> finite_number(std::string_view text) {
+    const auto value = whole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<Index> count_in(std::string_view text) {
+    constexpr Index most = Index{1} << 40;
+    const auto value = whole<Index>(text);
+    return value && *value >= 0 && *value <= most ? value : std::nullopt;
+}
+
+}  // namespace setae::tables

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace setae::tables {
+
+/// A table for readers: texts and numbers in named columns, the unit in the name ("value [m]").
+struct TidyTable {
+    using Cell = std::variant<std::string, double>;
+    std::string title;
+    std::vector<std::string> columns;
+    std::vector<std::vector<Cell>> rows;
+};
+
+/// CSV with full round-trip numbers, NaN as empty cell, texts quoted where they hold a comma, quote or line break.
+[[nodiscard]] std::string as_csv(const TidyTable& table);
+
+/// Aligned columns for a terminal, numbers with `significant_digits`, "–" for NaN.
+[[nodiscard]] std::string as_text(const TidyTable& table, int significant_digits = 4);
+
+}  // namespace setae::tables

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/text.hpp"
+
+namespace setae::tables {
+
+/// How numbers are separated and spelled.
+struct Dialect {
+    char separator = ' ';  ///< '\t', ';', ',' or ' ' for runs of blanks
+    char decimal_point = '.';
+    bool grouped = false;  ///< thousands may be grouped by the other sign: "1,234.5"
+};
+
+/// Whether a cell is a number with thousands in groups, and nothing but its groups where `whole`: "1,234" for ','.
+[[nodiscard]] bool is_grouped(std::string_view cell, char group_sign, bool whole);
+
+using bytes::parse_cell;
+/// The same, thousands in groups where the dialect says so.
+[[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
+
+/// Cells of a line; for separator ' ' runs of blanks and tabs separate and none lead or trail.
+void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+/// Where the numbers of a text stand and how they are written.
+struct Layout {
+    Dialect dialect;
+    std::size_t columns = 0;
+    std::size_t filled = 0;     ///< columns up to the last that is not empty in every row looked at
+    std::size_t first_row = 0;  ///< index of the line the numbers begin at
+    std::vector<bool> text;     ///< per column whether it holds text; empty where none does
+};
+
+/// The dialect that makes the most of the last lines rows of numbers, and the first row; nothing where no line is one.
+[[nodiscard]] std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, const TableOptions& options);
+
+/// The same for text of which some columns are words: the layout that makes the most of the last lines rows of as many cells,
+/// the same columns numbers in each; nothing where there is none of at least two columns.
+[[nodiscard]] std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines, const TableOptions& options);
+
+/// Numeric columns in the first bytes of a text, 0 where there are none or it is no text.
+[[nodiscard]] std::size_t numeric_columns(std::string_view head);
+
+/// Cells of a header line with between `least` and `most` cells, by the numbers' separator or any other; else empty.
+[[nodiscard]] std::vector<std::string> header_cells(std::string_view line, char separator, std::size_t least, std::size_t most);
+
+}  // namespace setae::tables

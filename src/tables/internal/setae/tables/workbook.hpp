@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "setae/bytes/source.hpp"
+
+namespace setae::tables {
+
+/// Cells of a sheet as text, by row and column from 0; those that are empty are not there.
+using SheetRows = std::map<std::size_t, std::map<std::size_t, std::string>>;
+
+struct Sheet {
+    std::string name;
+    std::string member;  ///< of the archive
+};
+
+/// A workbook's archive, its sheets and shared strings.
+class Workbook {
+public:
+    /// @throws FormatError for what is no whole workbook.
+    explicit Workbook(const bytes::Source& source);
+    ~Workbook();
+    Workbook(const Workbook&) = delete;
+    Workbook& operator=(const Workbook&) = delete;
+
+    [[nodiscard]] const std::vector<Sheet>& sheets() const;
+    /// @throws FormatError for a sheet that does not parse.
+    [[nodiscard]] SheetRows rows(const Sheet& sheet) const;
+
+private:
+    struct Content;
+    std::unique_ptr<Content> content_;
+};
+
+/// "C7" for column 2, row 6.
+[[nodiscard]] std::string cell_name(std::size_t row, std::size_t column);
+
+}  // namespace setae::tables

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/tables/spreadsheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "setae/bytes/archive.hpp"
+#include "setae/tables/header.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/bytes/text.hpp"
+#include "setae/tables/workbook.hpp"
+
+namespace setae::tables {
+namespace {
+
+/// A number of a cell; cells hold points whatever the language of the program that wrote them.
+bool is_number(const std::string& cell) {
+    double value = undefined;
+    return bytes::parse_cell(cell, '.', value) && !std::isnan(value);
+}
+
+/// Where the table of a sheet stands.
+struct Place {
+    std::vector<std::size_t> columns;  ///< with numbers, or with words among them
+    std::vector<bool> text;
+    std::size_t first_row = 0;
+};
+
+/// Cells of a column that hold anything.
+struct Tally {
+    std::size_t cells = 0, numbers = 0;
+};
+
+std::optional<Place> find_table(const SheetRows& rows) {
+    std::map<std::size_t, Tally> tallies;
+    std::size_t fullest = 0;
+    for (const auto& [row, cells] : rows)
+        for (const auto& [column, cell] : cells) {
+            auto& tally = tallies[column];
+            ++tally.cells;
+            tally.numbers += is_number(cell) ? 1 : 0;
+            fullest = std::max(fullest, tally.numbers);
+        }
+    std::vector<std::size_t> numeric;
+    for (const auto& [column, tally] : tallies)
+        if (2 * tally.numbers >= fullest && 2 * tally.numbers >= tally.cells && fullest >= 2) numeric.push_back(column);
+    if (numeric.empty()) return std::nullopt;
+    Place place;
+    for (const auto& [row, cells] : rows) {
+        std::size_t filled = 0;
+        for (const auto column : numeric) filled += cells.contains(column) && is_number(cells.at(column)) ? 1 : 0;
+        place.first_row = row;
+        if (2 * filled > numeric.size()) break;
+    }
+    // every column from the first to the last that the row of names or the numbers fill
+    for (const auto& [column, tally] : tallies) {
+        const bool number = std::find(numeric.begin(), numeric.end(), column) != numeric.end();
+        std::size_t words = 0, numbers = 0;
+        for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row)
+            if (const auto cell = row->second.find(column); cell != row->second.end()) ++(is_number(cell->second) ? numbers : words);
+        const auto header = rows.lower_bound(place.first_row) == rows.begin() ? rows.end() : std::prev(rows.lower_bound(place.first_row));
+        const bool named = header != rows.end() && header->second.contains(column);
+        if (!number && !named) continue;  // remarks beside the table
+        place.columns.push_back(column);
+        place.text.push_back(!number && words > numbers);
+    }
+    return place;
+}
+
+/// Cells above the table as lines of tab-separated text, as a text file would have them.
+std::vector<std::string> lines_above(const SheetRows& rows, const Place& place, const std::string& sheet) {
+    std::vector<std::string> lines{fmt::format("sheet: {}", sheet)};
+    for (const auto& [row, cells] : rows) {
+        if (row >= place.first_row) break;
+        std::string line;
+        for (const auto column : place.columns) {
+            if (column != place.columns.front()) line += '\t';
+            if (cells.contains(column)) line += trimmed(cells.at(column));
+        }
+        if (trimmed(line).empty() && !cells.empty()) line = cells.begin()->second;
+        std::replace(line.begin(), line.end(), '\n', ' ');
+        if (!trimmed(line).empty()) lines.push_back(line);
+    }
+    return lines;
+}
+
+RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet, const bytes::Source& source) {
+    RawTable table{{}, lines_above(rows, place, sheet.name), {}, '\t', '.'};
+    std::vector<std::vector<double>> values(place.columns.size());
+    table.columns.resize(place.columns.size());
+    for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row)
+        for (std::size_t k = 0; k < place.columns.size(); ++k) {
+            const auto cell = row->second.find(place.columns[k]);
+            double value = undefined;
+            if (cell != row->second.end() && !bytes::parse_cell(cell->second, '.', value)) {
+                const auto where = fmt::format("'{:.40}' in cell {}", cell->second, cell_name(row->first, place.columns[k]));
+                if (!place.text[k])
+                    throw FormatError(source.name, {}, fmt::format("sheet '{}': {} is no number, expected one as in the cells above", sheet.name, where));
+                if (table.columns[k].text.empty()) table.columns[k].text = where;
+            }
+            values[k].push_back(place.text[k] ? undefined : value);
+        }
+    std::vector<HeaderCell> names;
+    try {
+        names = parse_header(table.header, '\t', values.size(), values.size());
+    } catch (const InvalidArgument& error) {
+        throw FormatError(source.name, {}, fmt::format("sheet '{}': {}", sheet.name, error.what()));
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!names.empty()) table.columns[k].name = names[k].name, table.columns[k].unit = names[k].unit;
+        table.columns[k].values = Eigen::Map<const Array1D>(values[k].data(), static_cast<Index>(values[k].size()));
+    }
+    return table;
+}
+
+std::string listed(const std::vector<Sheet>& sheets) {
+    std::vector<std::string> names;
+    for (const auto& sheet : sheets) names.push_back(fmt::format("'{}'", sheet.name));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Why a sheet has no table.
+std::string without_table(const SheetRows& rows, const Sheet& sheet) {
+    return fmt::format("sheet '{}' {}; expected columns of numbers below their names", sheet.name, rows.empty() ? "is empty" : "has no two rows of numbers");
+}
+
+}  // namespace
+
+bool is_spreadsheet(const bytes::Source& source) {
+    if (!bytes::is_zip(source.head(4))) return false;
+    return bytes::Archive(source).has("xl/workbook.xml");
+}
+
+std::vector<std::string> sheet_names(const bytes::Source& workbook) {
+    std::vector<std::string> names;
+    const Workbook book(workbook);
+    for (const auto& sheet : book.sheets()) names.push_back(sheet.name);
+    return names;
+}
+
+RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std::string>& sheet) {
+    const Workbook book(workbook);
+    std::optional<RawTable> table;
+    std::string empty, others;
+    for (const auto& candidate : book.sheets()) {
+        if (sheet && candidate.name != *sheet) continue;
+        const auto rows = book.rows(candidate);
+        const auto place = find_table(rows);
+        if (!place)
+            empty += (empty.empty() ? "" : "; ") + without_table(rows, candidate);
+        else if (table)
+            others += (others.empty() ? "" : ", ") + candidate.name;
+        else
+            table = table_of(rows, *place, candidate, workbook);
+    }
+    if (!table && empty.empty()) throw FormatError(workbook.name, {}, fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
+    if (!table) throw FormatError(workbook.name, {}, empty);
+    if (!others.empty()) table->metadata["other_sheets"] = others;
+    return std::move(*table);
+}
+
+}  // namespace setae::tables

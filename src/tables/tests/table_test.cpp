@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "error_message.hpp"
+#include "sample_files.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/tables/mapping.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
+#include "setae/tables/table_file.hpp"
+#include "setae/bytes/whole_file.hpp"
+
+using namespace setae::tests;
+
+namespace setae::tables::tests {
+namespace {
+
+TEST(Table, ColumnsComeInSi) {
+    const TemporaryFolder folder;
+    const char* tables[] = {"force [mN],displacement (um),note\n1,2,3\n2,4,6\n", "force / mN;displacement / um;note\n1;2;3\n2;4;6\n",
+                            "force\tdisplacement\tnote\nmN\tum\t-\n1\t2\t3\n2\t4\t6\n", "# force [mN] displacement [um] note\n1 2 3\n2 4 6\n",
+                            "force [mN];displacement [um];note\n1,0;2,0;3,0\n2,0;4,0;6,0\n"};
+    for (const auto* text : tables) {
+        const auto table = read_table(folder.write("t.csv", text));
+        EXPECT_DOUBLE_EQ(table.at("force")[1], 2e-3) << text;
+        EXPECT_EQ(table.find("force")->unit, "N") << text;
+        EXPECT_DOUBLE_EQ(table.at("displacement")[0], 2e-6) << text;
+        EXPECT_DOUBLE_EQ(table.at("note")[1], 6.0) << text;
+    }
+}
+
+TEST(Table, ColumnsWithoutUnitKeepNumbersAndSayNone) {
+    const TemporaryFolder folder;
+    const auto table = read_table(folder.write("t.csv", "a,T [°C]\n1,20\n2,21\n"));
+    EXPECT_EQ(table.find("a")->unit, "");
+    EXPECT_EQ(table.find("T")->unit, "°C");
+    EXPECT_DOUBLE_EQ(table.at("T")[1], 21.0);
+}
+
+TEST(Table, WrittenTablesAreReadBackToTheLastDigit) {
+    const TemporaryFolder folder;
+    Table table;
+    table.columns = {{"wavevector", "1/m", Array1D{{0.1, 1.0 / 3.0, 1e300}}}, {"C1D", "m3", Array1D{{4.9e-324, std::nan(""), -2.0}}}};
+    write_csv(folder.path("t.csv"), table);
+    const auto back = read_table(folder.path("t.csv"));
+    EXPECT_TRUE((back.at("wavevector") == table.columns[0].values).all());
+    EXPECT_EQ(back.at("C1D")[0], 4.9e-324);
+    EXPECT_TRUE(std::isnan(back.at("C1D")[1]));
+    EXPECT_EQ(back.find("C1D")->unit, "m3");
+}
+
+TEST(Table, ColumnsOfUndefinedValuesSurviveCsv) {
+    const TemporaryFolder folder;
+    Table table;
+    table.columns = {{"a", "m", Array1D{{1.0, 2.0}}}, {"b", "m", Array1D{{std::nan(""), std::nan("")}}}};
+    write_csv(folder.path("t.csv"), table);
+    EXPECT_EQ(bytes::read_file(folder.path("t.csv")), "a [m],b [m]\n1,\n2,\n");
+    EXPECT_TRUE(read_table(folder.path("t.csv")).at("b").isNaN().all());
+    table.columns = {{"a", "m", Array1D{{1.0, std::nan(""), 2.0}}}};
+    write_csv(folder.path("t.csv"), table);
+    EXPECT_EQ(read_table(folder.path("t.csv")).rows(), 3);
+}
+
+TEST(Table, NamesThatBreakCsvAreRefused) {
+    const TemporaryFolder folder;
+    Table table;
+    table.columns = {{"a,b", "m", Array1D::Zero(1)}};
+    EXPECT_THROW(write_csv(folder.path("t.csv"), table), InvalidArgument);
+}
+
+TEST(WholeFile, LeavesTheOldContentWhereWritingFails) {
+    const TemporaryFolder folder;
+    bytes::write_whole_file(folder.path("a"), "one");
+    bytes::write_whole_file(folder.path("a"), "two");
+    EXPECT_EQ(bytes::read_file(folder.path("a")), "two");
+    EXPECT_THROW(bytes::write_whole_file(folder.path("missing/a"), "three"), FileError);
+    EXPECT_THROW(bytes::write_whole_file(folder.path("."), "three"), FileError);
+    std::size_t files = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path("."))) ++files;
+    EXPECT_EQ(files, 1u);
+}
+
+TEST(LoopTable, NeedsForcesAndUnits) {
+    const TemporaryFolder folder;
+    const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n"));
+    EXPECT_DOUBLE_EQ(table.at("force")[0], 1e-3);
+    const auto no_force = folder.write("a.csv", "load [mN],displacement [um]\n1,2\n2,3\n");
+    EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column 'force'"), std::string::npos);
+    const auto no_unit = folder.write("b.csv", "force,displacement [um]\n1,2\n2,3\n");
+    EXPECT_NE(message_of([&] { (void)read_loop_table(no_unit); }).find("no unit"), std::string::npos);
+    const auto wrong = folder.write("c.csv", "force [um],displacement [um]\n1,2\n2,3\n");
+    EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("unit 'm'"), std::string::npos);
+}
+
+TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
+    const TemporaryFolder folder;
+    for (const auto* first_row : {"q;C\n", "0;1\n"}) {
+        const auto table = read_power_spectrum_table(folder.write("p.csv", std::string(first_row) + "1,5e3;2,5e-12\n2,5e3;1e-12\n"));
+        ASSERT_EQ(table.rows(), 2) << first_row;
+        EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 1500.0);
+        EXPECT_DOUBLE_EQ(table.at("C1D")[0], 2.5e-12);
+        EXPECT_EQ(table.metadata.at("units"), "assumed SI");
+    }
+}
+
+TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
+    const TemporaryFolder folder;
+    const auto table = read_power_spectrum_table(folder.write("p.csv", "q [1/um],C1D [nm3],std err [nm3]\n1,2,0.5\n2,1,0.25\n"));
+    EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 1e6);
+    EXPECT_DOUBLE_EQ(table.at("C1D")[0], 2e-27);
+    EXPECT_DOUBLE_EQ(table.at("standard_error")[1], 0.25e-27);
+    EXPECT_EQ(table.metadata.count("units"), 0u);
+}
+
+TEST(PowerSpectrumTable, WrongUnitsAreRefused) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("p.csv", "q [1/um],C2D [nm4]\n1,2\n2,1\n");
+    EXPECT_NE(message_of([&] { (void)read_power_spectrum_table(path); }).find("nm4"), std::string::npos);
+    const auto partly = folder.write("r.csv", "q [1/um],C1D\n1,2\n2,1\n");
+    EXPECT_THROW((void)read_power_spectrum_table(partly), FormatError);
+    const auto single = folder.write("q.csv", "1\n2\n");
+    EXPECT_THROW((void)read_power_spectrum_table(single), FormatError);
+}
+
+constexpr const char* mapping_text = R"(
+[file]
+encoding = "latin-1"
+separator = "tab"
+decimal = "comma"
+header_end = "eoh"
+[constants]
+k = "2 N/m"
+[columns.piezo]
+header = "Piezo"
+unit = "um"
+[columns.mems]
+position = 2
+[table]
+force = "k * mems"
+displacement = "piezo - mems"
+power = { expression = "k * mems^2", unit = "J" }
+)";
+constexpr const char* foreign_table = "Made 1,5 \xb0""C\nPiezo[nm]\tMEMS[nm]\nx\neoh\n1,5\t10\n2,5\t20\n";
+
+TEST(Mapping, ExpressionsWorkOnColumnsInSi) {
+    const TemporaryFolder folder;
+    const auto mapping = read_mapping(folder.write("m.toml", mapping_text));
+    const auto table = read_mapped_table(folder.write("t.txt", foreign_table), mapping);
+    EXPECT_DOUBLE_EQ(table.at("force")[1], 40e-9);
+    EXPECT_DOUBLE_EQ(table.at("displacement")[0], 1.5e-6 - 10e-9);
+    EXPECT_DOUBLE_EQ(table.at("power")[0], 2e-16);
+    EXPECT_EQ(table.find("power")->unit, "J");
+    EXPECT_NO_THROW(require_loop_columns(table, "t.txt"));
+}
+
+std::string mapping_error(const std::string& from, const std::string& to) {
+    std::string text = mapping_text;
+    text.replace(text.find(from), from.size(), to);
+    const TemporaryFolder folder;
+    const auto table = folder.write("t.txt", foreign_table);
+    const auto path = folder.write("m.toml", text);
+    return message_of([&] { (void)read_mapped_table(table, read_mapping(path)); });
+}
+
+TEST(Mapping, MistakesAreNamed) {
+    EXPECT_NE(mapping_error("separator", "seperator").find("did you mean 'separator'"), std::string::npos);
+    EXPECT_NE(mapping_error("[constants]", "[constant]").find("did you mean 'constants'"), std::string::npos);
+    EXPECT_NE(mapping_error("\"tab\"", "\"tabulator\"").find("expected one of tab"), std::string::npos);
+    EXPECT_NE(mapping_error("\"2 N/m\"", "\"two N/m\"").find("constant 'k'"), std::string::npos);
+    EXPECT_NE(mapping_error("\"um\"", "\"parsec\"").find("parsec"), std::string::npos);
+    EXPECT_NE(mapping_error("k * mems\"", "3.01 * mems\"").find("the expression is no N"), std::string::npos);
+    EXPECT_NE(mapping_error("piezo - mems", "piezo - mms").find("mms"), std::string::npos);
+    EXPECT_NE(mapping_error("piezo - mems", "piezo -").find("displacement"), std::string::npos);
+    EXPECT_NE(mapping_error("force =", "load =").find("unit of 'load'"), std::string::npos);
+    EXPECT_NE(mapping_error("position = 2", "position = 5").find("no column 5"), std::string::npos);
+    EXPECT_NE(mapping_error("header = \"Piezo\"", "header = \"Stage\"").find("Piezo [nm], MEMS [nm]"), std::string::npos);
+    EXPECT_NE(mapping_error("\"eoh\"", "\"end\"").find("no line 'end'"), std::string::npos);
+    EXPECT_NE(mapping_error("[file]", "[file").find("TOML"), std::string::npos);
+    EXPECT_NE(mapping_error("header = \"Piezo\"", "").find("either header or position"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace setae::tables::tests

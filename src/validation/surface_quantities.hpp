@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "setae/simulation/known_surface.hpp"
+
+namespace setae::validation {
+
+/// A number of a surface.
+struct SurfaceQuantity {
+    std::string name, unit;
+    std::function<double(const roughness::SpectralParameters&)> value;
+    double least = 0.0;  ///< what it exceeds
+};
+
+/// Heights, slopes, curvatures, energy, true area, C1D by decade.
+[[nodiscard]] std::vector<SurfaceQuantity> surface_quantities();
+
+/// NaN where nothing is planted: C1D of surfaces that are not Gaussian.
+[[nodiscard]] double planted_value(const SurfaceQuantity& quantity, const simulation::SurfaceTruth& truth);
+
+}  // namespace setae::validation

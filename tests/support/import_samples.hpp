@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "error_message.hpp"
+#include "sample_files.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::tests {
+
+inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A cell's XML: a number, an inline string, or a shared string by "s:INDEX".
+[[nodiscard]] inline std::string xlsx_cell(const std::string& reference, const std::string& value) {
+    if (value.starts_with("s:")) return fmt::format(R"(<c r="{}" t="s"><v>{}</v></c>)", reference, value.substr(2));
+    const bool number = !value.empty() && (std::isdigit(static_cast<unsigned char>(value.front())) || value.front() == '-');
+    return number ? fmt::format(R"(<c r="{}"><v>{}</v></c>)", reference, value)
+                  : fmt::format(R"(<c r="{}" t="inlineStr"><is><t>{}</t></is></c>)", reference, value);
+}
+
+/// Cells by reference, row by row.
+using SheetCells = std::vector<std::vector<std::pair<std::string, std::string>>>;
+
+[[nodiscard]] inline std::string xlsx_sheet(const SheetCells& rows) {
+    std::string data;
+    for (const auto& row : rows) {
+        data += "<row>";
+        for (const auto& [reference, value] : row) data += xlsx_cell(reference, value);
+        data += "</row>";
+    }
+    return R"(<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>)" + data + "</sheetData></worksheet>";
+}
+
+/// A workbook of sheets by name, with shared strings.
+[[nodiscard]] inline std::string xlsx_file(const std::vector<std::pair<std::string, std::string>>& sheets, const std::vector<std::string>& strings = {}) {
+    std::string list, relations;
+    Members members;
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        list += fmt::format(R"(<sheet name="{}" sheetId="{}" r:id="rId{}"/>)", sheets[k].first, k + 1, k + 1);
+        relations += fmt::format(R"(<Relationship Id="rId{}" Target="worksheets/sheet{}.xml"/>)", k + 1, k + 1);
+        members.emplace_back(fmt::format("xl/worksheets/sheet{}.xml", k + 1), sheets[k].second);
+    }
+    std::string shared;
+    for (const auto& text : strings) shared += fmt::format("<si>{}</si>", text);
+    members.emplace_back("xl/workbook.xml", R"(<workbook xmlns:r="http://x"><sheets>)" + list + "</sheets></workbook>");
+    members.emplace_back("xl/_rels/workbook.xml.rels", "<Relationships>" + relations + "</Relationships>");
+    members.emplace_back("xl/sharedStrings.xml", "<sst>" + shared + "</sst>");
+    return zip_archive(members);
+}
+
+/// Names with a unit each and three rows: force [mN] 1 to 3, displacement [um] 10 to 30, a remark.
+[[nodiscard]] inline std::string xlsx_loop() {
+    return xlsx_file({{"Notes", xlsx_sheet({{{"A1", "lens 3"}}})},
+                      {"Loop", xlsx_sheet({{{"A1", "made today"}},
+                                           {{"B3", "s:0"}, {"C3", "s:1"}, {"D3", "remark"}},
+                                           {{"B4", "1"}, {"C4", "10.5"}, {"D4", "ok"}},
+                                           {{"B5", "2"}, {"C5", "20"}, {"D5", "ok"}},
+                                           {{"B6", "3"}, {"D6", "dust"}}})}},
+                     {"<t>Force (mN)</t>", "<r><t>Displacement</t></r><r><t xml:space=\"preserve\"> [um]</t></r>"});
+}
+
+template <class Number>
+std::string big_endian(const std::vector<Number>& values) {
+    std::string bytes;
+    for (const auto value : values) {
+        auto one = bytes_of(std::vector<Number>{value});
+        std::reverse(one.begin(), one.end());
+        bytes += one;
+    }
+    return bytes;
+}
+
+/// Properties of a JPK segment: height = 1e-6 (0.5 raw + 1) m, deflection 0.001 raw + 0.25 V, 50 nm/V, 0.2 N/m, offset 1e-9 m.
+[[nodiscard]] inline std::string jpk_segment(const char* style, int points, bool shared) {
+    const auto conversion = [](const std::string& channel, const char* slot, const char* base, double multiplier, double offset) {
+        const auto prefix = fmt::format("{}.conversion-set.conversion.{}.", channel, slot);
+        return fmt::format("{0}defined=true\n{0}base-calibration-slot={1}\n{0}scaling.type=linear\n{0}scaling.style=offsetmultiplier\n{0}scaling.multiplier={2}\n"
+                           "{0}scaling.offset={3}\n", prefix, base, multiplier, offset);
+    };
+    const auto channel = [&](const std::string& place, const char* dot, double multiplier, double offset) {
+        return fmt::format("{0}{1}encoder.type=signedshort\n{0}{1}encoder.scaling.type=linear\n{0}{1}encoder.scaling.style=offsetmultiplier\n"
+                           "{0}{1}encoder.scaling.multiplier={2}\n{0}{1}encoder.scaling.offset={3}\n{0}.conversion-set.conversions.base=volts\n",
+                           place, dot, multiplier, offset);
+    };
+    std::string text = fmt::format("# made by a test\nforce-segment-header.num-points={}\nforce-segment-header.duration=0.5\n"
+                                   "force-segment-header.settings.segment-settings.style={}\nforce-segment-header.time-stamp=2020-01-02 03\\:04\\:05\n"
+                                   "channels.list=measuredHeight vDeflection\n", points, style);
+    for (const char* name : {"measuredHeight", "vDeflection"}) text += fmt::format("channel.{0}.data.file.name=channels/{0}.dat\n", name);
+    const std::string height = shared ? "lcd-info.0" : "channel.measuredHeight", deflection = shared ? "lcd-info.1" : "channel.vDeflection";
+    const char* dot = shared ? "." : ".data.";
+    std::string info = channel(height, dot, 0.5, 1.0) + conversion(height, "nominal", "volts", 1e-6, 0.0) + channel(deflection, dot, 0.001, 0.25) +
+                       conversion(deflection, "distance", "volts", 50e-9, 1e-9) + conversion(deflection, "force", "distance", 0.2, 0.0);
+    if (shared) return text + "channel.measuredHeight.lcd-info.*=0\nchannel.vDeflection.lcd-info.*=1\n\x01" + info;
+    return text + info;
+}
+
+/// A force curve of two segments: heights 4, 2, 0 then 0, 2, 4; readings 0, 100, 200 then 200, 100, −50.
+[[nodiscard]] inline std::string jpk_force_file(bool shared = false) {
+    Members members{{"header.properties", "jpk-data-file=spm-forcefile\nforce-scan-series.description.instrument=N1\n"}};
+    std::string common;
+    const std::vector<std::vector<std::int16_t>> heights{{4, 2, 0}, {0, 2, 4}}, readings{{0, 100, 200}, {200, 100, -50}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        auto properties = jpk_segment(k == 0 ? "extend" : "retract", 3, shared);
+        if (const auto cut = properties.find('\x01'); cut != std::string::npos) {
+            common = properties.substr(cut + 1);
+            properties.resize(cut);
+        }
+        const auto folder = fmt::format("segments/{}/", k);
+        members.emplace_back(folder + "segment-header.properties", properties);
+        members.emplace_back(folder + "channels/measuredHeight.dat", big_endian(heights[k]));
+        members.emplace_back(folder + "channels/vDeflection.dat", big_endian(readings[k]));
+    }
+    if (shared) members.emplace_back("shared-data/header.properties", common);
+    return zip_archive(members);
+}
+
+/// A force curve as Igor stores it: columns Raw, Defl, ZSnsr of five samples, floats of the order named.
+[[nodiscard]] inline std::string igor_force_file(const std::string& note, bool big = false) {
+    const auto put = [&](std::string& bytes, std::size_t at, auto value) {
+        auto raw = bytes_of(std::vector<decltype(value)>{value});
+        if (big) std::reverse(raw.begin(), raw.end());
+        bytes.replace(at, raw.size(), raw);
+    };
+    const std::vector<float> numbers{0.f, 1e-6f, 2e-6f, 1e-6f, 0.f, 0.f, 0.f, 4e-9f, 1e-9f, -2e-9f, 0.f, 1.5e-6f, 3e-6f, 1.5e-6f, 0.f};
+    std::string bytes(384 + 4 * numbers.size(), '\0');
+    put(bytes, 0, std::int16_t{5});
+    put(bytes, 4, static_cast<std::int32_t>(320 + 4 * numbers.size()));
+    put(bytes, 12, static_cast<std::int32_t>(note.size()));
+    put(bytes, 40, std::int32_t{4 * 32});
+    put(bytes, 76, static_cast<std::int32_t>(numbers.size()));
+    put(bytes, 80, std::int16_t{2});
+    put(bytes, 132, std::int32_t{5});
+    put(bytes, 136, std::int32_t{3});
+    for (std::size_t i = 0; i < numbers.size(); ++i) put(bytes, 384 + 4 * i, numbers[i]);
+    std::uint16_t sum = 0;
+    for (std::size_t at = 0; at < 384; at += 2) {
+        const auto one = static_cast<unsigned char>(bytes[at]), two = static_cast<unsigned char>(bytes[at + 1]);
+        sum = static_cast<std::uint16_t>(sum + (big ? one * 256 + two : two * 256 + one));
+    }
+    put(bytes, 2, static_cast<std::uint16_t>(-sum));
+    bytes += note;
+    for (std::string label : {"", "Raw", "Defl", "ZSnsr"}) {
+        label.resize(32, '\0');
+        bytes += label;
+    }
+    return bytes;
+}
+
+[[nodiscard]] inline std::string afm_workshop_file() {
+    return "Force-Distance Curve\r\nFile Format:\t3\r\n\r\nDate:\tFriday, February 14, 2020\r\nForce Constant, nN/nm:\t2.5\r\nX, um:\t25.0\r\n\r\n"
+           "Extend Z-Sense(nm),Extend Force(nN),Retract Z-Sense(nm),Retract Force(nN)\r\n100,1,120,40\r\n110,2,110,15\r\n120,40,,\r\n";
+}
+
+[[nodiscard]] inline std::string nt_mdt_file() { return "-40,5000\t1,25\t1,5\n-30,5000\t1,25\t1,25\n-20,5000\t1,00\t0,75\n-10,5000\t0,50\t0,50\n0,5000\t0,00\t-0,25\n"; }
+
+}  // namespace setae::tests
