@@ -17,7 +17,8 @@ std::string missing_words(const formats::ChannelInfo& info) {
     for (const auto& name : names)
         if (is_needed(name)) options.push_back("--" + name);
     if (names.empty()) return {};
-    return fmt::format("MISSING {}{}", fmt::join(names, ", "), options.empty() ? "" : fmt::format(" (give {})", fmt::join(options, ", ")));
+    return fmt::format("MISSING {}{}", fmt::join(names, ", "),
+                       options.empty() ? "" : fmt::format(" (give {})", fmt::join(options, ", ")));
 }
 
 }  // namespace
@@ -27,14 +28,16 @@ std::string channel_line(const formats::ChannelInfo& info) {
     if (info.shape.empty()) return fmt::format("{}: {}", info.format.empty() ? "unreadable" : info.format, name);
     std::vector<std::string> sizes;
     for (const double size : info.size) sizes.push_back(format_value(size, "m"));
-    return fmt::format("{}: {}, {} points{}{}", info.format, name, fmt::join(info.shape, " × "), sizes.empty() ? "" : fmt::format(", {}", fmt::join(sizes, " × ")),
+    return fmt::format("{}: {}, {} points{}{}", info.format, name, fmt::join(info.shape, " × "),
+                       sizes.empty() ? "" : fmt::format(", {}", fmt::join(sizes, " × ")),
                        info.unit.empty() ? "" : ", in " + info.unit);
 }
 
 std::string channel_remarks(const formats::ChannelInfo& info) {
     std::string line;
     const auto& instrument = info.metadata.instrument;
-    for (const auto& text : {info.orientation, instrument.name.empty() ? instrument.type : instrument.name, info.metadata.acquisition_time})
+    for (const auto& text : {info.orientation, instrument.name.empty() ? instrument.type : instrument.name,
+                             info.metadata.acquisition_time})
         if (!text.empty()) line += ", " + text;
     if (const auto words = missing_words(info); info.is_height && !words.empty()) line += ", " + words;
     return line;

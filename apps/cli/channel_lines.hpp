@@ -7,7 +7,8 @@
 
 namespace setae::cli {
 
-/// What is known of a channel before its heights are read, on one line without its end: format, name, points, size, unit.
+/// What is known of a channel before its heights are read, on one line without its end: format, name, points, size,
+/// unit.
 [[nodiscard]] std::string channel_line(const formats::ChannelInfo& info);
 
 /// Orientation, instrument, date and, in capitals, what is missing with the option to give it; each behind ", ".

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/validation/report.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/validation/report.hpp"
 
 namespace setae::cli {
 namespace {
@@ -39,7 +39,8 @@ void add_options(CLI::App& verb, RepeatedRecipe& repeated) {
 }
 
 void require_recipe(const RepeatedRecipe& repeated) {
-    if (repeated.recipe.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+    if (repeated.recipe.empty())
+        throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
 }
 
 std::function<void(int)> progress_of(int runs) {
@@ -53,7 +54,8 @@ output::Json json_of(const std::vector<validation::SummaryRow>& rows) {
     return list;
 }
 
-void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name, const std::string& folder) {
+void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name,
+                   const std::string& folder) {
     std::error_code ignored;  // what cannot be made cannot be written to
     std::filesystem::create_directories(folder, ignored);
     const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };

@@ -10,7 +10,8 @@
 namespace setae::cli {
 namespace {
 
-constexpr const char* untested = "made from the published layout, not tested on a file of an instrument: please send one";
+constexpr const char* untested =
+    "made from the published layout, not tested on a file of an instrument: please send one";
 
 /// A sentence of the table with its capital letter and full stop; names that begin in small letters keep them.
 std::string sentence(std::string text) {
@@ -27,13 +28,18 @@ std::string cell(const std::string& text) {
     return result;
 }
 
-std::string section(const char* title, const std::string& text) { return text.empty() ? "" : fmt::format("\n## {}\n\n{}\n", title, sentence(text)); }
+std::string section(const char* title, const std::string& text) {
+    return text.empty() ? "" : fmt::format("\n## {}\n\n{}\n", title, sentence(text));
+}
 
 std::string page(const formats::Format& format) {
-    std::string text = fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
-    text += fmt::format("| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n", cell(format.extensions),
-                        format.writes() ? "yes" : "no", format.tested_on_real_files ? "real files" : untested);
-    text += section("Heights", format.heights) + section("Orientation", format.orientation) + section("Not read", format.not_read);
+    std::string text =
+        fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
+    text += fmt::format(
+        "| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n",
+        cell(format.extensions), format.writes() ? "yes" : "no", format.tested_on_real_files ? "real files" : untested);
+    text += section("Heights", format.heights) + section("Orientation", format.orientation) +
+            section("Not read", format.not_read);
     return text + section("Layout", format.reference) + "\n[All formats](README.md)\n";
 }
 
@@ -45,7 +51,8 @@ std::string index_page() {
         "downwards as Gwyddion shows the file.\n\n"
         "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";
     for (const auto& format : formats::formats())
-        text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier, cell(format.name), cell(format.extensions), format.writes() ? "yes" : "",
+        text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier, cell(format.name),
+                            cell(format.extensions), format.writes() ? "yes" : "",
                             format.tested_on_real_files ? "yes" : "**no**");
     text += fmt::format(
         "\n**no**: {}.\n\nForce curves: [force-curves.md](../force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"

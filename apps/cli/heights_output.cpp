@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/formats/profile_file.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -22,16 +22,20 @@ namespace {
 constexpr const char* text_ending = ".csv";
 
 Array1D positions(const topography::LineScan& scan) {
-    return scan.pixel_size() * Array1D::LinSpaced(scan.heights.size(), 0.0, static_cast<double>(scan.heights.size() - 1));
+    return scan.pixel_size() *
+           Array1D::LinSpaced(scan.heights.size(), 0.0, static_cast<double>(scan.heights.size() - 1));
 }
 
-void write_line(const std::string& path, const Array1D& x, const Array1D& h) { tables::write_csv(path, {{{"x", "m", x}, {"h", "m", h}}, {}}); }
+void write_line(const std::string& path, const Array1D& x, const Array1D& h) {
+    tables::write_csv(path, {{{"x", "m", x}, {"h", "m", h}}, {}});
+}
 
 /// A map as a matrix without header: one line for each x, NaN spelled out, since an empty cell ends some readers.
 void write_matrix(const std::string& path, const Array2D& heights) {
     std::string text;
     for (Index i = 0; i < heights.rows(); ++i)
-        for (Index j = 0; j < heights.cols(); ++j) fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), j + 1 < heights.cols() ? ',' : '\n');
+        for (Index j = 0; j < heights.cols(); ++j)
+            fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), j + 1 < heights.cols() ? ',' : '\n');
     bytes::write_whole_file(path, text);
 }
 
@@ -40,16 +44,15 @@ struct CsvWriter {
     void operator()(const topography::HeightMap& map) const { write_matrix(path, map.heights); }
     void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
     void operator()(const topography::Profile& profile) const {
-        if (profile.response || profile.standard_error.size() > 0)
-            formats::write_profile(path, profile);
-        else
-            write_line(path, profile.positions, profile.heights);
+        if (profile.response || profile.standard_error.size() > 0) formats::write_profile(path, profile);
+        else write_line(path, profile.positions, profile.heights);
     }
 };
 
 std::string ending_of(const std::string& path) {
     auto ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
 }
 
@@ -78,15 +81,14 @@ std::string endings_of_heights() {
 void require_heights_ending(const std::string& path) {
     const auto endings = written_endings();
     if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
-        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings_of_heights()));
+        throw InvalidArgument(
+            fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings_of_heights()));
 }
 
 void write_heights(const std::string& path, const topography::Measurement& measurement) {
     require_heights_ending(path);
-    if (ending_of(path) == text_ending)
-        std::visit(CsvWriter{path}, measurement);
-    else
-        formats::format_to_write(path).write(path, measurement);
+    if (ending_of(path) == text_ending) std::visit(CsvWriter{path}, measurement);
+    else formats::format_to_write(path).write(path, measurement);
 }
 
 }  // namespace setae::cli

@@ -19,7 +19,8 @@ std::optional<double> given(const std::string& text, const Dimension& dimension)
 
 /// k of the machine: given, measured on something rigid, or stated in the loop's file.
 std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, const Table& loop) {
-    if (!arguments.machine_stiffness.empty()) return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
+    if (!arguments.machine_stiffness.empty())
+        return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
     if (!arguments.rigid_contact.empty()) {
         const auto rigid = study::open_loop({.file = arguments.rigid_contact});
         return loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(rigid.table)).stiffness;
@@ -39,11 +40,16 @@ AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& fil
 }  // namespace
 
 void LoopArguments::add_to(CLI::App& verb) {
-    verb.add_option("files", files, "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them");
+    verb.add_option(
+        "files", files,
+        "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them");
     verb.add_option("--map", map, "mapping file (TOML) that names the columns of a foreign table");
-    verb.add_option("--camera", camera, "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
+    verb.add_option(
+        "--camera", camera,
+        "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
     verb.add_option("--camera-map", camera_map, "mapping file of the camera's table");
-    verb.add_option("--clock-offset", clock_offset, "added to the camera's times, such as \"0.12 s\"; default: found from the records");
+    verb.add_option("--clock-offset", clock_offset,
+                    "added to the camera's times, such as \"0.12 s\"; default: found from the records");
     verb.add_option("--pixel", pixel, "of the camera's pictures where they do not say it, such as \"1.82 um\"");
     verb.add_option("--fps", frame_rate, "of the camera's pictures, frames a second");
     verb.add_flag("--fringes", fringes, "the pictures show Newton's rings around the contact");
@@ -60,7 +66,8 @@ std::vector<std::string> LoopArguments::expanded() const {
         }
         std::vector<std::string> within;
         for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".")) within.push_back(entry.path().string());
+            if (entry.is_regular_file() && !entry.path().filename().string().starts_with("."))
+                within.push_back(entry.path().string());
         std::sort(within.begin(), within.end());
         all.insert(all.end(), within.begin(), within.end());
     }
@@ -72,7 +79,11 @@ study::LoopSource LoopArguments::source(const std::string& file) const {
     study::LoopSource source{.file = file};
     if (!map.empty()) source.mapping = map;
     if (!camera.empty()) {
-        source.camera = study::CameraInput{.file = camera, .clock_offset = given(clock_offset, dimension::time), .pixel_size = given(pixel, dimension::length), .frame_rate = frame_rate, .fringes = fringes};
+        source.camera = study::CameraInput{.file = camera,
+                                           .clock_offset = given(clock_offset, dimension::time),
+                                           .pixel_size = given(pixel, dimension::length),
+                                           .frame_rate = frame_rate,
+                                           .fringes = fringes};
         if (!camera_map.empty()) source.camera->mapping = camera_map;
     }
     source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);
@@ -91,7 +102,9 @@ void BodyArguments::add_to(CLI::App& verb) {
 
 loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
     const auto bodies = without_radius(loop);
-    if (!(bodies.radius > 0.0)) throw InvalidArgument("missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
+    if (!(bodies.radius > 0.0))
+        throw InvalidArgument(
+            "missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
     return bodies;
 }
 
@@ -107,18 +120,29 @@ loops::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const
 }
 
 void LoopAnalysisArguments::add_to(CLI::App& verb) {
-    verb.add_option("--machine-stiffness", machine_stiffness, "where displacement is the stage's, such as \"30 ± 1 N/m\"");
-    verb.add_option("--rigid-contact", rigid_contact, "a loop on something rigid, from which that stiffness is measured");
-    verb.add_option("--contact-point", contact_point, "of F-delta fits: auto, fit, a method (force_departure, broken_line, jump_in, …) or a displacement")->capture_default_str();
-    verb.add_option("--segment", segments, "replace what was found, such as loading=120:900, unloading@2=12.5s:20s, baseline=0s:10s, cut=400, \"ignore=30:35 (slip)\"");
-    verb.add_option("--baseline-share", baseline_share, "share of the record, from its start, taken as free flight")->capture_default_str();
+    verb.add_option("--machine-stiffness", machine_stiffness,
+                    "where displacement is the stage's, such as \"30 ± 1 N/m\"");
+    verb.add_option("--rigid-contact", rigid_contact,
+                    "a loop on something rigid, from which that stiffness is measured");
+    verb.add_option("--contact-point", contact_point,
+                    "of F-delta fits: auto, fit, a method (force_departure, broken_line, jump_in, …) or a displacement")
+        ->capture_default_str();
+    verb.add_option(
+        "--segment", segments,
+        "replace what was found, such as loading=120:900, unloading@2=12.5s:20s, baseline=0s:10s, cut=400, \"ignore=30:35 (slip)\"");
+    verb.add_option("--baseline-share", baseline_share, "share of the record, from its start, taken as free flight")
+        ->capture_default_str();
     verb.add_option("--displacement-drift", displacement_drift, "rate of it where known, such as \"0.1 nm/s\"");
-    verb.add_option("--area-ratio", area_ratio, "true over apparent area of the hard surface, for losses per true area")->capture_default_str();
-    verb.add_option("--samples-dropped", samples_dropped, "samples left out after the jump into contact")->check(CLI::Range(0L, 1000000L));
+    verb.add_option("--area-ratio", area_ratio, "true over apparent area of the hard surface, for losses per true area")
+        ->capture_default_str();
+    verb.add_option("--samples-dropped", samples_dropped, "samples left out after the jump into contact")
+        ->check(CLI::Range(0L, 1000000L));
     verb.add_flag("--unweighted", unweighted, "ordinary least squares in radius or depth, errors of force left out");
-    verb.add_flag("--extrapolate-drift", extrapolate_drift, "slope of the first baseline goes on where there is no second");
+    verb.add_flag("--extrapolate-drift", extrapolate_drift,
+                  "slope of the first baseline goes on where there is no second");
     verb.add_flag("--no-drift", no_drift, "one zero of force, from free flight before contact");
-    verb.add_flag("--whole-retraction", whole_retraction, "fit the retraction from the largest force, its pinned stretch included");
+    verb.add_flag("--whole-retraction", whole_retraction,
+                  "fit the retraction from the largest force, its pinned stretch included");
     verb.add_flag("--retraction-modulus-free", modulus_free, "fit E* in (S2) too");
 }
 
@@ -134,7 +158,8 @@ loops::AnalysisOptions LoopAnalysisArguments::options(const Table& loop) const {
     options.true_area_ratio = area_ratio;
     options.segments.baseline_share = baseline_share;
     for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
-    if (!displacement_drift.empty()) options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
+    if (!displacement_drift.empty())
+        options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
     if (const auto stiffness = stiffness_of(*this, loop)) {
         options.machine_stiffness = stiffness->value;
         if (stiffness->standard_error > 0.0) options.machine_stiffness_standard_error = stiffness->standard_error;
@@ -148,7 +173,8 @@ void LoopAnalysisRequest::add_to(CLI::App& verb) {
     analysis.add_to(verb);
 }
 
-ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads threads, const std::function<void(const AnalysedLoop&)>& show_loop) {
+ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads threads,
+                       const std::function<void(const AnalysedLoop&)>& show_loop) {
     const auto files = request.loops.expanded();
     struct Result {
         std::optional<AnalysedLoop> loop;
@@ -164,7 +190,8 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
                 results[i].loop = analysed(request, files[first + i]);
             } catch (const Error& error) {
                 const std::string& file = files[first + i];
-                results[i].error = std::string_view(error.what()).starts_with(file) ? error.what() : file + ": " + error.what();
+                results[i].error =
+                    std::string_view(error.what()).starts_with(file) ? error.what() : file + ": " + error.what();
             }
         });
         for (const auto& result : results) {

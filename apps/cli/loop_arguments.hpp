@@ -13,7 +13,8 @@
 
 namespace setae::cli {
 
-/// Options of verbs that read loops: files, how their columns are named, the camera's record, constants of force curves.
+/// Options of verbs that read loops: files, how their columns are named, the camera's record, constants of force
+/// curves.
 struct LoopArguments {
     std::vector<std::string> files;
     std::string map, camera, camera_map, clock_offset, pixel, spring_constant, sensitivity;
@@ -32,7 +33,8 @@ struct BodyArguments {
     std::optional<double> poisson_ratio, counter_poisson_ratio;
 
     void add_to(CLI::App& verb);
-    /// What the options say, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's radius.
+    /// What the options say, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's
+    /// radius.
     [[nodiscard]] loops::LensAndCounterBody bodies(const Table& loop) const;
     /// The same for tips that have no radius.
     [[nodiscard]] loops::LensAndCounterBody without_radius(const Table& loop) const;
@@ -44,7 +46,8 @@ struct LoopAnalysisArguments {
     std::vector<std::string> segments;
     double baseline_share = loops::SegmentOptions{}.baseline_share, area_ratio = 1.0;
     long samples_dropped = 3;
-    bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false, whole_retraction = false;
+    bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false,
+         whole_retraction = false;
 
     void add_to(CLI::App& verb);
     /// What the options say; the machine's stiffness else from the loop's metadata.
@@ -70,8 +73,9 @@ struct AnalysedLoop {
     loops::LoopAnalysis analysis;
 };
 
-/// Analyses every loop on the threads given and shows them one after the other, in the order of the files. A setae::Error of
-/// one loop is printed and the others go on.
-[[nodiscard]] ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads threads, const std::function<void(const AnalysedLoop&)>& show_loop);
+/// Analyses every loop on the threads given and shows them one after the other, in the order of the files. A
+/// setae::Error of one loop is printed and the others go on.
+[[nodiscard]] ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads threads,
+                                     const std::function<void(const AnalysedLoop&)>& show_loop);
 
 }  // namespace setae::cli

@@ -12,7 +12,8 @@ namespace setae::cli {
 
 std::string figure_name(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
-void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder, parallel::Threads threads) {
+void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder,
+                        parallel::Threads threads) {
     for (const auto& figure : figures)
         if (!figure.drawable()) complain(fmt::format("no figure {}: {}", figure.name, figure.reason));
     for (const auto& written : study_figures::write_figures(figures, {.folder = folder, .threads = threads}))

@@ -12,6 +12,7 @@ namespace setae::cli {
 [[nodiscard]] std::string figure_name(const std::string& file);
 
 /// Writes figures into a folder; what cannot be drawn is said on standard error.
-void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder, parallel::Threads threads);
+void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder,
+                        parallel::Threads threads);
 
 }  // namespace setae::cli

@@ -15,10 +15,12 @@ namespace {
 std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return {};
     std::vector<std::string> verbs;
-    for (const auto* verb : program.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    for (const auto* verb : program.get_subcommands([](const CLI::App*) { return true; }))
+        verbs.push_back(verb->get_name());
     if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return {};
     const auto nearest = setae::nearest_match(argv[1], verbs);
-    return std::string("unknown verb '") + argv[1] + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " `setae --help` lists them";
+    return std::string("unknown verb '") + argv[1] + "'" +
+           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " `setae --help` lists them";
 }
 
 }  // namespace
@@ -30,7 +32,8 @@ int main(int argc, char** argv) {
     CLI::App program{"setae: from measured roughness to soft adhesion", "setae"};
     program.set_version_flag("--version", "setae " + setae::study::version());
     program.require_subcommand(1);
-    program.footer("Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
+    program.footer(
+        "Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
     Action action;
     add_info(program, action);
     add_formats(program, action);

@@ -27,7 +27,10 @@ std::string cell(const std::string& text) {
 
 void PipelineOption::add_to(CLI::App& verb) {
     verb.add_option("--pipeline", file, "processing steps, a file p.yml or p.toml");
-    verb.add_option("--step", steps, "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")->allow_extra_args(false);
+    verb.add_option(
+            "--step", steps,
+            "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")
+        ->allow_extra_args(false);
 }
 
 processing::Pipeline PipelineOption::pipeline() const {
@@ -39,7 +42,8 @@ processing::Pipeline PipelineOption::pipeline() const {
 std::string as_line(const processing::StepRecord& record) {
     std::string numbers;
     for (const auto& number : record.numbers) {
-        const auto value = number.unit == "1" ? fmt::format("{:.6g}", number.estimate.value) : format_value(number.estimate.value, number.unit, 5);
+        const auto value = number.unit == "1" ? fmt::format("{:.6g}", number.estimate.value)
+                                              : format_value(number.estimate.value, number.unit, 5);
         numbers += fmt::format("{}{} {}", numbers.empty() ? "" : ", ", with_blanks(number.quantity), value);
     }
     return fmt::format("  {:<22} {}\n", record.step, numbers);
@@ -50,7 +54,9 @@ std::string step_list() {
     for (const auto& step : processing::step_descriptions()) {
         text += fmt::format("{}  {}\n", step.name, step.sentence);
         for (const auto& parameter : step.parameters)
-            text += fmt::format("    {:<12} {}{}: {}\n", parameter.name, parameter.values, parameter.default_value.empty() ? "" : " [" + parameter.default_value + "]", parameter.meaning);
+            text += fmt::format("    {:<12} {}{}: {}\n", parameter.name, parameter.values,
+                                parameter.default_value.empty() ? "" : " [" + parameter.default_value + "]",
+                                parameter.meaning);
     }
     return text +
            "\nlengths and angles have a unit: \"8 um\", \"30 deg\"; region: shapes separated by \";\", each\n"
@@ -64,13 +70,15 @@ std::string step_page() {
         "Made from the program's own table by `setae level --documentation docs/processing-steps.md`: edit the table, not this page.\n"
         "[processing.md](processing.md) says how steps are put together and what to mind.\n\n"
         "| step | what it does |\n|---|---|\n";
-    for (const auto& step : processing::step_descriptions()) text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, cell(step.sentence));
+    for (const auto& step : processing::step_descriptions())
+        text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, cell(step.sentence));
     for (const auto& step : processing::step_descriptions()) {
         text += fmt::format("\n## {}\n\n{}\n", step.name, step.sentence);
         if (step.parameters.empty()) continue;
         text += "\n| parameter | values | default | meaning |\n|---|---|---|---|\n";
         for (const auto& parameter : step.parameters)
-            text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, cell(parameter.values), cell(parameter.default_value), cell(parameter.meaning));
+            text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, cell(parameter.values),
+                                cell(parameter.default_value), cell(parameter.meaning));
     }
     return text;
 }

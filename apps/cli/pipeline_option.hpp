@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "setae/processing/pipeline.hpp"
 #include "setae/output/json.hpp"
+#include "setae/processing/pipeline.hpp"
 
 namespace setae::cli {
 

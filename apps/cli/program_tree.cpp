@@ -9,7 +9,8 @@ ProgramOption described(const CLI::Option& option) {
     for (const auto& name : option.get_snames()) result.flags.push_back("-" + name);
     for (const auto& name : option.get_lnames()) result.flags.push_back("--" + name);
     result.takes_value = option.get_items_expected_max() > 0;
-    if (result.takes_value) result.value = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
+    if (result.takes_value)
+        result.value = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
     result.description = option.get_description();
     return result;
 }
@@ -32,7 +33,8 @@ void add_verbs(const CLI::App& app, const std::string& path, std::vector<Program
         verb.verb_descriptions.push_back(child->get_description());
     }
     verbs.push_back(std::move(verb));
-    for (const auto* child : children) add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
+    for (const auto* child : children)
+        add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
 }
 
 }  // namespace

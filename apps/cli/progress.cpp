@@ -61,17 +61,24 @@ void ProgressDisplay::print(double elapsed) const {
     const auto left = remaining(elapsed);
     if (mode_ == ProgressMode::json) {
         using Json = nlohmann::ordered_json;
-        const Json line{{"event", last_.begins ? "begin" : "done"}, {"done", last_.done}, {"total", last_.total}, {"stage", last_.stage}, {"item", last_.item},
-                        {"cached", last_.cached}, {"elapsed_s", elapsed}, {"remaining_s", left ? Json(*left) : Json(nullptr)}};
+        const Json line{{"event", last_.begins ? "begin" : "done"},
+                        {"done", last_.done},
+                        {"total", last_.total},
+                        {"stage", last_.stage},
+                        {"item", last_.item},
+                        {"cached", last_.cached},
+                        {"elapsed_s", elapsed},
+                        {"remaining_s", left ? Json(*left) : Json(nullptr)}};
         std::fputs((line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stderr);
         return;
     }
     constexpr std::size_t width = 24;
     const auto filled = std::min(width, static_cast<std::size_t>(static_cast<double>(width) * last_.share));
-    auto text = fmt::format("[{}{}] {} of {}  {}{}", std::string(filled, '#'), std::string(width - filled, '.'), last_.done, last_.total,
-                            left ? duration_text(*left) + " left  " : std::string(),
-                            last_.stage == "measurement" || last_.stage == "experiment" ? std::filesystem::path(last_.item).filename().string()
-                                                                                        : last_.stage + " " + last_.item);
+    auto text = fmt::format("[{}{}] {} of {}  {}{}", std::string(filled, '#'), std::string(width - filled, '.'),
+                            last_.done, last_.total, left ? duration_text(*left) + " left  " : std::string(),
+                            last_.stage == "measurement" || last_.stage == "experiment"
+                                ? std::filesystem::path(last_.item).filename().string()
+                                : last_.stage + " " + last_.item);
     if (const auto columns = columns_of_terminal(); text.size() >= columns) text.resize(columns - 1);
     std::fputs(("\r\x1b[K" + text).c_str(), stderr);
     std::fflush(stderr);

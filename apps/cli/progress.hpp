@@ -14,7 +14,8 @@ namespace setae::cli {
 enum class ProgressMode {
     automatic,  ///< a bar on a terminal, JSON lines elsewhere
     bar,        ///< one line that changes: steps, time left, current item
-    json,       ///< one JSON object a line: event ("begin", "done"), done, total, stage, item, cached, elapsed_s, remaining_s
+    json,       ///< one JSON object a line: event ("begin", "done"), done, total, stage, item, cached, elapsed_s,
+                ///< remaining_s
     none,
 };
 

@@ -17,7 +17,8 @@ imaging::Region parse_region(const std::string& option, const std::string& text)
         const auto [after, error] = std::from_chars(at, end, *part);
         const bool last = part == &region.height;
         if (error != std::errc() || (last ? after != end : after == end || *after != ','))
-            throw InvalidArgument(fmt::format("{} {}: expected x,y,width,height in pixels, such as 100,80,320,240", option, text));
+            throw InvalidArgument(
+                fmt::format("{} {}: expected x,y,width,height in pixels, such as 100,80,320,240", option, text));
         at = last ? after : after + 1;
     }
     return region;

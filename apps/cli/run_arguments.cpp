@@ -10,7 +10,8 @@
 namespace setae::cli {
 
 void RunArguments::add_to(CLI::App& verb) {
-    auto* folder = verb.add_option("--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
+    auto* folder = verb.add_option(
+        "--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
     verb.add_flag("--no-cache", no_cache, "compute everything, keep nothing")->excludes(folder);
     verb.add_option("--progress", progress, "auto (a bar on a terminal, JSON lines elsewhere), bar, json or none")
         ->check(CLI::IsMember({"auto", "bar", "json", "none"}).description(""))
@@ -31,10 +32,15 @@ cache::Store RunArguments::store() const {
 void report_traffic(const cache::Store& store) {
     const auto traffic = store.traffic();
     const auto results = [](std::uint64_t n) { return fmt::format("{} result{}", n, n == 1 ? "" : "s"); };
-    if (traffic.damaged > 0) complain(fmt::format("cache: {} in {} damaged; computed again", results(traffic.damaged), store.folder()));
-    if (traffic.other_version > 0) complain(fmt::format("cache: {} in {} of another version of setae; computed again", results(traffic.other_version), store.folder()));
+    if (traffic.damaged > 0)
+        complain(fmt::format("cache: {} in {} damaged; computed again", results(traffic.damaged), store.folder()));
+    if (traffic.other_version > 0)
+        complain(fmt::format("cache: {} in {} of another version of setae; computed again",
+                             results(traffic.other_version), store.folder()));
     if (traffic.not_kept > 0)
-        complain(fmt::format("cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE", results(traffic.not_kept), store.folder()));
+        complain(fmt::format(
+            "cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE",
+            results(traffic.not_kept), store.folder()));
 }
 
 study::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display) {
@@ -52,7 +58,8 @@ ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, 
     } catch (const Cancelled&) {
         display.finish();
         complain(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,
-                             store.enabled() ? "what is done is kept, the same command goes on from there" : "nothing is kept without a cache"));
+                             store.enabled() ? "what is done is kept, the same command goes on from there"
+                                             : "nothing is kept without a cache"));
         end_as_interrupted();
     }
 }

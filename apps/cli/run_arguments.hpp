@@ -28,7 +28,8 @@ struct RunArguments {
 void report_traffic(const cache::Store& store);
 
 /// How a study is run for a user: its steps are shown, and it can be interrupted.
-[[nodiscard]] study::RunOptions run_options(parallel::Threads threads, const cache::Store& store, ProgressDisplay& display);
+[[nodiscard]] study::RunOptions run_options(parallel::Threads threads, const cache::Store& store,
+                                            ProgressDisplay& display);
 
 /// Does what a verb does. Where the user interrupts it, says what is kept and ends the program by the signal.
 ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, const std::function<ExitCode()>& body);

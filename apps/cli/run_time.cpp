@@ -11,7 +11,8 @@ namespace setae::cli {
 
 std::string time_of_run() {
     std::time_t now = std::time(nullptr);
-    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && *epoch) std::from_chars(epoch, epoch + std::strlen(epoch), now);
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && *epoch)
+        std::from_chars(epoch, epoch + std::strlen(epoch), now);
     std::tm parts{};
     gmtime_r(&now, &parts);
     std::array<char, 32> text{};

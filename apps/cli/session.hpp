@@ -12,16 +12,16 @@
 #include "setae/core/quantity.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/parallel/for_each.hpp"
 #include "setae/output/json.hpp"
+#include "setae/parallel/for_each.hpp"
 
 namespace setae::cli {
 
 /// Exit codes of every verb.
 enum class ExitCode : int {
-    done = 0,         ///< all done, alerts included
-    some_failed = 1,  ///< some items failed, the rest is done
-    nothing_done = 2, ///< nothing done, or a usage error
+    done = 0,          ///< all done, alerts included
+    some_failed = 1,   ///< some items failed, the rest is done
+    nothing_done = 2,  ///< nothing done, or a usage error
 };
 
 /// Options all verbs share.
@@ -45,10 +45,13 @@ using Action = std::function<ExitCode()>;
 /// Sets `action` to run the verb with its arguments if the command line names it, with the options all verbs share;
 /// --explain prints `explanation` instead.
 template <class Arguments>
-void on_named(CLI::App& verb, Action& action, std::shared_ptr<Arguments> arguments, const char* explanation, ExitCode (*run)(const Arguments&)) {
+void on_named(CLI::App& verb, Action& action, std::shared_ptr<Arguments> arguments, const char* explanation,
+              ExitCode (*run)(const Arguments&)) {
     add_common(verb, arguments->common);
     verb.callback([&action, arguments, explanation, run] {
-        action = [arguments, explanation, run] { return arguments->common.explain ? explained(explanation) : run(*arguments); };
+        action = [arguments, explanation, run] {
+            return arguments->common.explain ? explained(explanation) : run(*arguments);
+        };
     });
 }
 
@@ -62,7 +65,8 @@ void complain(const std::string& message);
 void show(const std::vector<Alert>& alerts);
 
 /// Runs body for every item; a setae::Error of one item is printed and the others go on.
-[[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items, const std::function<void(const std::string&)>& body);
+[[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,
+                                     const std::function<void(const std::string&)>& body);
 
 /// A quantity on one line for a reader: name, value with its unit and error, band.
 [[nodiscard]] std::string as_line(const Quantity& quantity);

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "process_memory.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/random_surface.hpp"
 #include "tasks.hpp"
 
 namespace {
@@ -47,8 +47,11 @@ topography::HeightMap made(Index n) {
 
 topography::Measurement input_of(const Arguments& arguments) {
     if (arguments.points > 0) return made(arguments.points);
-    if (!arguments.input.empty()) return formats::read(arguments.input, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"});
-    const auto columns = std::get<topography::HeightMap>(formats::read(arguments.polyline, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"})).heights;
+    if (!arguments.input.empty())
+        return formats::read(arguments.input, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"});
+    const auto columns = std::get<topography::HeightMap>(
+                             formats::read(arguments.polyline, 0, {.size = std::vector{1.0, 1.0}, .unit = "m"}))
+                             .heights;
     return topography::Profile{columns.row(0).transpose(), columns.row(1).transpose(), {}};
 }
 
@@ -65,7 +68,11 @@ nlohmann::json timed(const benchmarks::Task& task, const benchmarks::TaskInput& 
         if (run == 0) memory = benchmarks::process_memory().peak - before.held;
         best = run == 0 ? seconds : std::min(best, seconds);
     }
-    return {{"task", task.name}, {"title", task.title}, {"seconds", best}, {"memory", memory}, {"values", std::vector<double>(values.begin(), values.end())}};
+    return {{"task", task.name},
+            {"title", task.title},
+            {"seconds", best},
+            {"memory", memory},
+            {"values", std::vector<double>(values.begin(), values.end())}};
 }
 
 }  // namespace

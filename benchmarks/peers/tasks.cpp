@@ -35,12 +35,17 @@ Array1D acf_area(const TaskInput& input) {
     return {};
 }
 
-Array1D acf_lines(const TaskInput& input) { return scales::autocorrelation_of_lines(input.map(), {.threads = input.threads}).value.head(100); }
+Array1D acf_lines(const TaskInput& input) {
+    return scales::autocorrelation_of_lines(input.map(), {.threads = input.threads}).value.head(100);
+}
 
-Array1D variable_bandwidth(const TaskInput& input) { return scales::variable_bandwidth_of_area(input.map(), {.threads = input.threads}).value; }
+Array1D variable_bandwidth(const TaskInput& input) {
+    return scales::variable_bandwidth_of_area(input.map(), {.threads = input.threads}).value;
+}
 
 Array1D slope_of_lines(const TaskInput& input) {
-    (void)scales::binned(scales::slope_from_autocorrelation(scales::autocorrelation_of_lines(input.map(), {.threads = input.threads})));
+    (void)scales::binned(
+        scales::slope_from_autocorrelation(scales::autocorrelation_of_lines(input.map(), {.threads = input.threads})));
     return {};
 }
 
@@ -49,7 +54,9 @@ Array1D differences_of_map(const TaskInput& input) {
     return {};
 }
 
-Array1D tip_cutoff(const TaskInput& input) { return Array1D::Constant(1, spectra::tip_cutoff(input.map(), tip_radius, {}, {}, input.threads).value); }
+Array1D tip_cutoff(const TaskInput& input) {
+    return Array1D::Constant(1, spectra::tip_cutoff(input.map(), tip_radius, {}, {}, input.threads).value);
+}
 
 Array1D bearing_area(const TaskInput& input) {
     const auto& heights = input.map().heights;
@@ -64,7 +71,8 @@ Array1D rms(const TaskInput& input) {
 
 Array1D polyline_psd(const TaskInput& input) {
     const auto& profile = std::get<topography::Profile>(input.measurement);
-    const Array1D wavevector = Array1D::LinSpaced(polyline_wavevectors, std::log(2.0 * pi), std::log(2.0 * pi * 1e5)).exp();
+    const Array1D wavevector =
+        Array1D::LinSpaced(polyline_wavevectors, std::log(2.0 * pi), std::log(2.0 * pi * 1e5)).exp();
     (void)spectra::polyline_power_spectrum(profile, wavevector, spectra::Window::hann, input.threads);
     return {};
 }

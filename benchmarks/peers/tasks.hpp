@@ -19,7 +19,8 @@ struct TaskInput {
     [[nodiscard]] const topography::HeightMap& map() const { return std::get<topography::HeightMap>(measurement); }
 };
 
-/// Something to be timed. `run` returns numbers that another program's can be compared with; none where the definitions differ.
+/// Something to be timed. `run` returns numbers that another program's can be compared with; none where the definitions
+/// differ.
 struct Task {
     std::string name;
     std::string title;

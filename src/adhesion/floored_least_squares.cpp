@@ -43,7 +43,8 @@ FlooredMinimum minimise(const std::vector<FlooredTerm>& terms, double lower, dou
     // an open lower end: everything below the first kink is flat or one parabola; a point far below stands for it
     if (lower == -std::numeric_limits<double>::infinity()) {
         double reach = kinks.empty() ? 0.0 : kinks.front();
-        for (const auto& term : terms) reach = std::min(reach, -2.0 * (std::abs(term.measured) + std::abs(term.offset)) / term.slope);
+        for (const auto& term : terms)
+            reach = std::min(reach, -2.0 * (std::abs(term.measured) + std::abs(term.offset)) / term.slope);
         lower = reach;
     }
     kinks.insert(kinks.begin(), lower);

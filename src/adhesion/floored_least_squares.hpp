@@ -20,8 +20,8 @@ struct FlooredMinimum {
     double curvature = 0.0;  ///< Σ weight · slope² over the terms above their floor at x
 };
 
-/// Global minimum over lower <= x <= upper: between two kinks x = offset/slope the cost is one parabola, so the least of
-/// their minima is the answer. Cost n log n + n².
+/// Global minimum over lower <= x <= upper: between two kinks x = offset/slope the cost is one parabola, so the least
+/// of their minima is the answer. Cost n log n + n².
 [[nodiscard]] FlooredMinimum minimise(const std::vector<FlooredTerm>& terms, double lower, double upper);
 
 }  // namespace setae::adhesion

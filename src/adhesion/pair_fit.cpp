@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <fmt/format.h>
 
 #include "floored_least_squares.hpp"
 #include "setae/core/errors.hpp"
@@ -28,7 +28,8 @@ double square(double x) { return x * x; }
 
 FlooredMinimum minimise_with(const Pairs& pairs, const Variance& variance) {
     std::vector<FlooredTerm> terms;
-    for (const auto& pair : pairs) terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
+    for (const auto& pair : pairs)
+        terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
     return minimise(terms, 0.0, infinity);
 }
 
@@ -41,7 +42,8 @@ double r_squared(const std::vector<double>& measured, double residual_squares) {
 }
 
 /// Σ over groups of (Σ within the group of the scores)², with the small-sample factor G/(G − 1).
-double clustered_scores(const Pairs& pairs, const std::vector<double>& scores, const std::function<std::string(const PairPoint&)>& group) {
+double clustered_scores(const Pairs& pairs, const std::vector<double>& scores,
+                        const std::function<std::string(const PairPoint&)>& group) {
     std::map<std::string, double> sums;
     for (std::size_t i = 0; i < pairs.size(); ++i) sums[group(pairs[i])] += scores[i];
     const auto groups = static_cast<double>(sums.size());
@@ -57,7 +59,8 @@ double clustered_error(const Pairs& pairs, const std::vector<double>& residual, 
         scores.push_back(pairs[i].prediction(work) > 0.0 ? pairs[i].slope * residual[i] : 0.0);
     const double by_surface = clustered_scores(pairs, scores, [](const PairPoint& p) { return p.surface; });
     const double by_elastomer = clustered_scores(pairs, scores, [](const PairPoint& p) { return p.elastomer; });
-    const double by_pair = clustered_scores(pairs, scores, [](const PairPoint& p) { return p.surface + '\n' + p.elastomer; });
+    const double by_pair =
+        clustered_scores(pairs, scores, [](const PairPoint& p) { return p.surface + '\n' + p.elastomer; });
     // the two-way sandwich may turn out smaller than one of its ways in small samples: the larger is kept
     const double scatter = std::max({by_surface + by_elastomer - by_pair, by_surface, by_elastomer});
     return std::sqrt(scatter) / curvature;
@@ -78,7 +81,8 @@ double scatter_for(const std::function<double(double)>& chi_squared, int degrees
     const auto misfit = [&](double tau) { return chi_squared(tau) - degrees_of_freedom; };
     if (misfit(0.0) <= 0.0) return 0.0;
     std::uintmax_t iterations = 200;
-    const auto [a, b] = boost::math::tools::toms748_solve(misfit, 0.0, largest, boost::math::tools::eps_tolerance<double>(40), iterations);
+    const auto [a, b] = boost::math::tools::toms748_solve(misfit, 0.0, largest,
+                                                          boost::math::tools::eps_tolerance<double>(40), iterations);
     return 0.5 * (a + b);
 }
 
@@ -94,8 +98,11 @@ WorkEstimate estimate(const Pairs& pairs, const Variance& variance, double extra
 }
 
 WorkEstimate with_extra_scatter(const Pairs& pairs, int degrees_of_freedom) {
-    const auto variance = [](double tau) { return [tau](const PairPoint& p) { return p.measured.variance() + square(tau); }; };
-    const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; }, degrees_of_freedom, largest_scatter(pairs));
+    const auto variance = [](double tau) {
+        return [tau](const PairPoint& p) { return p.measured.variance() + square(tau); };
+    };
+    const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; }, degrees_of_freedom,
+                                   largest_scatter(pairs));
     return estimate(pairs, variance(tau), tau);
 }
 
@@ -105,9 +112,12 @@ WorkEstimate errors_in_both(const Pairs& pairs, int degrees_of_freedom, double s
     WorkEstimate result;
     for (int round = 0; round < 100; ++round) {
         const auto variance = [work](double tau) {
-            return [work, tau](const PairPoint& p) { return p.measured.variance() + p.prediction_variance(work) + square(tau); };
+            return [work, tau](const PairPoint& p) {
+                return p.measured.variance() + p.prediction_variance(work) + square(tau);
+            };
         };
-        const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; }, degrees_of_freedom, largest_scatter(pairs));
+        const double tau = scatter_for([&](double t) { return minimise_with(pairs, variance(t)).cost; },
+                                       degrees_of_freedom, largest_scatter(pairs));
         result = estimate(pairs, variance(tau), tau);
         const double before = std::exchange(work, result.work_of_adhesion.value);
         if (std::abs(work - before) <= 1e-12 * std::abs(before)) break;
@@ -141,8 +151,9 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
             outer *= factor;
             if (excess(outer) <= 0.0) continue;
             std::uintmax_t iterations = 100;
-            const auto [a, b] = boost::math::tools::toms748_solve(excess, std::min(outer, best.first), std::max(outer, best.first),
-                                                                  boost::math::tools::eps_tolerance<double>(30), iterations);
+            const auto [a, b] =
+                boost::math::tools::toms748_solve(excess, std::min(outer, best.first), std::max(outer, best.first),
+                                                  boost::math::tools::eps_tolerance<double>(30), iterations);
             return 0.5 * (a + b);
         }
         return std::nullopt;
@@ -153,11 +164,13 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
 }
 
 void require_pairs(const Pairs& pairs) {
-    if (pairs.size() < 2) throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+    if (pairs.size() < 2)
+        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
     for (const auto& pair : pairs)
         if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
-            throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}", pair.surface, pair.elastomer,
-                                              pair.slope, pair.offset, pair.measured.value));
+            throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}",
+                                              pair.surface, pair.elastomer, pair.slope, pair.offset,
+                                              pair.measured.value));
 }
 
 }  // namespace
@@ -191,10 +204,13 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
                             .method = "least squares",
                             .degrees_of_freedom = fit.degrees_of_freedom};
     fit.clustered = {minimum.x, clustered_error(pairs, residual, minimum.x, minimum.curvature), "two-way clustered"};
-    if (const auto groups = fewest_groups(pairs); groups > 1) fit.clustered.degrees_of_freedom = static_cast<double>(groups - 1);
-    const bool known_errors = std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.measured.uncertain(); });
+    if (const auto groups = fewest_groups(pairs); groups > 1)
+        fit.clustered.degrees_of_freedom = static_cast<double>(groups - 1);
+    const bool known_errors =
+        std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.measured.uncertain(); });
     if (known_errors) {
-        fit.weighted = estimate(pairs, [](const PairPoint& p) { return p.measured.variance(); }, 0.0);
+        fit.weighted = estimate(
+            pairs, [](const PairPoint& p) { return p.measured.variance(); }, 0.0);
         fit.with_extra_scatter = with_extra_scatter(pairs, fit.degrees_of_freedom);
         fit.errors_in_both = errors_in_both(pairs, fit.degrees_of_freedom, minimum.x);
         fit.likelihood = profile_likelihood(pairs, minimum.x);
@@ -204,8 +220,10 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
 
 LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
-    if (x.size() < 3 || x.size() != y.size()) throw InvalidArgument(fmt::format("{} points, a line with intercept needs at least 3", x.size()));
-    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n, mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    if (x.size() < 3 || x.size() != y.size())
+        throw InvalidArgument(fmt::format("{} points, a line with intercept needs at least 3", x.size()));
+    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
+                 mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
     double sxx = 0.0, sxy = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         sxx += square(x[i] - mean_x);
@@ -219,7 +237,8 @@ LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     for (std::size_t i = 0; i < x.size(); ++i) residual_squares += square(y[i] - intercept - slope * x[i]);
     const double variance = residual_squares / (n - 2.0);
     const auto estimate = [n](double value, double error) {
-        return Estimate{.value = value, .standard_error = error, .method = "least squares", .degrees_of_freedom = n - 2.0};
+        return Estimate{
+            .value = value, .standard_error = error, .method = "least squares", .degrees_of_freedom = n - 2.0};
     };
     fit.slope = estimate(slope, std::sqrt(variance / sxx));
     fit.intercept = estimate(intercept, std::sqrt(variance * (1.0 / n + square(mean_x) / sxx)));
@@ -228,7 +247,8 @@ LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
-    if (pairs.size() < 2) throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+    if (pairs.size() < 2)
+        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
     std::map<std::string, std::vector<FreeEnergyPoint>> by_surface;
     std::vector<double> measured;
     double largest = 0.0;
@@ -256,7 +276,8 @@ FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) 
         if (cost(i * step) < cost(best)) best = i * step;
     const auto minimum = boost::math::tools::brent_find_minima(cost, std::max(0.0, best - step), best + step, 40);
     FreeEnergyFit fit{minimum.first, r_squared(measured, minimum.second), {}};
-    for (const auto& [name, points] : by_surface) fit.energy_per_modulus.emplace_back(name, -best_energy(points, minimum.first).x);
+    for (const auto& [name, points] : by_surface)
+        fit.energy_per_modulus.emplace_back(name, -best_energy(points, minimum.first).x);
     return fit;
 }
 

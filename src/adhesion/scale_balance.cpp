@@ -9,8 +9,8 @@
 
 namespace setae::adhesion {
 
-ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus, double work_of_adhesion,
-                           double surface_energy) {
+ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
+                           double work_of_adhesion, double surface_energy) {
     const auto n = below.wavevector.size();
     const double slope2 = std::pow(below.rms_slope[n - 1], 2);
     const double energy = contact_modulus * below.elastic_energy_per_modulus[n - 1];

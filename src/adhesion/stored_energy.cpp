@@ -15,7 +15,8 @@ namespace setae::adhesion {
 namespace {
 
 void require_modulus(double contact_modulus) {
-    if (!(contact_modulus > 0.0)) throw InvalidArgument(fmt::format("contact modulus is {} Pa, expected > 0", contact_modulus));
+    if (!(contact_modulus > 0.0))
+        throw InvalidArgument(fmt::format("contact modulus is {} Pa, expected > 0", contact_modulus));
 }
 
 }  // namespace
@@ -32,7 +33,9 @@ double stored_energy(double contact_modulus, const topography::HeightMap& map, p
     options.threads = threads;
     const auto C2D = spectra::power_spectrum_map(map, options);
     const auto nx = C2D.rows(), ny = C2D.cols();
-    const auto folded = [](Index k, Index n, double size) { return 2.0 * pi * static_cast<double>(k <= n / 2 ? k : k - n) / size; };
+    const auto folded = [](Index k, Index n, double size) {
+        return 2.0 * pi * static_cast<double>(k <= n / 2 ? k : k - n) / size;
+    };
     Array1D of_rows(nx);
     for (Index k = 0; k < nx; ++k) {
         const double q_x = folded(k, nx, map.size[0]);

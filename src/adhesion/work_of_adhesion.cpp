@@ -12,12 +12,14 @@ namespace setae::adhesion {
 namespace {
 
 void require_not_negative(double value, const char* what) {
-    if (!(value >= 0.0) || std::isinf(value)) throw InvalidArgument(fmt::format("{} is {} J/m2, expected a number >= 0", what, value));
+    if (!(value >= 0.0) || std::isinf(value))
+        throw InvalidArgument(fmt::format("{} is {} J/m2, expected a number >= 0", what, value));
 }
 
 void require_state(const ConformalState& state) {
     require_not_negative(state.stored_energy, "stored energy");
-    if (!(state.area_ratio >= 1.0)) throw InvalidArgument(fmt::format("true over apparent area is {}, expected >= 1", state.area_ratio));
+    if (!(state.area_ratio >= 1.0))
+        throw InvalidArgument(fmt::format("true over apparent area is {}, expected >= 1", state.area_ratio));
 }
 
 ApparentWork apparent(double raw) { return {raw, std::max(0.0, raw), raw > 0.0}; }
@@ -28,7 +30,8 @@ ApparentWork modified_balance(double work_of_adhesion, double surface_energy, co
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_not_negative(surface_energy, "surface energy");
     require_state(state);
-    return apparent(work_of_adhesion * state.area_ratio - surface_energy * (state.area_ratio - 1.0) - state.stored_energy);
+    return apparent(work_of_adhesion * state.area_ratio - surface_energy * (state.area_ratio - 1.0) -
+                    state.stored_energy);
 }
 
 ApparentWork balance_without_area_change(double work_of_adhesion, const ConformalState& state) {
@@ -57,7 +60,8 @@ void SurfaceEnergyLaw::validate() const {
         throw InvalidArgument("a surface energy law needs as many energies as area ratios, the first ratio being 1");
     for (Index i = 1; i < n; ++i)
         if (!(area_ratio[i] > area_ratio[i - 1]))
-            throw InvalidArgument(fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
+            throw InvalidArgument(
+                fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
 }
 
 double SurfaceEnergyLaw::at(double x) const {
@@ -79,7 +83,8 @@ double SurfaceEnergyLaw::integral(double x) const {
     return x > left ? sum + surface_energy[surface_energy.size() - 1] * (x - left) : sum;
 }
 
-ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state, double interface_change) {
+ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state,
+                             double interface_change) {
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_state(state);
     law.validate();

@@ -30,7 +30,8 @@ constexpr std::uint64_t largest_head = 1 << 20;  ///< of a member that is expand
 
 /// The directory of an archive stands at its end: what was looked for there is not there.
 [[noreturn]] void no_archive(const Source& source, const std::string& reason) {
-    throw FormatError(source.name, {.offset = source.size}, fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
+    throw FormatError(source.name, {.offset = source.size},
+                      fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
 }
 
 /// What libzip reads an archive through: any source, from where its directory says.
@@ -71,10 +72,14 @@ zip_int64_t served(void* state, void* data, zip_uint64_t length, zip_source_cmd_
         }
         case ZIP_SOURCE_CLOSE: return 0;
         case ZIP_SOURCE_ERROR: return zip_error_to_data(&reading.error, data, length);
-        case ZIP_SOURCE_FREE: zip_error_fini(&reading.error); delete &reading; return 0;
+        case ZIP_SOURCE_FREE:
+            zip_error_fini(&reading.error);
+            delete &reading;
+            return 0;
         case ZIP_SOURCE_SUPPORTS:
-            return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK,
-                                                  ZIP_SOURCE_TELL, ZIP_SOURCE_SUPPORTS, -1);
+            return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
+                                                  ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL,
+                                                  ZIP_SOURCE_SUPPORTS, -1);
         default: zip_error_set(&reading.error, ZIP_ER_OPNOTSUPP, 0); return -1;
     }
 }
@@ -97,12 +102,14 @@ zip* opened(const Source& source) {
 /// What a member announces of itself.
 zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     zip_stat_t stat;
-    if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) || !(stat.valid & ZIP_STAT_COMP_SIZE))
+    if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) ||
+        !(stat.valid & ZIP_STAT_COMP_SIZE))
         broken(source, fmt::format("member {} has no size", index));
     return stat;
 }
 
-/// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once, whichever thread asks.
+/// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once,
+/// whichever thread asks.
 struct LazyMember {
     Source archive;
     std::string name;
@@ -113,7 +120,8 @@ struct LazyMember {
     std::shared_ptr<const std::string> holding(std::uint64_t end) {
         const std::lock_guard lock(guard);
         if (content) return content;
-        if (end > head->size() && end <= largest_head) head = std::make_shared<const std::string>(Archive(archive).head(name, std::max(2 * end, 4 * head_bytes)));
+        if (end > head->size() && end <= largest_head)
+            head = std::make_shared<const std::string>(Archive(archive).head(name, std::max(2 * end, 4 * head_bytes)));
         if (end > largest_head) content = std::make_shared<const std::string>(Archive(archive).read(name));
         return content ? content : head;
     }
@@ -138,7 +146,8 @@ void Archive::Close::operator()(zip* archive) const { zip_discard(archive); }
 Archive::Archive(const Source& source) : source_(source) {
     zip_.reset(opened(source_));
     for (const auto& name : names())
-        if (!stays_inside(name)) broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
+        if (!stays_inside(name))
+            broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
 }
 
 std::vector<std::string> Archive::names() const {
@@ -157,9 +166,13 @@ std::uint64_t Archive::index_of(const std::string& name) const {
     return static_cast<std::uint64_t>(index);
 }
 
-std::uint64_t Archive::size(const std::string& name) const { return announced(zip_.get(), index_of(name), source_).size; }
+std::uint64_t Archive::size(const std::string& name) const {
+    return announced(zip_.get(), index_of(name), source_).size;
+}
 
-std::string Archive::read(const std::string& name) const { return head(name, std::numeric_limits<std::uint64_t>::max()); }
+std::string Archive::read(const std::string& name) const {
+    return head(name, std::numeric_limits<std::uint64_t>::max());
+}
 
 std::string Archive::head(const std::string& name, std::uint64_t count) const {
     const auto index = index_of(name);
@@ -170,29 +183,44 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
     content.reserve(std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count}));
     std::vector<char> chunk(1 << 18);
     while (content.size() < count) {
-        const auto got = zip_fread(file.get(), chunk.data(), std::min<std::uint64_t>(chunk.size(), count - content.size()));
+        const auto got =
+            zip_fread(file.get(), chunk.data(), std::min<std::uint64_t>(chunk.size(), count - content.size()));
         if (got < 0) broken(source_, fmt::format("member '{}' is damaged: {}", name, zip_file_strerror(file.get())));
         if (got == 0) break;
         content.append(chunk.data(), static_cast<std::size_t>(got));
         if (content.size() > most_expanded(compressed))
-            broken(source_, fmt::format("member '{}' expands from {} bytes to more than {}; if it is honest, unpack the archive with another program first", name, compressed, most_expanded(compressed)));
+            broken(
+                source_,
+                fmt::format(
+                    "member '{}' expands from {} bytes to more than {}; if it is honest, unpack the archive with another program first",
+                    name, compressed, most_expanded(compressed)));
     }
     return content;
 }
 
 Source Archive::member(const std::string& name) const {
     const auto stat = announced(zip_.get(), index_of(name), source_);
-    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size); stat.size > most_expanded(compressed))
-        broken(source_, fmt::format("member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged", name, stat.size, compressed, most_expanded(compressed)));
+    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size);
+        stat.size > most_expanded(compressed))
+        broken(source_,
+               fmt::format(
+                   "member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged",
+                   name, stat.size, compressed, most_expanded(compressed)));
     auto lazy = std::make_shared<LazyMember>();
     lazy->archive = source_;
     lazy->name = name;
     lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
     Source source{fmt::format("{}: {}", source_.name, name), size(name), {}, {}};
-    source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
-        if (offset > size || count > size - offset) throw FormatError(label, {.offset = size}, fmt::format("the member ends here, expected {} bytes from byte {}; it is truncated", count, offset));
+    source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count,
+                                                                       char* target) {
+        if (offset > size || count > size - offset)
+            throw FormatError(
+                label, {.offset = size},
+                fmt::format("the member ends here, expected {} bytes from byte {}; it is truncated", count, offset));
         const auto held = lazy->holding(offset + count);
-        if (offset + count > held->size()) throw FormatError(label, {.offset = held->size()}, "ZIP: the member is shorter than the archive's directory says");
+        if (offset + count > held->size())
+            throw FormatError(label, {.offset = held->size()},
+                              "ZIP: the member is shorter than the archive's directory says");
         std::copy_n(held->data() + offset, count, target);
     };
     return source;

@@ -53,7 +53,8 @@ struct MemberReader {
             case ZIP_SOURCE_ERROR: return zip_error_to_data(&error, data, length);
             case ZIP_SOURCE_FREE: return 0;
             case ZIP_SOURCE_SUPPORTS:
-                return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
+                return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE,
+                                                      ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
             default: zip_error_set(&error, ZIP_ER_OPNOTSUPP, 0); return -1;
         }
     }
@@ -78,7 +79,8 @@ using OpenArchive = std::unique_ptr<zip, Discard>;
 OpenArchive created(const std::string& path) {
     int code = 0;
     OpenArchive archive(zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-    if (!archive) throw FileError(fmt::format("{}: cannot be created; check that the folder exists and is writable", path));
+    if (!archive)
+        throw FileError(fmt::format("{}: cannot be created; check that the folder exists and is writable", path));
     return archive;
 }
 
@@ -87,19 +89,25 @@ void add(zip* archive, MemberReader& reader, const std::string& path) {
     const auto index = source ? zip_file_add(archive, reader.member->name.c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
     if (index < 0) {
         if (source) zip_source_free(source);
-        throw FileError(fmt::format("{}: member '{}' cannot be added: {}", path, reader.member->name, zip_strerror(archive)));
+        throw FileError(
+            fmt::format("{}: member '{}' cannot be added: {}", path, reader.member->name, zip_strerror(archive)));
     }
     const auto added = static_cast<zip_uint64_t>(index);
-    const bool set = zip_set_file_compression(archive, added, ZIP_CM_STORE, 0) == 0 && zip_file_set_dostime(archive, added, 0, first_day, 0) == 0;
-    if (!set) throw FileError(fmt::format("{}: member '{}' cannot be stored: {}", path, reader.member->name, zip_strerror(archive)));
+    const bool set = zip_set_file_compression(archive, added, ZIP_CM_STORE, 0) == 0 &&
+                     zip_file_set_dostime(archive, added, 0, first_day, 0) == 0;
+    if (!set)
+        throw FileError(
+            fmt::format("{}: member '{}' cannot be stored: {}", path, reader.member->name, zip_strerror(archive)));
 }
 
 void check_names(const std::string& path, const std::vector<ArchiveMember>& members) {
     std::set<std::string> names;
     for (const auto& member : members) {
         if (member.name.empty() || !stays_inside(member.name))
-            throw InvalidArgument(fmt::format("{}: '{}' is no name of a member; expected one that stays inside the archive", path, member.name));
-        if (!names.insert(member.name).second) throw InvalidArgument(fmt::format("{}: two members named '{}'", path, member.name));
+            throw InvalidArgument(fmt::format(
+                "{}: '{}' is no name of a member; expected one that stays inside the archive", path, member.name));
+        if (!names.insert(member.name).second)
+            throw InvalidArgument(fmt::format("{}: two members named '{}'", path, member.name));
     }
 }
 
@@ -120,7 +128,8 @@ void write_archive(const std::string& path, const std::vector<ArchiveMember>& me
         return;
     }
     if (failure) std::rethrow_exception(failure);
-    throw FileError(fmt::format("{}: cannot be written: {}; check that the folder is writable and has space", path, zip_strerror(archive.get())));
+    throw FileError(fmt::format("{}: cannot be written: {}; check that the folder is writable and has space", path,
+                                zip_strerror(archive.get())));
 }
 
 }  // namespace setae::bytes

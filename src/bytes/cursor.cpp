@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::bytes {
 namespace {
@@ -17,20 +17,27 @@ constexpr std::uint64_t window_bytes = 1 << 16;
 
 }  // namespace
 
-Cursor::Cursor(const Source& source, std::string format, std::uint64_t offset, std::endian order) : source_(source), format_(std::move(format)), order_(order) { seek(offset); }
+Cursor::Cursor(const Source& source, std::string format, std::uint64_t offset, std::endian order)
+    : source_(source), format_(std::move(format)), order_(order) {
+    seek(offset);
+}
 
 void Cursor::require(std::uint64_t count) const {
     if (count > remaining())
-        throw FormatError(source_.name, {.offset = source_.size},
-                          fmt::format("{}: the file ends here, expected {} bytes from byte {}; it is truncated or damaged", format_, count, position_));
+        throw FormatError(
+            source_.name, {.offset = source_.size},
+            fmt::format("{}: the file ends here, expected {} bytes from byte {}; it is truncated or damaged", format_,
+                        count, position_));
 }
 
 const char* Cursor::take(std::uint64_t count) {
     require(count);
     if (position_ < window_at_ || position_ + count > window_at_ + window_.size()) {
-        // windows begin at multiples of their size: the first holds what a lazy member of an archive has without being expanded
+        // windows begin at multiples of their size: the first holds what a lazy member of an archive has without being
+        // expanded
         const auto begin = position_ - position_ % window_bytes;
-        window_ = source_.bytes(begin, std::min(std::max(window_bytes, position_ + count - begin), source_.size - begin));
+        window_ =
+            source_.bytes(begin, std::min(std::max(window_bytes, position_ + count - begin), source_.size - begin));
         window_at_ = begin;
     }
     last_ = position_;
@@ -61,10 +68,15 @@ void Cursor::skip(std::uint64_t count) {
 
 void Cursor::seek(std::uint64_t offset) {
     if (offset > source_.size)
-        throw FormatError(source_.name, {.offset = source_.size}, fmt::format("{}: the file ends here, expected something at byte {}; it is truncated or damaged", format_, offset));
+        throw FormatError(
+            source_.name, {.offset = source_.size},
+            fmt::format("{}: the file ends here, expected something at byte {}; it is truncated or damaged", format_,
+                        offset));
     position_ = last_ = offset;
 }
 
-void Cursor::fail(const std::string& what) const { throw FormatError(source_.name, {.offset = last_}, format_ + ": " + what); }
+void Cursor::fail(const std::string& what) const {
+    throw FormatError(source_.name, {.offset = last_}, format_ + ": " + what);
+}
 
 }  // namespace setae::bytes

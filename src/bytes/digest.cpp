@@ -16,7 +16,9 @@ namespace {
 /// A digest that grows with what it is given.
 class Digest {
 public:
-    explicit Digest(const EVP_MD* algorithm) : context_(EVP_MD_CTX_new()) { require(context_ && EVP_DigestInit_ex2(context_.get(), algorithm, nullptr) == 1); }
+    explicit Digest(const EVP_MD* algorithm) : context_(EVP_MD_CTX_new()) {
+        require(context_ && EVP_DigestInit_ex2(context_.get(), algorithm, nullptr) == 1);
+    }
 
     void add(std::string_view bytes) { require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1); }
     [[nodiscard]] std::string hexadecimal() {
@@ -47,7 +49,8 @@ std::string digest_of(std::string_view bytes, const EVP_MD* algorithm) {
 std::string digest_of(const Source& source, const EVP_MD* algorithm) {
     constexpr std::uint64_t piece = 1 << 22;
     Digest digest(algorithm);
-    for (std::uint64_t at = 0; at < source.size; at += piece) digest.add(source.bytes(at, std::min(piece, source.size - at)));
+    for (std::uint64_t at = 0; at < source.size; at += piece)
+        digest.add(source.bytes(at, std::min(piece, source.size - at)));
     return digest.hexadecimal();
 }
 

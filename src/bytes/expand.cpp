@@ -16,13 +16,19 @@ namespace {
 
 constexpr std::size_t piece = 1 << 17;
 
-[[noreturn]] void broken(const Source& source, std::uint64_t offset, const std::string& format, const std::string& what) {
+[[noreturn]] void broken(const Source& source, std::uint64_t offset, const std::string& format,
+                         const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, fmt::format("{}: {}", format, what));
 }
 
-void require_bounded(std::size_t expanded, std::size_t compressed, const Source& source, std::uint64_t offset, const std::string& format) {
+void require_bounded(std::size_t expanded, std::size_t compressed, const Source& source, std::uint64_t offset,
+                     const std::string& format) {
     if (expanded > most_expanded(compressed))
-        broken(source, offset, format, fmt::format("{} compressed bytes become more than {}; if the file is honest, expand it with another program first", compressed, most_expanded(compressed)));
+        broken(
+            source, offset, format,
+            fmt::format(
+                "{} compressed bytes become more than {}; if the file is honest, expand it with another program first",
+                compressed, most_expanded(compressed)));
 }
 
 /// zlib's stream that frees itself.
@@ -39,7 +45,8 @@ struct Inflation {
 
 bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
-std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format, std::uint64_t enough) {
+std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format,
+                     std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
     Inflation inflation(zlib_or_gzip);
     if (!inflation.good) throw InternalError("zlib does not start");
@@ -59,7 +66,8 @@ std::string inflated(std::string_view stream, const Source& source, std::uint64_
         require_bounded(content.size(), stream.size(), source, offset, format);
         if (state == Z_STREAM_END || content.size() >= enough) return content;
         if (state != Z_OK && state != Z_BUF_ERROR) broken(source, offset + used, format, "compressed data are damaged");
-        if (used == stream.size() && content.size() == before) broken(source, offset + used, format, "compressed data end early; the file is truncated");
+        if (used == stream.size() && content.size() == before)
+            broken(source, offset + used, format, "compressed data end early; the file is truncated");
     }
 }
 
@@ -74,7 +82,8 @@ std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> zstd_context() {
 
 }  // namespace
 
-std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format) {
+std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset,
+                          const std::string& format) {
     const auto context = zstd_context();
     std::string content;
     ZSTD_inBuffer input{stream.data(), stream.size(), 0};
@@ -84,10 +93,13 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
         ZSTD_outBuffer output{content.data() + before, piece, 0};
         const auto state = ZSTD_decompressStream(context.get(), &output, &input);
         content.resize(before + output.pos);
-        if (ZSTD_isError(state)) broken(source, offset + input.pos, format, fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
+        if (ZSTD_isError(state))
+            broken(source, offset + input.pos, format,
+                   fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
         require_bounded(content.size(), stream.size(), source, offset, format);
         if (state == 0) return content;
-        if (input.pos == input.size && output.pos == 0) broken(source, offset + input.pos, format, "compressed data end early; the file is truncated");
+        if (input.pos == input.size && output.pos == 0)
+            broken(source, offset + input.pos, format, "compressed data end early; the file is truncated");
     }
 }
 
@@ -96,7 +108,8 @@ Source unpacked(const Source& source) {
     return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
 }
 
-std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset, const std::string& format) {
+std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset,
+                               const std::string& format) {
     const auto context = zstd_context();
     std::string content(std::min<std::uint64_t>(count, most_expanded(stream.size())), '\0');
     ZSTD_inBuffer input{stream.data(), stream.size(), 0};
@@ -104,7 +117,9 @@ std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, con
     for (auto state = std::size_t{1}; state != 0 && output.pos < output.size;) {
         const auto before = input.pos + output.pos;
         state = ZSTD_decompressStream(context.get(), &output, &input);
-        if (ZSTD_isError(state)) broken(source, offset + input.pos, format, fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
+        if (ZSTD_isError(state))
+            broken(source, offset + input.pos, format,
+                   fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
         if (input.pos + output.pos == before) break;
     }
     content.resize(output.pos);

@@ -26,7 +26,9 @@ struct Expansion {
         if (!done) {
             content = expand();
             if (content.size() != size)
-                throw FormatError(name, {.offset = content.size()}, fmt::format("compressed data hold {} bytes, the header says {}; the file is damaged", content.size(), size));
+                throw FormatError(name, {.offset = content.size()},
+                                  fmt::format("compressed data hold {} bytes, the header says {}; the file is damaged",
+                                              content.size(), size));
             done = true;
         }
         return content;
@@ -42,7 +44,8 @@ Source expanded_source(std::string name, std::uint64_t size, std::function<std::
     expansion->expand = std::move(expand);
     return {std::move(name), size, {}, [expansion](std::uint64_t offset, std::uint64_t count, char* target) {
                 if (offset > expansion->size || count > expansion->size - offset)
-                    throw FormatError(expansion->name, {.offset = expansion->size}, fmt::format("ends here, expected {} bytes from byte {}", count, offset));
+                    throw FormatError(expansion->name, {.offset = expansion->size},
+                                      fmt::format("ends here, expected {} bytes from byte {}", count, offset));
                 std::copy_n(expansion->expanded().data() + offset, count, target);
             }};
 }

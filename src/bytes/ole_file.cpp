@@ -10,8 +10,8 @@
 
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/pieces.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::bytes {
 namespace {
@@ -29,7 +29,8 @@ std::uint64_t parts(std::uint64_t size, std::uint64_t part) { return size / part
 bool is_ole(std::string_view head) { return head.starts_with(signature); }
 
 void OleFile::fail(std::uint64_t offset, const std::string& what) const {
-    throw FormatError(source_.name, {.offset = std::min(offset, source_.size)}, fmt::format("{}: compound file: {}", format_, what));
+    throw FormatError(source_.name, {.offset = std::min(offset, source_.size)},
+                      fmt::format("{}: compound file: {}", format_, what));
 }
 
 OleFile::OleFile(const Source& source, std::string format) : source_(source), format_(std::move(format)) {
@@ -45,17 +46,22 @@ OleFile::OleFile(const Source& source, std::string format) : source_(source), fo
     read_directory(header.number_at<std::uint32_t>(48), header.number_at<std::uint32_t>(60));
 }
 
-/// The table's own sectors are listed in the header, what does not fit there in a chain of sectors that end with the next's number.
+/// The table's own sectors are listed in the header, what does not fit there in a chain of sectors that end with the
+/// next's number.
 void OleFile::read_table() {
     Cursor cursor(source_, format_, 44);
     const auto count = cursor.number<std::uint32_t>();
-    if (count > sectors_) fail(source_.size, fmt::format("the file ends here, its table alone has {} sectors; it is truncated or damaged", count));
+    if (count > sectors_)
+        fail(source_.size,
+             fmt::format("the file ends here, its table alone has {} sectors; it is truncated or damaged", count));
     std::vector<std::uint32_t> sectors;
     cursor.seek(76);
-    for (std::size_t i = 0; i < sectors_in_header && sectors.size() < count; ++i) sectors.push_back(cursor.number<std::uint32_t>());
+    for (std::size_t i = 0; i < sectors_in_header && sectors.size() < count; ++i)
+        sectors.push_back(cursor.number<std::uint32_t>());
     auto next = cursor.number_at<std::uint32_t>(68);
     for (std::uint64_t steps = 0; sectors.size() < count; ++steps) {
-        if (next > last_sector || steps > sectors_) fail(68, "the list of the table's sectors ends early or runs in circles");
+        if (next > last_sector || steps > sectors_)
+            fail(68, "the list of the table's sectors ends early or runs in circles");
         cursor.seek(offset_of(next));
         for (std::uint64_t i = 0; i + 1 < sector_bytes_ / sizeof(next); ++i) {
             const auto sector = cursor.number<std::uint32_t>();
@@ -72,16 +78,20 @@ std::vector<std::uint32_t> OleFile::numbers(const std::vector<std::uint32_t>& se
     Cursor cursor(source_, format_);
     for (const auto sector : sectors) {
         cursor.seek(offset_of(sector));
-        for (std::uint64_t i = 0; i < sector_bytes_ / sizeof(std::uint32_t); ++i) values.push_back(cursor.number<std::uint32_t>());
+        for (std::uint64_t i = 0; i < sector_bytes_ / sizeof(std::uint32_t); ++i)
+            values.push_back(cursor.number<std::uint32_t>());
     }
     return values;
 }
 
-std::vector<std::uint32_t> OleFile::chain(const std::vector<std::uint32_t>& table, std::uint32_t first, std::uint64_t count) const {
+std::vector<std::uint32_t> OleFile::chain(const std::vector<std::uint32_t>& table, std::uint32_t first,
+                                          std::uint64_t count) const {
     std::vector<std::uint32_t> sectors;
     for (auto sector = first; count == 0 ? sector != end_of_chain : sectors.size() < count; sector = table[sector]) {
         if (sector >= table.size() || sectors.size() > table.size())
-            fail(source_.size, fmt::format("after {} sectors a chain leads to sector {}, the table has {}; the file is damaged", sectors.size(), sector, table.size()));
+            fail(source_.size,
+                 fmt::format("after {} sectors a chain leads to sector {}, the table has {}; the file is damaged",
+                             sectors.size(), sector, table.size()));
         sectors.push_back(sector);
     }
     return sectors;
@@ -94,18 +104,23 @@ void OleFile::read_directory(std::uint32_t first, std::uint32_t first_of_small_t
         for (std::uint64_t entry = 0; entry < sector_bytes_; entry += entry_bytes) {
             cursor.seek(offset_of(sector) + entry);
             auto name = cursor.bytes(name_bytes);
-            name.resize(std::min<std::size_t>(name.size(), std::max<std::size_t>(cursor.number<std::uint16_t>(), 2) - 2));
+            name.resize(
+                std::min<std::size_t>(name.size(), std::max<std::size_t>(cursor.number<std::uint16_t>(), 2) - 2));
             const auto type = cursor.number<std::uint8_t>();
-            Stream stream{decoded(std::move(name), Encoding::utf16), cursor.number_at<std::uint32_t>(offset_of(sector) + entry + 116),
+            Stream stream{decoded(std::move(name), Encoding::utf16),
+                          cursor.number_at<std::uint32_t>(offset_of(sector) + entry + 116),
                           cursor.number_at<std::uint64_t>(offset_of(sector) + entry + 120)};
             if (sector_bytes_ == 512) stream.size &= 0xffffffff;  // what older writers left above is no size
             if (type == root_entry && small_stream_.empty() && stream.size > 0) {
-                if (stream.size > source_.size) fail(source_.size, "the file ends before its small streams; it is truncated or damaged");
+                if (stream.size > source_.size)
+                    fail(source_.size, "the file ends before its small streams; it is truncated or damaged");
                 small_stream_ = chain(table_, stream.first, parts(stream.size, sector_bytes_));
             }
             if (type != stream_entry) continue;
             if (stream.size > source_.size - total)
-                fail(source_.size, fmt::format("the file ends here, stream '{}' alone has {} bytes; it is truncated or damaged", stream.name, stream.size));
+                fail(source_.size,
+                     fmt::format("the file ends here, stream '{}' alone has {} bytes; it is truncated or damaged",
+                                 stream.name, stream.size));
             total += stream.size;
             streams_.push_back(std::move(stream));
         }
@@ -123,7 +138,8 @@ bool OleFile::has(const std::string& name) const {
 }
 
 Source OleFile::stream(const std::string& name) const {
-    const auto found = std::find_if(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
+    const auto found =
+        std::find_if(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
     if (found == streams_.end()) fail(0, fmt::format("no stream '{}', it holds: {}", name, fmt::join(names(), ", ")));
     const bool small = found->size < least_large_;
     const auto part = small ? small_sector_bytes_ : sector_bytes_;
@@ -140,7 +156,8 @@ Source OleFile::stream(const std::string& name) const {
 
 std::uint64_t OleFile::small_offset_of(std::uint32_t sector) const {
     const auto place = std::uint64_t{sector} * small_sector_bytes_;
-    if (place / sector_bytes_ >= small_stream_.size()) fail(source_.size, fmt::format("small sector {} lies beyond the small streams; the file is damaged", sector));
+    if (place / sector_bytes_ >= small_stream_.size())
+        fail(source_.size, fmt::format("small sector {} lies beyond the small streams; the file is damaged", sector));
     return offset_of(small_stream_[place / sector_bytes_]) + place % sector_bytes_;
 }
 

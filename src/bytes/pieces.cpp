@@ -26,19 +26,24 @@ Source joined(const Source& source, std::string name, const std::vector<Piece>& 
     std::uint64_t total = 0;
     for (const auto& piece : pieces) {
         if (piece.offset > source.size || piece.size > source.size - piece.offset)
-            throw FormatError(source.name, {.offset = source.size}, fmt::format("the file ends here, '{}' goes on to byte {}; it is truncated or damaged", name, piece.offset + piece.size));
+            throw FormatError(source.name, {.offset = source.size},
+                              fmt::format("the file ends here, '{}' goes on to byte {}; it is truncated or damaged",
+                                          name, piece.offset + piece.size));
         if (!parts.empty() && parts.back().piece.offset + parts.back().piece.size == piece.offset)
             parts.back().piece.size += piece.size;
-        else if (piece.size > 0)
-            parts.push_back({total, piece});
+        else if (piece.size > 0) parts.push_back({total, piece});
         total += piece.size;
     }
     const auto shared = std::make_shared<const std::vector<Part>>(std::move(parts));
     Source whole{std::move(name), total, {}, {}};
-    whole.read_into = [source, shared, label = whole.name, total](std::uint64_t offset, std::uint64_t count, char* target) {
+    whole.read_into = [source, shared, label = whole.name, total](std::uint64_t offset, std::uint64_t count,
+                                                                  char* target) {
         if (offset > total || count > total - offset)
-            throw FormatError(label, {.offset = total}, fmt::format("it ends here, expected {} bytes from byte {}; it is truncated or damaged", count, offset));
-        auto next = std::upper_bound(shared->begin(), shared->end(), offset, [](std::uint64_t place, const Part& part) { return place < part.at; });
+            throw FormatError(
+                label, {.offset = total},
+                fmt::format("it ends here, expected {} bytes from byte {}; it is truncated or damaged", count, offset));
+        auto next = std::upper_bound(shared->begin(), shared->end(), offset,
+                                     [](std::uint64_t place, const Part& part) { return place < part.at; });
         for (; count > 0; ++next) {
             const auto& [at, piece] = *std::prev(next);
             const auto within = offset - at, taken = std::min(count, piece.size - within);

@@ -63,7 +63,11 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
 bool is_utf8(std::string_view bytes) {
     for (std::size_t i = 0; i < bytes.size();) {
         const auto lead = static_cast<unsigned char>(bytes[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : (lead & 0xf0) == 0xe0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+        const std::size_t length = lead < 0x80                   ? 1
+                                   : lead >= 0xc2 && lead < 0xe0 ? 2
+                                   : (lead & 0xf0) == 0xe0       ? 3
+                                   : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                                 : 0;
         if (length == 0 || i + length > bytes.size()) return false;
         for (std::size_t k = 1; k < length; ++k)
             if ((static_cast<unsigned char>(bytes[i + k]) & 0xc0) != 0x80) return false;
@@ -82,14 +86,11 @@ std::string decoded(std::string bytes, Encoding encoding) {
     std::string text;
     if (bytes.starts_with(utf16_little) || bytes.starts_with(utf16_big))
         text = from_utf16(std::string_view(bytes).substr(2), bytes.starts_with(utf16_big));
-    else if (encoding == Encoding::utf16)
-        text = from_utf16(bytes, false);
-    else if (bytes.starts_with(utf8_mark))
-        text = bytes.substr(3);
+    else if (encoding == Encoding::utf16) text = from_utf16(bytes, false);
+    else if (bytes.starts_with(utf8_mark)) text = bytes.substr(3);
     else if (encoding == Encoding::latin1 || (encoding == Encoding::detect && !is_utf8(bytes)))
         text = from_latin1(bytes);
-    else
-        text = std::move(bytes);
+    else text = std::move(bytes);
     if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
     return text;
 }
@@ -143,8 +144,8 @@ bool parse_cell(std::string_view cell, char decimal_point, double& value) {
     }
     value = undefined;
     if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
-    static constexpr std::array<std::string_view, 11> undefined_words{"nan",      "bad",       "-",         "--",       "---",      "infinite",
-                                                                       "1.#qnan",  "-1.#ind",   "1.#ind",    "1.#inf",   "-1.#inf"};
+    static constexpr std::array<std::string_view, 11> undefined_words{
+        "nan", "bad", "-", "--", "---", "infinite", "1.#qnan", "-1.#ind", "1.#ind", "1.#inf", "-1.#inf"};
     return std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
 }
 

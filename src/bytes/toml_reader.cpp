@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::bytes {
 namespace {
@@ -71,7 +71,8 @@ std::optional<std::int64_t> TomlReader::integer(const char* key) {
 Estimate TomlReader::parse(const char* key, const toml::node& node, const Dimension& dimension) const {
     if (node.is_number()) {
         if (dimension == dimension::none) return {*node.value<double>(), 0.0};
-        fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"", *node.value<double>(), si_unit(dimension)));
+        fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"",
+                              *node.value<double>(), si_unit(dimension)));
     }
     const auto* text = node.as_string();
     if (!text) fail(key, "expected a number with its unit in quotes");
@@ -149,7 +150,8 @@ void TomlReader::table(const char* key, const std::function<void(TomlReader)>& b
 
 void TomlReader::named_tables(const char* key, const std::function<void(const std::string&, TomlReader)>& body) {
     table(key, [&](TomlReader group) {
-        for (const auto& name : group.keys()) group.table(name.c_str(), [&](TomlReader inner) { body(name, std::move(inner)); });
+        for (const auto& name : group.keys())
+            group.table(name.c_str(), [&](TomlReader inner) { body(name, std::move(inner)); });
     });
 }
 

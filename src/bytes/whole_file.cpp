@@ -16,8 +16,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::bytes {
 namespace {
@@ -29,7 +29,8 @@ public:
     explicit Descriptor(const std::string& path) {
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) throw FileError(fmt::format("{}: no such file", path));
-        if (std::filesystem::is_directory(path, ignored)) throw FileError(fmt::format("{}: is a folder, expected a file", path));
+        if (std::filesystem::is_directory(path, ignored))
+            throw FileError(fmt::format("{}: is a folder, expected a file", path));
         number_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
         if (number_ < 0) throw FileError(fmt::format("{}: cannot be opened for reading; check its permissions", path));
     }
@@ -58,11 +59,14 @@ void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t
 /// Refuses what lies beyond the end of a source.
 void require_inside(const std::string& name, std::uint64_t size, std::uint64_t offset, std::uint64_t count) {
     if (offset > size || count > size - offset)
-        throw FormatError(name, {.offset = size}, fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
+        throw FormatError(
+            name, {.offset = size},
+            fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
 }
 
 [[noreturn]] void refuse_writing(const std::string& path, const char* what) {
-    throw FileError(fmt::format("{}: cannot be {}; check that the folder exists, is writable and has space", path, what));
+    throw FileError(
+        fmt::format("{}: cannot be {}; check that the folder exists, is writable and has space", path, what));
 }
 
 /// A name beside `path` that no other writer of this or another process uses.
@@ -113,7 +117,8 @@ Source memory_source(std::string name, std::string content) {
 Source part_of(const Source& source, std::string name, std::uint64_t offset, std::uint64_t count) {
     require_inside(source.name, source.size, offset, count);
     Source part{std::move(name), count, {}, {}};
-    part.read_into = [whole = source, label = part.name, offset, size = count](std::uint64_t from, std::uint64_t length, char* target) {
+    part.read_into = [whole = source, label = part.name, offset, size = count](std::uint64_t from, std::uint64_t length,
+                                                                               char* target) {
         require_inside(label, size, from, length);
         whole.read_into(offset + from, length, target);
     };

@@ -5,19 +5,23 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::bytes {
 
 pugi::xml_document parsed_xml(std::string_view text, const Source& source, const std::string& format) {
     for (const auto* declaration : {"<!DOCTYPE", "<!ENTITY"})
         if (const auto at = text.find(declaration); at != std::string_view::npos)
-            throw FormatError(source.name, {.offset = at}, fmt::format("{}: XML that declares types or entities is not read; remove '{}'", format, declaration));
+            throw FormatError(
+                source.name, {.offset = at},
+                fmt::format("{}: XML that declares types or entities is not read; remove '{}'", format, declaration));
     pugi::xml_document document;
     const auto result = document.load_buffer(text.data(), text.size());
-    if (!result) throw FormatError(source.name, {.offset = static_cast<std::uint64_t>(result.offset)}, fmt::format("{}: XML: {}", format, result.description()));
+    if (!result)
+        throw FormatError(source.name, {.offset = static_cast<std::uint64_t>(result.offset)},
+                          fmt::format("{}: XML: {}", format, result.description()));
     return document;
 }
 

@@ -8,8 +8,8 @@
 
 namespace setae::contact {
 
-/// Root of a continuous function between two points, in either order, where its signs differ (or it vanishes), to 52 bits.
-/// Source: Alefeld, Potra, Shi, ACM TOMS 748 (1995).
+/// Root of a continuous function between two points, in either order, where its signs differ (or it vanishes), to 52
+/// bits. Source: Alefeld, Potra, Shi, ACM TOMS 748 (1995).
 template <class Function>
 [[nodiscard]] double bracketed_root(Function&& function, double lower, double upper) {
     if (lower > upper) std::swap(lower, upper);

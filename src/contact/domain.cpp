@@ -10,7 +10,8 @@
 namespace setae::contact {
 
 void require_positive(double value, const char* what) {
-    if (!(value > 0.0) || std::isinf(value)) throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {}", what, value));
+    if (!(value > 0.0) || std::isinf(value))
+        throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {}", what, value));
 }
 
 void require_not_negative(double value, const char* what) {

@@ -21,7 +21,8 @@ double compliance(const ElasticSolid& solid) {
 
 double contact_modulus(const ElasticSolid& first, const ElasticSolid& second) {
     const double sum = compliance(first) + compliance(second);
-    if (sum == 0.0) throw InvalidArgument("two rigid bodies have no contact modulus; give one a finite young's modulus");
+    if (sum == 0.0)
+        throw InvalidArgument("two rigid bodies have no contact modulus; give one a finite young's modulus");
     return 1.0 / sum;
 }
 

@@ -165,7 +165,8 @@ double total_energy(double contact_radius, double displacement, const Contact& c
 State pull_off_at_fixed_load(const Contact& contact) {
     require(contact);
     const double a = std::cbrt(9.0) * critical_radius(contact);
-    return {.force = -pull_off_magnitude(contact), .displacement = -a * a / (3.0 * contact.radius), .contact_radius = a};
+    return {
+        .force = -pull_off_magnitude(contact), .displacement = -a * a / (3.0 * contact.radius), .contact_radius = a};
 }
 
 State pull_off_at_fixed_grips(const Contact& contact) {

@@ -22,15 +22,17 @@ double adhesion(const Contact& contact) {
     require_sphere(contact.radius, contact.contact_modulus);
     require_not_negative(contact.work_of_adhesion, "work of adhesion");
     const double w = contact.work_of_adhesion / (contact.contact_modulus * contact.radius);
-    if (!(w <= 1e6)) throw InvalidArgument(fmt::format("work of adhesion must be <= 1e6 E*R, got {} E*R; check the units", w));
+    if (!(w <= 1e6))
+        throw InvalidArgument(fmt::format("work of adhesion must be <= 1e6 E*R, got {} E*R; check the units", w));
     return w;
 }
 
 double share_of_radius(double contact_radius, double radius) {
     require_not_negative(contact_radius, "contact radius");
     if (!(contact_radius < radius))
-        throw InvalidArgument(fmt::format("contact radius {} m is not below the sphere radius {} m; check the units of both",
-                                          contact_radius, radius));
+        throw InvalidArgument(
+            fmt::format("contact radius {} m is not below the sphere radius {} m; check the units of both",
+                        contact_radius, radius));
     return contact_radius / radius;
 }
 
@@ -59,9 +61,7 @@ double fold_of_force(double w) {
 double fold_of_displacement(double w) {
     if (w == 0.0) return 0.0;
     const double upper = std::min(std::cbrt(pi * w / 8.0), largest_share);
-    const auto slope = [w](double x) {
-        return std::atanh(x) + x / (1.0 - x * x) - 0.5 * std::sqrt(2.0 * pi * w / x);
-    };
+    const auto slope = [w](double x) { return std::atanh(x) + x / (1.0 - x * x) - 0.5 * std::sqrt(2.0 * pi * w / x); };
     return bracketed_root(slope, 1e-3 * upper, upper);
 }
 

@@ -29,7 +29,8 @@ double stretch_at(double a, const AdhesiveContact& contact, const Factors& facto
 State state_at(double a, const AdhesiveContact& contact, const Layer& layer) {
     const Factors factors = layer.factors(a);
     const double stretch = stretch_at(a, contact, factors), flat = a * a / contact.radius;
-    return {.force = 2.0 * contact.contact_modulus * a * (2.0 / 3.0 * flat * factors.dry_force - factors.stiffness * stretch),
+    return {.force = 2.0 * contact.contact_modulus * a *
+                     (2.0 / 3.0 * flat * factors.dry_force - factors.stiffness * stretch),
             .displacement = flat * factors.dry_displacement - stretch,
             .contact_radius = a};
 }
@@ -56,9 +57,10 @@ double fold(double Slopes::*slope, double half_space_fold, const AdhesiveContact
     const auto slope_at = [&](double a) { return slopes_at(a, contact, layer).*slope; };
     const double upper = layer.largest_contact_radius();
     if (slope_at(upper) < 0.0)
-        throw InvalidArgument(fmt::format("this contact parts at a contact radius above {} layer thicknesses of {} m, where the "
-                                          "layer's factors end: use a thicker layer",
-                                          Layer::largest_ratio, layer.thickness()));
+        throw InvalidArgument(
+            fmt::format("this contact parts at a contact radius above {} layer thicknesses of {} m, where the "
+                        "layer's factors end: use a thicker layer",
+                        Layer::largest_ratio, layer.thickness()));
     return bracketed_root(slope_at, 1e-3 * std::min(half_space_fold, upper), upper);
 }
 
@@ -79,9 +81,10 @@ double radius_at(double value, double State::*member, double fold, const Adhesiv
     if (branch == Branch::inner) return value > 0.0 ? undefined : bracketed_root(excess, 0.0, fold);
     const double upper = layer.largest_contact_radius();
     if (excess(upper) < 0.0)
-        throw InvalidArgument(fmt::format("the contact radius would exceed {} layer thicknesses of {} m, where the layer's "
-                                          "factors end: use a thicker layer or press less",
-                                          Layer::largest_ratio, layer.thickness()));
+        throw InvalidArgument(
+            fmt::format("the contact radius would exceed {} layer thicknesses of {} m, where the layer's "
+                        "factors end: use a thicker layer or press less",
+                        Layer::largest_ratio, layer.thickness()));
     return bracketed_root(excess, fold, upper);
 }
 
@@ -97,7 +100,8 @@ double displacement(double contact_radius, const AdhesiveContact& contact, const
     return state_at(contact_radius, contact, layer).displacement;
 }
 
-double energy_release_rate_at_force(double contact_radius, double force, const SphereOnFlat& contact, const Layer& layer) {
+double energy_release_rate_at_force(double contact_radius, double force, const SphereOnFlat& contact,
+                                    const Layer& layer) {
     require_sphere(contact.radius, contact.contact_modulus);
     require_positive(contact_radius, "contact radius");
     const Factors factors = layer.factors(contact_radius);
@@ -112,22 +116,25 @@ double contact_radius_at_force(double force, const AdhesiveContact& contact, con
     return radius_at(force, &State::force, fold_of_force(contact, layer), contact, layer, branch);
 }
 
-double contact_radius_at_displacement(double displacement, const AdhesiveContact& contact, const Layer& layer, Branch branch) {
+double contact_radius_at_displacement(double displacement, const AdhesiveContact& contact, const Layer& layer,
+                                      Branch branch) {
     require(contact);
     return radius_at(displacement, &State::displacement, fold_of_displacement(contact, layer), contact, layer, branch);
 }
 
-Array1D contact_radius_at_force(const ArrayView1D& force, const AdhesiveContact& contact, const Layer& layer, Branch branch) {
+Array1D contact_radius_at_force(const ArrayView1D& force, const AdhesiveContact& contact, const Layer& layer,
+                                Branch branch) {
     require(contact);
     const double fold = fold_of_force(contact, layer);
     return mapped(force, [&](double f) { return radius_at(f, &State::force, fold, contact, layer, branch); });
 }
 
-Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const AdhesiveContact& contact, const Layer& layer,
-                                       Branch branch) {
+Array1D contact_radius_at_displacement(const ArrayView1D& displacement, const AdhesiveContact& contact,
+                                       const Layer& layer, Branch branch) {
     require(contact);
     const double fold = fold_of_displacement(contact, layer);
-    return mapped(displacement, [&](double d) { return radius_at(d, &State::displacement, fold, contact, layer, branch); });
+    return mapped(displacement,
+                  [&](double d) { return radius_at(d, &State::displacement, fold, contact, layer, branch); });
 }
 
 State pull_off_at_fixed_load(const AdhesiveContact& contact, const Layer& layer) {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <Eigen/LU>
 #include <boost/math/quadrature/gauss.hpp>
-#include <fmt/format.h>
 
 #include "chebyshev.hpp"
 #include "domain.hpp"
@@ -17,8 +17,8 @@
 namespace setae::contact::layer {
 namespace {
 
-/// How far the layer is from a half-space at wavevector q, x = qh: 1 − (E*q/2)/k(q) with the layer's stiffness k. Falls like
-/// 2x² e^(−2x)·4/(3 − 4ν).
+/// How far the layer is from a half-space at wavevector q, x = qh: 1 − (E*q/2)/k(q) with the layer's stiffness k. Falls
+/// like 2x² e^(−2x)·4/(3 − 4ν).
 double softening(double x, double poisson_ratio) {
     const double lead = 3.0 - 4.0 * poisson_ratio;
     const double rest = 2.0 * x * x + 8.0 * poisson_ratio * poisson_ratio - 12.0 * poisson_ratio + 5.0;
@@ -58,9 +58,9 @@ Rule gauss_rule() {
     return rule;
 }
 
-/// Factors at one α: φ(s) − ∫0^1 K(s, t) φ(t) dt = right side, K = (α/π) [κ(α(s + t)) + κ(α❘s − t❘)], solved by Nyström's
-/// method for the right sides 1 (flat punch) and s² (paraboloid). The force is the integral of φ, the singularity of pressure
-/// at the edge φ(1).
+/// Factors at one α: φ(s) − ∫0^1 K(s, t) φ(t) dt = right side, K = (α/π) [κ(α(s + t)) + κ(α❘s − t❘)], solved by
+/// Nyström's method for the right sides 1 (flat punch) and s² (paraboloid). The force is the integral of φ, the
+/// singularity of pressure at the edge φ(1).
 Factors solved(double ratio, const ChebyshevSeries& kappa, const Rule& rule) {
     const auto kernel = [&](double s, double t) {
         return ratio / pi * (kappa.value(ratio * (s + t)) + kappa.value(ratio * std::abs(s - t)));
@@ -94,9 +94,10 @@ double checked_ratio(double contact_radius, double thickness) {
     require_not_negative(contact_radius, "contact radius");
     const double ratio = contact_radius / thickness;
     if (ratio > Layer::largest_ratio * (1.0 + 1e-14))
-        throw InvalidArgument(fmt::format("contact radius {} m is more than {} layer thicknesses of {} m; the layer's factors end "
-                                          "there: use a thicker layer or smaller contacts",
-                                          contact_radius, Layer::largest_ratio, thickness));
+        throw InvalidArgument(
+            fmt::format("contact radius {} m is more than {} layer thicknesses of {} m; the layer's factors end "
+                        "there: use a thicker layer or smaller contacts",
+                        contact_radius, Layer::largest_ratio, thickness));
     return ratio;
 }
 

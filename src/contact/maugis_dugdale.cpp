@@ -20,9 +20,10 @@ namespace {
 /// Far beyond both limits, and λ² and its squares stay numbers.
 void require_transition_parameter(double lambda) {
     if (!(lambda >= 1e-30 && lambda <= 1e30))
-        throw InvalidArgument(fmt::format("transition parameter must lie in [1e-30, 1e30], got {}; check the units of the "
-                                          "cohesive stress",
-                                          lambda));
+        throw InvalidArgument(
+            fmt::format("transition parameter must lie in [1e-30, 1e30], got {}; check the units of the "
+                        "cohesive stress",
+                        lambda));
 }
 
 /// A point of the curve and its derivatives by s.
@@ -81,7 +82,8 @@ ReducedState reduced(double s, double lambda) {
 }
 
 /// s at reduced radius A > 0. What bounds A from above at each s, pA² < 1 with p < λ π s²/4 or p < 2λs³/3 and
-/// 2qA < 1 with q < λ²s²/3, starts the search: Newton's steps on ln A(ln s), which bends little, within brackets where they fail.
+/// 2qA < 1 with q < λ²s²/3, starts the search: Newton's steps on ln A(ln s), which bends little, within brackets where
+/// they fail.
 double zone_at_radius(double radius, double lambda) {
     double lower = std::min(std::sqrt(1.5 / radius) / lambda, std::sqrt(4.0 / (pi * lambda)) / radius);
     double s = lower;
@@ -132,9 +134,8 @@ Fold fold_of_force(double lambda) {
 
 Fold fold_of_displacement(double lambda) {
     const double zone = zone_at_least_displacement(lambda), vanished = vanished_contact(lambda).displacement;
-    return {.zone = zone,
-            .least = std::isnan(zone) ? vanished : point_at(zone, lambda).displacement,
-            .vanished = vanished};
+    return {
+        .zone = zone, .least = std::isnan(zone) ? vanished : point_at(zone, lambda).displacement, .vanished = vanished};
 }
 
 /// Reduced radius where a member of Point has a value.
@@ -233,7 +234,8 @@ ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter)
                       .contact_radius = a,
                       .zone_ratio = std::hypot(1.0, s)},
             .force_by_radius = point.force_slope / point.radius_slope,
-            .force_by_transition = -a * a * g + (a_by_lambda * (3.0 * a - 2.0 * lambda * g) * a) + point.force_slope * s_by_lambda,
+            .force_by_transition =
+                -a * a * g + (a_by_lambda * (3.0 * a - 2.0 * lambda * g) * a) + point.force_slope * s_by_lambda,
             .displacement_by_radius = point.displacement_slope / point.radius_slope,
             .displacement_by_transition = -4.0 / 3.0 * a * s + a_by_lambda * (2.0 * a - 4.0 / 3.0 * lambda * s) +
                                           point.displacement_slope * s_by_lambda};
@@ -325,7 +327,8 @@ Array1D force_at_displacement(const ArrayView1D& displacement, const Contact& co
 
 Array1D displacement_at_force(const ArrayView1D& force, const Contact& contact, Branch branch) {
     const Scaled scaled(contact);
-    return mapped(contact_radius_at_force(force, contact, branch), [&](double a) { return displacement_of(a, scaled); });
+    return mapped(contact_radius_at_force(force, contact, branch),
+                  [&](double a) { return displacement_of(a, scaled); });
 }
 
 State pull_off_at_fixed_load(const Contact& contact) {

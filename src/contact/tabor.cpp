@@ -72,8 +72,8 @@ Verdict which_model(double force, const AdhesiveContact& contact, double interac
     return {.regime = regime,
             .tabor_parameter = parameter,
             .transition_parameter = transition_per_tabor * parameter,
-            .sentence = fmt::format("Tabor parameter {:.3g} (lambda {:.3g}): {}", parameter, transition_per_tabor * parameter,
-                                    advice(regime))};
+            .sentence = fmt::format("Tabor parameter {:.3g} (lambda {:.3g}): {}", parameter,
+                                    transition_per_tabor * parameter, advice(regime))};
 }
 
 }  // namespace setae::contact::tabor

@@ -13,7 +13,9 @@
 namespace setae {
 namespace {
 
-double mean(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()); }
+double mean(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 void require_replicas(std::size_t count) {
     if (count < 2) throw InvalidArgument(fmt::format("{} replicas; an interval needs at least 2", count));
@@ -25,7 +27,8 @@ double acceleration(std::span<const LeaveOneOut> strata) {
     for (const auto& stratum : strata) {
         if (stratum.size() < 2) continue;
         const double centre = mean(stratum), n = static_cast<double>(stratum.size());
-        const double factor = (n - 1.0) / n;  // from a difference without one member to that member's share in the statistic
+        const double factor =
+            (n - 1.0) / n;  // from a difference without one member to that member's share in the statistic
         for (const double without : stratum) {
             const double influence = factor * (centre - without);
             squares += influence * influence;
@@ -64,7 +67,8 @@ Interval bca_interval(double value, std::vector<double> replicas, std::span<cons
     require_replicas(replicas.size());
     std::sort(replicas.begin(), replicas.end());
     const auto n = static_cast<double>(replicas.size());
-    const auto below = static_cast<double>(std::lower_bound(replicas.begin(), replicas.end(), value) - replicas.begin());
+    const auto below =
+        static_cast<double>(std::lower_bound(replicas.begin(), replicas.end(), value) - replicas.begin());
     const double bias = normal_quantile(std::clamp(below / n, 0.5 / n, 1.0 - 0.5 / n)), skew = acceleration(strata);
     const auto end = [&](double probability) {
         const double shifted = bias + normal_quantile(probability);
@@ -73,9 +77,11 @@ Interval bca_interval(double value, std::vector<double> replicas, std::span<cons
     return {end(0.5 * (1.0 - level)), end(0.5 * (1.0 + level)), level};
 }
 
-Interval bootstrap_t_interval(const Estimate& value, std::span<const double> replicas, std::span<const double> replica_errors, double level) {
+Interval bootstrap_t_interval(const Estimate& value, std::span<const double> replicas,
+                              std::span<const double> replica_errors, double level) {
     if (replicas.size() != replica_errors.size())
-        throw InvalidArgument(fmt::format("{} replicas with {} standard errors; expected one each", replicas.size(), replica_errors.size()));
+        throw InvalidArgument(fmt::format("{} replicas with {} standard errors; expected one each", replicas.size(),
+                                          replica_errors.size()));
     std::vector<double> studentised;
     for (std::size_t i = 0; i < replicas.size(); ++i)
         if (replica_errors[i] > 0.0) studentised.push_back((replicas[i] - value.value) / replica_errors[i]);

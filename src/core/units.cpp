@@ -108,9 +108,20 @@ std::optional<Unit> lookup(std::string_view name) {
 
 /// Superscripts to ASCII digits, product dots to '*', so that one grammar serves every spelling.
 std::string plain(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replacements{
-        {{"⁻", "-"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"}, {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"},
-         {"⁸", "8"}, {"⁹", "9"}, {"·", "*"}, {"⋅", "*"}, {"−", "-"}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replacements{{{"⁻", "-"},
+                                                                                                 {"⁰", "0"},
+                                                                                                 {"¹", "1"},
+                                                                                                 {"²", "2"},
+                                                                                                 {"³", "3"},
+                                                                                                 {"⁴", "4"},
+                                                                                                 {"⁵", "5"},
+                                                                                                 {"⁶", "6"},
+                                                                                                 {"⁷", "7"},
+                                                                                                 {"⁸", "8"},
+                                                                                                 {"⁹", "9"},
+                                                                                                 {"·", "*"},
+                                                                                                 {"⋅", "*"},
+                                                                                                 {"−", "-"}}};
     std::string result(text);
     for (const auto& [from, to] : replacements)
         for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))
@@ -133,7 +144,8 @@ Unit parse_factor(std::string_view factor, std::string_view whole) {
     const bool well_formed = !digits.empty() && error == std::errc{} && end == digits.data() + digits.size();
     const auto base = lookup(factor.substr(0, split));
     if (!base || !well_formed || std::abs(exponent) > 9)
-        throw InvalidArgument(fmt::format("'{}' is not a unit setae knows; write it as nm, um, mJ/m2, MPa, 1/m, m3", whole));
+        throw InvalidArgument(
+            fmt::format("'{}' is not a unit setae knows; write it as nm, um, mJ/m2, MPa, 1/m, m3", whole));
     Unit power;
     for (int i = 0; i < std::abs(exponent); ++i) {
         power.factor *= base->factor;
@@ -156,7 +168,8 @@ NumberAndRest leading_number(std::string_view text, std::string_view whole) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), number);
     if (error != std::errc{})
-        throw InvalidArgument(fmt::format("'{}' does not begin with a number; write number and unit, such as 37 mJ/m2", whole));
+        throw InvalidArgument(
+            fmt::format("'{}' does not begin with a number; write number and unit, such as 37 mJ/m2", whole));
     return {number, trimmed(body.substr(static_cast<std::size_t>(end - body.data())))};
 }
 
@@ -224,7 +237,8 @@ Estimate parse_uncertain_quantity(std::string_view text, const Dimension& expect
         const auto error = leading_number(text.substr(at + separator.size()), text);
         if (error.number < 0.0) throw InvalidArgument(fmt::format("'{}' has a negative uncertainty", text));
         const auto value_unit = value.rest.empty() ? error.rest : value.rest;
-        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text), "given"};
+        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text),
+                "given"};
     }
     return {parse_quantity(text, expected), 0.0, "given"};
 }
@@ -270,7 +284,8 @@ std::string with_digits(double value, int significant_digits) {
     if (magnitude < -3 || magnitude >= 6) {
         static constexpr std::array<std::string_view, 10> superscript{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
         std::string exponent = magnitude < 0 ? "⁻" : "";
-        for (const char digit : std::to_string(std::abs(magnitude))) exponent += superscript[static_cast<std::size_t>(digit - '0')];
+        for (const char digit : std::to_string(std::abs(magnitude)))
+            exponent += superscript[static_cast<std::size_t>(digit - '0')];
         return fmt::format("{:.{}f}×10{}", value / std::pow(10.0, magnitude), significant_digits - 1, exponent);
     }
     return fmt::format("{:.{}f}", value, std::max(0, significant_digits - 1 - magnitude));

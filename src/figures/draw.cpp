@@ -3,18 +3,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fcntl.h>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/figures/figure.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::figures {
 namespace {
@@ -24,7 +24,9 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         auto pattern = (std::filesystem::temp_directory_path() / "setae_figure_XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw FileError(fmt::format("{}: cannot be created: {}; check that the folder is writable", pattern, std::strerror(errno)));
+        if (!mkdtemp(pattern.data()))
+            throw FileError(fmt::format("{}: cannot be created: {}; check that the folder is writable", pattern,
+                                        std::strerror(errno)));
         path_ = pattern;
     }
     ~TemporaryFolder() {
@@ -62,11 +64,13 @@ Outcome run_gnuplot(const std::string& folder, const std::string& script, const 
     outcome.start_error = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, environ);
     posix_spawn_file_actions_destroy(&actions);
     if (outcome.start_error != 0) return outcome;
-    while (waitpid(process, &outcome.status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(process, &outcome.status, 0) < 0 && errno == EINTR) {
+    }
     return outcome;
 }
 
-/// A PDF without the time of its making: cairo knows no way to leave it out. Same length, so offsets in the file still hold.
+/// A PDF without the time of its making: cairo knows no way to leave it out. Same length, so offsets in the file still
+/// hold.
 void erase_date(std::string& content) {
     constexpr std::string_view key = "/CreationDate (D:";
     for (auto at = content.find(key); at != std::string::npos; at = content.find(key, at + 1)) {
@@ -79,13 +83,15 @@ void erase_date(std::string& content) {
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
 }
 
-/// SVG with what gnuplot leaves to the reader: fonts that look alike where there is no Liberation Sans, which the file names
-/// and does not hold, and blanks between upright and italic text.
+/// SVG with what gnuplot leaves to the reader: fonts that look alike where there is no Liberation Sans, which the file
+/// names and does not hold, and blanks between upright and italic text.
 void complete_svg(std::string& content) {
-    replace_all(content, "font-family=\"Liberation Sans\"", "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
+    replace_all(content, "font-family=\"Liberation Sans\"",
+                "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
     replace_all(content, "<text>", "<text xml:space=\"preserve\">");
 }
 
@@ -101,8 +107,10 @@ std::string drawn(const Figure& figure, const std::string& ending) {
     bytes::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
     const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
     if (outcome.start_error == ENOENT)
-        throw FileError("a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
-    if (outcome.start_error != 0) throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
+        throw FileError(
+            "a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
+    if (outcome.start_error != 0)
+        throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
     std::error_code missing;
     if (outcome.status != 0 || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
         throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_file(folder.file("words.txt")))));

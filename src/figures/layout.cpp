@@ -26,7 +26,9 @@ Margins margins_of(const Panel& panel) {
     if (longest > 0) margins.left = title_mm + letters_mm * static_cast<double>(longest);
     else if (panel.y.logarithmic) margins.left = title_mm + 9.0;  // 10^{−20}
     else margins.left = title_mm + letters_mm * letters_of_ticks(y_range(panel));
-    if (panel.map) margins.right += colour_bar_gap_mm + colour_bar_mm + 1.0 + letters_mm * letters_of_ticks(value_range(*panel.map)) + 4.0;
+    if (panel.map)
+        margins.right +=
+            colour_bar_gap_mm + colour_bar_mm + 1.0 + letters_mm * letters_of_ticks(value_range(*panel.map)) + 4.0;
     if (panel.legend_beside && legend_size(panel).entries > 0) margins.right += legend_size(panel).width_mm();
     return margins;
 }
@@ -38,16 +40,20 @@ Box cell_of(const Figure& figure, std::size_t panel) {
     }
     const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
-    const double width = figure.width_mm / static_cast<double>(columns), height = figure.height_mm / static_cast<double>(rows);
-    const double left = width * static_cast<double>(panel % columns), top = figure.height_mm - height * static_cast<double>(panel / columns);
+    const double width = figure.width_mm / static_cast<double>(columns),
+                 height = figure.height_mm / static_cast<double>(rows);
+    const double left = width * static_cast<double>(panel % columns),
+                 top = figure.height_mm - height * static_cast<double>(panel / columns);
     return {left, left + width, top - height, top};
 }
 
 }  // namespace
 
 int letters_of_ticks(const Range& range) {
-    const double step = std::floor(std::log10((range.to - range.from) / 6.0)), most = std::max(std::abs(range.from), std::abs(range.to));
-    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1, after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
+    const double step = std::floor(std::log10((range.to - range.from) / 6.0)),
+                 most = std::max(std::abs(range.from), std::abs(range.to));
+    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1,
+              after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
     return std::min(before + after + (range.from < 0.0 ? 1 : 0), 8);
 }
 
@@ -78,7 +84,9 @@ Layout layout_of(const Figure& figure, std::size_t panel) {
         if (close(other_cell.right, cell.right) && !figure.panels[panel].map && !figure.panels[other].map)
             margins.right = std::max(margins.right, other_margins.right);
     }
-    Layout layout{cell, {cell.left + margins.left, cell.right - margins.right, cell.bottom + margins.bottom, cell.top - margins.top}};
+    Layout layout{
+        cell,
+        {cell.left + margins.left, cell.right - margins.right, cell.bottom + margins.bottom, cell.top - margins.top}};
     if (const auto& map = figure.panels[panel].map) {
         // one scale along both axes
         auto& axes = layout.axes;
@@ -90,8 +98,9 @@ Layout layout_of(const Figure& figure, std::size_t panel) {
     }
     layout.legend_left = layout.axes.right + 1.0;
     if (!(layout.axes.left < layout.axes.right && layout.axes.bottom < layout.axes.top))
-        throw InvalidArgument(fmt::format("{} panels in {} columns leave no room for axes in {} mm x {} mm; expected a larger figure", figure.panels.size(),
-                                          figure.columns, figure.width_mm, figure.height_mm));
+        throw InvalidArgument(
+            fmt::format("{} panels in {} columns leave no room for axes in {} mm x {} mm; expected a larger figure",
+                        figure.panels.size(), figure.columns, figure.width_mm, figure.height_mm));
     return layout;
 }
 

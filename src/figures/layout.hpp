@@ -17,7 +17,7 @@ struct Box {
 
 /// Where a panel's axes and what belongs to them stand.
 struct Layout {
-    Box cell;   ///< with titles and numbers
+    Box cell;  ///< with titles and numbers
     Box axes;
     double legend_left = 0.0;  ///< of a legend beside the axes
 };

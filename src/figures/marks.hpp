@@ -23,7 +23,8 @@ struct SymbolSize {
 /// What draws a series: elements of a plot command.
 ///
 /// place: of the series in its panel.  data: name of its points.
-[[nodiscard]] std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data, const SymbolSize& symbol_size);
+[[nodiscard]] std::vector<std::string> elements(const Series& series, std::size_t place, const std::string& data,
+                                                const SymbolSize& symbol_size);
 
 /// The cells of a map, one a line: x y value, those of one x together.
 [[nodiscard]] std::string map_lines(const HeatMap& map);

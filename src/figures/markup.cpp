@@ -37,7 +37,8 @@ std::string typeset(std::string_view quantity) {
     for (const auto& span : spans_of(quantity)) {
         turn(span.italic);
         const auto text = escaped(span.text);
-        result += span.place == Span::Place::line ? text : (span.place == Span::Place::lowered ? "_{" : "^{") + text + "}";
+        result +=
+            span.place == Span::Place::line ? text : (span.place == Span::Place::lowered ? "_{" : "^{") + text + "}";
     }
     turn(false);
     return result;
@@ -48,7 +49,8 @@ std::string typeset_unit(std::string_view unit) {
     for (const auto& factor : factors_of(unit)) {
         result += (result.empty() ? "" : " ") + escaped(factor.symbol);
         const bool negative = factor.exponent.starts_with('-');
-        if (!factor.exponent.empty()) result += fmt::format("^{{{}{}}}", negative ? "−" : "", factor.exponent.substr(negative ? 1 : 0));
+        if (!factor.exponent.empty())
+            result += fmt::format("^{{{}{}}}", negative ? "−" : "", factor.exponent.substr(negative ? 1 : 0));
     }
     return result;
 }

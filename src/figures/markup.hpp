@@ -6,8 +6,8 @@
 
 namespace setae::figures {
 
-/// Text for gnuplot that it shows letter by letter: in single quotes, the signs of its markup escaped, control characters
-/// and bytes that are no UTF-8 as blanks.
+/// Text for gnuplot that it shows letter by letter: in single quotes, the signs of its markup escaped, control
+/// characters and bytes that are no UTF-8 as blanks.
 [[nodiscard]] std::string quoted_verbatim(std::string_view text);
 
 /// As quoted_verbatim, bold.

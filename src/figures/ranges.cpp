@@ -16,10 +16,11 @@
 namespace setae::figures {
 namespace {
 
-void require_length(const Panel& panel, const Series& series, const Array1D& values, const char* name, bool may_be_empty) {
+void require_length(const Panel& panel, const Series& series, const Array1D& values, const char* name,
+                    bool may_be_empty) {
     if (values.size() == series.x.size() || (may_be_empty && values.size() == 0)) return;
-    throw InvalidArgument(fmt::format("panel '{}', series '{}': {} values of x and {} of {}; expected as many", panel.title, series.label,
-                                      series.x.size(), values.size(), name));
+    throw InvalidArgument(fmt::format("panel '{}', series '{}': {} values of x and {} of {}; expected as many",
+                                      panel.title, series.label, series.x.size(), values.size(), name));
 }
 
 double scaled(const Axis& axis, double value) { return axis.logarithmic ? std::log10(value) : value; }
@@ -27,7 +28,8 @@ double unscaled(const Axis& axis, double value) { return axis.logarithmic ? std:
 
 void require_ends(const Axis& axis, const Range& range) {
     if (shows(axis, range.from) && shows(axis, range.to) && range.from < range.to) return;
-    throw InvalidArgument(fmt::format("axis '{}' from {} to {}; expected finite ends in order{}", axis.quantity, range.from, range.to,
+    throw InvalidArgument(fmt::format("axis '{}' from {} to {}; expected finite ends in order{}", axis.quantity,
+                                      range.from, range.to,
                                       axis.logarithmic ? ", positive on a logarithmic axis" : ""));
 }
 
@@ -76,9 +78,11 @@ private:
 bool shows(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0.0); }
 
 void require_drawable(const Panel& panel) {
-    if (panel.map && !(panel.map->values.size() > 0 && panel.map->width > 0.0 && panel.map->height > 0.0 && std::isfinite(panel.map->width * panel.map->height)))
-        throw InvalidArgument(fmt::format("panel '{}': a map of {} x {} values over {} x {}; expected values and a size > 0", panel.title, panel.map->values.rows(),
-                                          panel.map->values.cols(), panel.map->width, panel.map->height));
+    if (panel.map && !(panel.map->values.size() > 0 && panel.map->width > 0.0 && panel.map->height > 0.0 &&
+                       std::isfinite(panel.map->width * panel.map->height)))
+        throw InvalidArgument(
+            fmt::format("panel '{}': a map of {} x {} values over {} x {}; expected values and a size > 0", panel.title,
+                        panel.map->values.rows(), panel.map->values.cols(), panel.map->width, panel.map->height));
     for (const auto& series : panel.series) {
         require_length(panel, series, series.y, "y", series.mark == Mark::band);
         // both ends or none, and a band has them
@@ -88,8 +92,9 @@ void require_drawable(const Panel& panel) {
         require_length(panel, series, series.left, "left", series.right.size() == 0);
         require_length(panel, series, series.right, "right", series.left.size() == 0);
         if (!series.names.empty() && series.names.size() != static_cast<std::size_t>(series.x.size()))
-            throw InvalidArgument(fmt::format("panel '{}', series '{}': {} values of x and {} names; expected as many or none", panel.title, series.label,
-                                              series.x.size(), series.names.size()));
+            throw InvalidArgument(
+                fmt::format("panel '{}', series '{}': {} values of x and {} names; expected as many or none",
+                            panel.title, series.label, series.x.size(), series.names.size()));
     }
 }
 
@@ -133,7 +138,9 @@ Series clipped_band(const Panel& panel, const Series& band, const Range& x, cons
     constexpr int steps = 64;
     std::vector<double> across, middle, lower, upper;
     const auto value = [](const Array1D& values, Index i) { return values.size() > 0 ? values[i] : undefined; };
-    const auto seen = [&](Index i) { return shows(panel.x, band.x[i]) && shows(panel.y, band.upper[i]) && std::isfinite(band.lower[i]); };
+    const auto seen = [&](Index i) {
+        return shows(panel.x, band.x[i]) && shows(panel.y, band.upper[i]) && std::isfinite(band.lower[i]);
+    };
     const auto inside = [](const Range& range, double at) { return at >= range.from && at <= range.to; };
     const auto held = [&](double at) { return std::clamp(at, y.from, y.to); };
     const auto add = [&](double at, double height, double from, double to) {
@@ -147,21 +154,28 @@ Series clipped_band(const Panel& panel, const Series& band, const Range& x, cons
             add(undefined, undefined, undefined, undefined);
             continue;
         }
-        const auto whole = [&](Index k) { return inside(x, band.x[k]) && inside(y, band.lower[k]) && inside(y, band.upper[k]); };
+        const auto whole = [&](Index k) {
+            return inside(x, band.x[k]) && inside(y, band.lower[k]) && inside(y, band.upper[k]);
+        };
         if (i > 0 && seen(i - 1) && !(whole(i - 1) && whole(i)))
             for (int step = 1; step < steps; ++step) {
                 const double way = static_cast<double>(step) / steps;
-                const auto between = [way](const Axis& axis, double a, double b) { return unscaled(axis, (1.0 - way) * scaled(axis, a) + way * scaled(axis, b)); };
+                const auto between = [way](const Axis& axis, double a, double b) {
+                    return unscaled(axis, (1.0 - way) * scaled(axis, a) + way * scaled(axis, b));
+                };
                 const double at = between(panel.x, band.x[i - 1], band.x[i]);
                 // an end a logarithmic axis cannot show counts as at its foot
                 const auto foot = [&](double end) { return shows(panel.y, end) ? end : y.from; };
                 if (inside(x, at))
-                    add(at, between(panel.y, value(band.y, i - 1), value(band.y, i)), held(between(panel.y, foot(band.lower[i - 1]), foot(band.lower[i]))),
+                    add(at, between(panel.y, value(band.y, i - 1), value(band.y, i)),
+                        held(between(panel.y, foot(band.lower[i - 1]), foot(band.lower[i]))),
                         held(between(panel.y, band.upper[i - 1], band.upper[i])));
             }
         if (inside(x, band.x[i])) add(band.x[i], value(band.y, i), held(band.lower[i]), held(band.upper[i]));
     }
-    const auto array = [](const std::vector<double>& values) { return Array1D(Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()))); };
+    const auto array = [](const std::vector<double>& values) {
+        return Array1D(Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())));
+    };
     Series clipped = band;
     clipped.x = array(across);
     clipped.lower = array(lower);
@@ -174,7 +188,7 @@ Corner emptiest_corner(const Panel& panel, const Range& x, const Range& y, doubl
     std::array<double, 4> hidden{};
     const auto see = [&](double across, double up, double weight) {
         if (!(across >= 0.0 && across <= 1.0 && up >= 0.0 && up <= 1.0)) return;
-        const bool right = across > 1.0 - width, left = across < width, top = up > 1.0 - height, bottom = up < height;
+        const bool right = across > 1.0 - width, left = across<width, top = up> 1.0 - height, bottom = up < height;
         hidden[0] += right && top ? weight : 0.0;
         hidden[1] += left && top ? weight : 0.0;
         hidden[2] += right && bottom ? weight : 0.0;
@@ -189,11 +203,15 @@ Corner emptiest_corner(const Panel& panel, const Range& x, const Range& y, doubl
                 if (!shows(panel.x, series.x[i]) || !shows(panel.y, (*values)[i])) continue;
                 const double across = share(panel.x, x, series.x[i]), up = share(panel.y, y, (*values)[i]);
                 see(across, up, weight);
-                if (series.mark == Mark::points || i == 0 || !shows(panel.x, series.x[i - 1]) || !shows(panel.y, (*values)[i - 1])) continue;
-                const double across_before = share(panel.x, x, series.x[i - 1]), up_before = share(panel.y, y, (*values)[i - 1]);
+                if (series.mark == Mark::points || i == 0 || !shows(panel.x, series.x[i - 1]) ||
+                    !shows(panel.y, (*values)[i - 1]))
+                    continue;
+                const double across_before = share(panel.x, x, series.x[i - 1]),
+                             up_before = share(panel.y, y, (*values)[i - 1]);
                 for (int step = 1; step < steps; ++step) {
                     const double way = static_cast<double>(step) / steps;
-                    see(across_before + way * (across - across_before), up_before + way * (up - up_before), weight / steps);
+                    see(across_before + way * (across - across_before), up_before + way * (up - up_before),
+                        weight / steps);
                 }
             }
     }

@@ -19,7 +19,7 @@ constexpr double text_points = 8.0, small_points = 7.0;
 /// A terminal, and what makes its text and symbols as large as the others'.
 struct Terminal {
     std::string definition;
-    double point = 1.0;   ///< a point (1/72 inch) in its unit of text
+    double point = 1.0;  ///< a point (1/72 inch) in its unit of text
     SymbolSize symbol;
     double raised_numbers = 0.0;   ///< of numbers below axes, in heights of text
     double legend_spacing = 1.05;  ///< of lines
@@ -28,15 +28,27 @@ struct Terminal {
 Terminal terminal(const Figure& figure, const std::string& ending) {
     constexpr const char* font = "Liberation Sans";
     const double width = figure.width_mm / millimetres_an_inch, height = figure.height_mm / millimetres_an_inch;
-    const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) { return panel.map.has_value(); });
+    const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                      [](const Panel& panel) { return panel.map.has_value(); });
     if (ending == "svg")  // 96 pixels an inch; pictures within the file, not beside it
-        return {fmt::format("svg size {:.0f},{:.0f} fixed enhanced rounded font '{},{:.2f}' linewidth 1.1 name 'figure'{}", 96.0 * width, 96.0 * height, font,
-                            text_points * 4.0 / 3.0, pictures ? " standalone" : ""), 4.0 / 3.0, {0.95, 0.72}, 0.35, 0.85};
+        return {
+            fmt::format("svg size {:.0f},{:.0f} fixed enhanced rounded font '{},{:.2f}' linewidth 1.1 name 'figure'{}",
+                        96.0 * width, 96.0 * height, font, text_points * 4.0 / 3.0, pictures ? " standalone" : ""),
+            4.0 / 3.0,
+            {0.95, 0.72},
+            0.35,
+            0.85};
     if (ending == "pdf")  // takes 96 points for an inch
-        return {fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced rounded font '{},{}' fontscale 0.75 linewidth 1.6", width, height, font, text_points), 1.0, {0.85}};
+        return {
+            fmt::format("pdfcairo size {:.4f}in,{:.4f}in enhanced rounded font '{},{}' fontscale 0.75 linewidth 1.6",
+                        width, height, font, text_points),
+            1.0,
+            {0.85}};
     if (ending == "png")
-        return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced rounded font '{},{}' fontscale 3.125 linewidth 3.2", 300.0 * width, 300.0 * height, font, text_points),
-                1.0, {3.1}};
+        return {fmt::format("pngcairo size {:.0f},{:.0f} enhanced rounded font '{},{}' fontscale 3.125 linewidth 3.2",
+                            300.0 * width, 300.0 * height, font, text_points),
+                1.0,
+                {3.1}};
     throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
 }
 
@@ -49,19 +61,24 @@ std::string logarithmic_ticks(const Range& range, double length_mm, char name) {
     const bool few = decades < 1.6;
     std::string ticks;
     const auto add = [&](int digit, int decade, bool named) {
-        ticks += fmt::format("{}{}{}e{}{}", ticks.empty() ? "" : ", ", named ? "" : "'' ", digit, decade, named ? "" : " 1");
+        ticks +=
+            fmt::format("{}{}{}e{}{}", ticks.empty() ? "" : ", ", named ? "" : "'' ", digit, decade, named ? "" : " 1");
     };
-    for (int decade = static_cast<int>(std::floor(std::log10(range.from))); decade <= static_cast<int>(std::floor(std::log10(range.to))); ++decade) {
+    for (int decade = static_cast<int>(std::floor(std::log10(range.from)));
+         decade <= static_cast<int>(std::floor(std::log10(range.to))); ++decade) {
         add(1, decade, decade % step == 0);
-        for (int digit = 2; digit <= 9 && step == 1; ++digit) add(digit, decade, few && (decades < 0.5 || digit == 2 || digit == 5));
+        for (int digit = 2; digit <= 9 && step == 1; ++digit)
+            add(digit, decade, few && (decades < 0.5 || digit == 2 || digit == 5));
     }
-    return fmt::format("set logscale {0} 10\nset format {0} '{1}'\nset {0}tics ({2}) scale 0.6,0.3\n", name, few ? "%g" : "10^{%L}", ticks);
+    return fmt::format("set logscale {0} 10\nset format {0} '{1}'\nset {0}tics ({2}) scale 0.6,0.3\n", name,
+                       few ? "%g" : "10^{%L}", ticks);
 }
 
 /// Distance between the numbers of a linear axis: 1, 2 or 5 times a power of ten, with room for each.
 double linear_step(const Range& range, double length_mm, char name) {
     const double room_mm = name == 'x' ? std::max(6.5, letters_mm * letters_of_ticks(range) + 2.5) : 5.0;
-    const double least = (range.to - range.from) * std::min(room_mm / length_mm, 0.5), power = std::pow(10.0, std::floor(std::log10(least)));
+    const double least = (range.to - range.from) * std::min(room_mm / length_mm, 0.5),
+                 power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double digit : {1.0, 2.0, 5.0})
         if (digit * power >= least * (1.0 - 1e-9)) return digit * power;
     return 10.0 * power;
@@ -71,31 +88,41 @@ std::string axis_lines(const Axis& axis, const Range& range, double length_mm, c
     auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to);
     if (axis.logarithmic && axis.tick_labels.empty()) lines += logarithmic_ticks(range, length_mm, name);
     else if (axis.tick_labels.empty())
-        lines += fmt::format("unset logscale {0}\nset {0}tics {1:.6g} scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n", name, linear_step(range, length_mm, name));
+        lines +=
+            fmt::format("unset logscale {0}\nset {0}tics {1:.6g} scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n",
+                        name, linear_step(range, length_mm, name));
     else {
         std::string ticks;
-        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i) ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
+        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i)
+            ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
         lines += fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
     }
     return axis.bare ? lines + fmt::format("set format {} ''\n", name) : lines;
 }
 
-std::string key_line(const Panel& panel, const Range& x, const Range& y, const Layout& layout, const Figure& figure, const std::string& font_size, double spacing) {
+std::string key_line(const Panel& panel, const Range& x, const Range& y, const Layout& layout, const Figure& figure,
+                     const std::string& font_size, double spacing) {
     const auto legend = legend_size(panel);
     if (legend.entries == 0) return "unset key\n";
-    const auto look = fmt::format("vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n", spacing, font_size, legend.entries);
+    const auto look = fmt::format("vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n",
+                                  spacing, font_size, legend.entries);
     if (panel.legend_beside)
-        return fmt::format("set key at screen {:.5f},{:.5f} left top {}", layout.legend_left / figure.width_mm, layout.axes.top / figure.height_mm, look);
-    const double width = legend.width_mm() / (layout.axes.right - layout.axes.left), height = legend.height_mm() / (layout.axes.top - layout.axes.bottom);
-    const auto corner = panel.legend_corner.value_or(emptiest_corner(panel, x, y, std::min(width, 1.0), std::min(height, 1.0)));
+        return fmt::format("set key at screen {:.5f},{:.5f} left top {}", layout.legend_left / figure.width_mm,
+                           layout.axes.top / figure.height_mm, look);
+    const double width = legend.width_mm() / (layout.axes.right - layout.axes.left),
+                 height = legend.height_mm() / (layout.axes.top - layout.axes.bottom);
+    const auto corner =
+        panel.legend_corner.value_or(emptiest_corner(panel, x, y, std::min(width, 1.0), std::min(height, 1.0)));
     constexpr std::array<const char*, 4> names{"top right", "top left", "bottom right", "bottom left"};
     return fmt::format("set key inside {} {}", names[static_cast<std::size_t>(corner)], look);
 }
 
 void require(const Figure& figure) {
-    if (figure.panels.empty() || figure.columns < 1 || !(figure.width_mm > 0.0 && figure.height_mm > 0.0 && std::isfinite(figure.width_mm * figure.height_mm)))
-        throw InvalidArgument(fmt::format("a figure of {} panels in {} columns, {} mm x {} mm; expected a panel, a column and a size > 0",
-                                          figure.panels.size(), figure.columns, figure.width_mm, figure.height_mm));
+    if (figure.panels.empty() || figure.columns < 1 ||
+        !(figure.width_mm > 0.0 && figure.height_mm > 0.0 && std::isfinite(figure.width_mm * figure.height_mm)))
+        throw InvalidArgument(
+            fmt::format("a figure of {} panels in {} columns, {} mm x {} mm; expected a panel, a column and a size > 0",
+                        figure.panels.size(), figure.columns, figure.width_mm, figure.height_mm));
     for (const auto& panel : figure.panels) require_drawable(panel);
 }
 
@@ -116,17 +143,22 @@ std::string colour_lines(const Figure& figure, const HeatMap& map, const Layout&
     const auto range = value_range(map);
     const double left = layout.axes.right + colour_bar_gap_mm;
     // viridis: even steps of lightness, also to the colour-blind
-    return fmt::format("set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
-                       "set cbrange [{}:{}]\nset colorbox user origin screen {} size screen {:.5f},{:.5f} noinvert border\n"
-                       "set cbtics in font ',{}' scale 0.4,0.2 offset -0.6,0 format '%g'\nset label {} at screen {} center rotate by 90\n",
-                       range.from, range.to, on_page(figure, left, layout.axes.bottom), colour_bar_mm / figure.width_mm,
-                       (layout.axes.top - layout.axes.bottom) / figure.height_mm, small, quoted_axis_title(map.values_axis.quantity, map.values_axis.unit),
-                       on_page(figure, layout.cell.right - 2.5, 0.5 * (layout.axes.bottom + layout.axes.top)));
+    return fmt::format(
+        "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
+        "set cbrange [{}:{}]\nset colorbox user origin screen {} size screen {:.5f},{:.5f} noinvert border\n"
+        "set cbtics in font ',{}' scale 0.4,0.2 offset -0.6,0 format '%g'\nset label {} at screen {} center rotate by 90\n",
+        range.from, range.to, on_page(figure, left, layout.axes.bottom), colour_bar_mm / figure.width_mm,
+        (layout.axes.top - layout.axes.bottom) / figure.height_mm, small,
+        quoted_axis_title(map.values_axis.quantity, map.values_axis.unit),
+        on_page(figure, layout.cell.right - 2.5, 0.5 * (layout.axes.bottom + layout.axes.top)));
 }
 
 std::string note_line(const Note& note, const std::string& small) {
-    const auto* side = note.side == Note::Side::centre ? "center" : note.side == Note::Side::right ? "left offset 0.6,0" : "right offset -0.6,0";
-    return fmt::format("set label {} at first {},{} {} font ',{}' tc rgb {} front\n", quoted_verbatim(note.text), note.x, note.y, side, small, colour_name(note.colour));
+    const auto* side = note.side == Note::Side::centre  ? "center"
+                       : note.side == Note::Side::right ? "left offset 0.6,0"
+                                                        : "right offset -0.6,0";
+    return fmt::format("set label {} at first {},{} {} font ',{}' tc rgb {} front\n", quoted_verbatim(note.text),
+                       note.x, note.y, side, small, colour_name(note.colour));
 }
 
 std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& device, const std::string& small) {
@@ -142,28 +174,38 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
     }
     for (std::size_t s = 0; s < panel.series.size(); ++s) {
         const auto& series = panel.series[s];
-        const auto lines = data_lines(panel, series.mark == Mark::band ? clipped_band(panel, series, x, y) : series, x, y);
+        const auto lines =
+            data_lines(panel, series.mark == Mark::band ? clipped_band(panel, series, x, y) : series, x, y);
         if (lines.empty() && !series.legend_only) continue;
         const auto name = fmt::format("$panel_{}_series_{}", p + 1, s + 1);
         if (!series.legend_only) script += fmt::format("{} << END_OF_DATA\n{}END_OF_DATA\n", name, lines);
-        for (const auto& element : elements(series, s, name, {0.6 * device.symbol.symbols, device.symbol.diamonds})) plot(element);
+        for (const auto& element : elements(series, s, name, {0.6 * device.symbol.symbols, device.symbol.diamonds}))
+            plot(element);
     }
     // a legend alone is no plot
     if (plots.starts_with("keyentry")) plots = "NaN notitle, \\\n     " + plots;
-    script += fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-                          axes.left / figure.width_mm, axes.right / figure.width_mm, axes.top / figure.height_mm, axes.bottom / figure.height_mm);
+    script += fmt::format(
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+        axes.left / figure.width_mm, axes.right / figure.width_mm, axes.top / figure.height_mm,
+        axes.bottom / figure.height_mm);
     script += axis_lines(panel.x, x, axes.right - axes.left, 'x') + axis_lines(panel.y, y, axes.top - axes.bottom, 'y');
     script += key_line(panel, x, y, layout, figure, small, device.legend_spacing) + "unset label\nunset arrow\n";
     // gnuplot's own axis titles stand elsewhere in each terminal
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
     };
-    if (!panel.x.bare) title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right), layout.cell.bottom + 2.6, "center");
-    if (!panel.y.bare) title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top), "center rotate by 90");
+    if (!panel.x.bare)
+        title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right),
+              layout.cell.bottom + 2.6, "center");
+    if (!panel.y.bare)
+        title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top),
+              "center rotate by 90");
     if (!panel.title.empty()) title(quoted_bold(panel.title), axes.left, axes.top + 2.6, "left");
     for (const double height : panel.horizontal_lines)
         if (shows(panel.y, height) && height >= y.from && height <= y.to)
-            script += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back lc rgb '#808080' lw 0.7\n", height);
+            script += fmt::format(
+                "set arrow from graph 0, first {0} to graph 1, first {0} nohead back lc rgb '#808080' lw 0.7\n",
+                height);
     for (const auto& note : panel.notes) script += note_line(note, small);
     if (panel.map) script += colour_lines(figure, *panel.map, layout, small);
     return script + "plot " + (plots.empty() ? std::string("NaN notitle") : plots) + "\n";
@@ -175,10 +217,13 @@ std::string gnuplot_script(const Figure& figure, const std::string& terminal_end
     require(figure);
     const auto device = terminal(figure, terminal_ending);
     const auto small = fmt::format("{:.2f}", small_points * device.point);
-    std::string script = fmt::format("set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset clip two\n"
-                                     "set style fill solid noborder\n",
-                                     device.definition, quoted_name(output_file));
-    script += fmt::format("set xtics in mirror font ',{0}' offset 0,{1}\nset ytics in mirror font ',{0}'\nset multiplot\n", small, device.raised_numbers);
+    std::string script = fmt::format(
+        "set encoding utf8\nset terminal {}\nset output {}\nset minussign\nset border 15 lw 0.8\nset clip two\n"
+        "set style fill solid noborder\n",
+        device.definition, quoted_name(output_file));
+    script +=
+        fmt::format("set xtics in mirror font ',{0}' offset 0,{1}\nset ytics in mirror font ',{0}'\nset multiplot\n",
+                    small, device.raised_numbers);
     for (std::size_t p = 0; p < figure.panels.size(); ++p) script += panel_lines(figure, p, device, small);
     return script + "unset multiplot\nunset output\n";
 }

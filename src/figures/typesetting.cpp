@@ -17,7 +17,9 @@ std::string_view taken_operand(std::string_view& text) {
         return group;
     }
     std::size_t end = 0;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || static_cast<unsigned char>(text[end]) >= 0x80)) ++end;
+    while (end < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[end])) || static_cast<unsigned char>(text[end]) >= 0x80))
+        ++end;
     const auto word = text.substr(0, end);
     text.remove_prefix(end);
     return word;
@@ -42,7 +44,8 @@ std::vector<Span> spans_of(std::string_view quantity) {
     std::vector<Span> spans;
     bool italic = false;
     const auto letters = [&]() -> std::string& {
-        if (spans.empty() || spans.back().italic != italic || spans.back().place != Span::Place::line) spans.push_back({"", italic, Span::Place::line});
+        if (spans.empty() || spans.back().italic != italic || spans.back().place != Span::Place::line)
+            spans.push_back({"", italic, Span::Place::line});
         return spans.back().text;
     };
     while (!quantity.empty()) {
@@ -51,7 +54,8 @@ std::vector<Span> spans_of(std::string_view quantity) {
         if (first == '*') {
             italic = !italic;
         } else if (first == '_' || first == '^') {
-            spans.push_back({std::string(taken_operand(quantity)), italic, first == '_' ? Span::Place::lowered : Span::Place::raised});
+            spans.push_back({std::string(taken_operand(quantity)), italic,
+                             first == '_' ? Span::Place::lowered : Span::Place::raised});
         } else if (first == '\\' && !quantity.empty()) {
             letters() += quantity.front();
             quantity.remove_prefix(1);

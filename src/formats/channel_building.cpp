@@ -29,7 +29,9 @@ std::vector<double> size_of(const Profile& profile) {
     return {std::abs(profile.positions[profile.positions.size() - 1] - profile.positions[0])};
 }
 
-const char* size_example(const ChannelInfo& info) { return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\""; }
+const char* size_example(const ChannelInfo& info) {
+    return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\"";
+}
 
 void make_infinite_undefined(double* heights, Index count) {
     for (Index i = 0; i < count; ++i)
@@ -77,7 +79,8 @@ Channel unreadable_member(const bytes::Source& source, const std::string& name, 
     info.is_height = false;
     info.metadata.file = source.name;
     info.metadata.name = name;
-    info.alerts.push_back({"UNREADABLE_MEMBER", name, reason, "the other measurements are not affected; repair or replace this one"});
+    info.alerts.push_back(
+        {"UNREADABLE_MEMBER", name, reason, "the other measurements are not affected; repair or replace this one"});
     return {std::move(info), [error = std::current_exception()]() -> Measurement { std::rethrow_exception(error); }};
 }
 
@@ -85,13 +88,16 @@ void require_measurement(const Measurement& measurement, const bytes::Source& so
     const auto points = topography::shape(measurement);
     const bool is_map = std::holds_alternative<HeightMap>(measurement);
     if (points[0] < 2 || (is_map && points[1] < 2))
-        throw FormatError(source.name, {}, fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
+        throw FormatError(
+            source.name, {},
+            fmt::format("{} × {} points, expected at least 2 along each direction", points[0], points[1]));
     if (!std::visit([](const auto& m) { return any_defined(m.heights.data(), m.heights.size()); }, measurement))
         throw UndefinedDataError(fmt::format("{}: all {} heights are undefined", source.name, points[0] * points[1]));
     const bool is_profile = std::holds_alternative<Profile>(measurement);  // a traced curve may end where it began
     for (const double length : extent(measurement))
         if (!is_profile && (!(length > 0.0) || !std::isfinite(length)))
-            throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", length));
+            throw FormatError(source.name, {},
+                              fmt::format("the scan is {} m long, expected a positive length", length));
 }
 
 Measurement checked(Measurement measurement, const bytes::Source& source) {
@@ -101,8 +107,9 @@ Measurement checked(Measurement measurement, const bytes::Source& source) {
 }
 
 LengthUnit length_unit(const std::string& unit, const bytes::Source& source) {
-    static constexpr std::pair<const char*, double> spellings[] = {{"m", 1.0},       {"cm", 1e-2},        {"mm", units::mm}, {"µm", units::um},
-                                                                   {"nm", units::nm}, {"Å", units::angstrom}, {"pm", units::pm}};
+    static constexpr std::pair<const char*, double> spellings[] = {
+        {"m", 1.0},        {"cm", 1e-2},           {"mm", units::mm}, {"µm", units::um},
+        {"nm", units::nm}, {"Å", units::angstrom}, {"pm", units::pm}};
     try {
         const double factor = unit_factor(unit, dimension::length);
         for (const auto& [name, known] : spellings)
@@ -115,10 +122,14 @@ LengthUnit length_unit(const std::string& unit, const bytes::Source& source) {
 
 Array1D standard_errors(const tables::RawTable::RawColumn& column, const bytes::Source& source) {
     if (column.unit.empty())
-        throw FormatError(source.name, {}, fmt::format("the column '{0}' has no unit; write it beside the name, as '{0} [nm]'", column.name));
+        throw FormatError(
+            source.name, {},
+            fmt::format("the column '{0}' has no unit; write it beside the name, as '{0} [nm]'", column.name));
     for (Index i = 0; i < column.values.size(); ++i)
         if (!(column.values[i] >= 0.0) || !std::isfinite(column.values[i]))
-            throw FormatError(source.name, {}, fmt::format("standard error {} of point {}; expected a number >= 0", column.values[i], i + 1));
+            throw FormatError(
+                source.name, {},
+                fmt::format("standard error {} of point {}; expected a number >= 0", column.values[i], i + 1));
     return column.values * length_unit(column.unit, source).factor;
 }
 
@@ -140,12 +151,14 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
     }
     if (info.size.empty() && options.size) {
         if (options.size->size() != info.shape.size())
-            throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}", source.name, options.size->size(), info.shape.size(),
+            throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}",
+                                              source.name, options.size->size(), info.shape.size(),
                                               size_example(info)));
         info.size = *options.size;
     }
     for (const double size : info.size)
-        if (!(size > 0.0) || !std::isfinite(size)) throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
+        if (!(size > 0.0) || !std::isfinite(size))
+            throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
     info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
     if (info.metadata.file.empty()) info.metadata.file = source.name;
     info.metadata.format = info.format;
@@ -154,9 +167,13 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
 }
 
 Channel incomplete_channel(ChannelInfo info, const bytes::Source& source) {
-    const auto message = info.unit.empty() && info.size.empty() ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name, size_example(info))
-                         : info.unit.empty()                    ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
-                                                                : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
+    const auto message =
+        info.unit.empty() && info.size.empty()
+            ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name,
+                          size_example(info))
+        : info.unit.empty()
+            ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
+            : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::formats {
@@ -14,15 +14,17 @@ namespace setae::formats {
 /// A channel that holds a measurement already in memory.
 [[nodiscard]] Channel loaded_channel(ChannelInfo info, topography::Measurement measurement);
 
-/// Lets `read` read the heights of a channel from now on, which changes or checks what the old one gave: only as a whole.
+/// Lets `read` read the heights of a channel from now on, which changes or checks what the old one gave: only as a
+/// whole.
 void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> read);
 
 /// A channel of something other than heights: listed, never read.
 [[nodiscard]] Channel non_height_channel(ChannelInfo info);
 
-/// A channel of a member that cannot be opened, for others not to be lost with it: it has the alert UNREADABLE_MEMBER, and its `read`
-/// throws again the error that is handled now, whose text is `reason`.
-[[nodiscard]] Channel unreadable_member(const bytes::Source& source, const std::string& name, const std::string& reason);
+/// A channel of a member that cannot be opened, for others not to be lost with it: it has the alert UNREADABLE_MEMBER,
+/// and its `read` throws again the error that is handled now, whose text is `reason`.
+[[nodiscard]] Channel unreadable_member(const bytes::Source& source, const std::string& name,
+                                        const std::string& reason);
 
 /// Extent [m] as ChannelInfo::size has it.
 [[nodiscard]] std::vector<double> extent(const topography::Measurement& measurement);
@@ -47,20 +49,22 @@ struct LengthUnit {
 /// The unit the file or the user names. @throws FormatError for a unit that is no length.
 [[nodiscard]] LengthUnit length_unit(const std::string& unit, const bytes::Source& source);
 
-/// Standard errors [m] of a column. @throws FormatError without a unit of length or for a value that is negative or undefined.
+/// Standard errors [m] of a column. @throws FormatError without a unit of length or for a value that is negative or
+/// undefined.
 [[nodiscard]] Array1D standard_errors(const tables::RawTable::RawColumn& column, const bytes::Source& source);
 
-/// Units the user gave, for positions and for heights; empty where none. One unit counts for both, "mm, um" for each its own.
+/// Units the user gave, for positions and for heights; empty where none. One unit counts for both, "mm, um" for each
+/// its own.
 struct GivenUnits {
     std::string positions, heights;
 };
 [[nodiscard]] GivenUnits given_units(const ReadOptions& options);
 
-/// Fills size and unit that the file leaves open from what the user gave, makes the unit setae's spelling, and copies name, format,
-/// unit and, where the metadata names no file, the source's name to the metadata. `info.shape` tells how many sizes belong to it. Returns metres per unit where the unit is the user's,
-/// else 1.
-/// @throws InvalidArgument for sizes of another number than dimensions; FormatError for a size that is no positive length or a unit
-/// that is none.
+/// Fills size and unit that the file leaves open from what the user gave, makes the unit setae's spelling, and copies
+/// name, format, unit and, where the metadata names no file, the source's name to the metadata. `info.shape` tells how
+/// many sizes belong to it. Returns metres per unit where the unit is the user's, else 1.
+/// @throws InvalidArgument for sizes of another number than dimensions; FormatError for a size that is no positive
+/// length or a unit that is none.
 double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source);
 
 /// A channel that lacks size or unit: listed, and `read` throws InvalidArgument that tells what to give.

@@ -3,7 +3,8 @@
 
 #include "setae/formats/format.hpp"
 
-/// One function a format, in formats/<name>.cpp: what it is and the functions that do it. formats.cpp gathers them in the table.
+/// One function a format, in formats/<name>.cpp: what it is and the functions that do it. formats.cpp gathers them in
+/// the table.
 namespace setae::formats {
 
 // exchange

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "format_list.hpp"
 #include "setae/bytes/archive.hpp"
 #include "setae/bytes/expand.hpp"
-#include "format_list.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/dialect.hpp"
 #include "storage/tiff_file.hpp"
@@ -92,10 +92,8 @@ std::string first_bytes(std::string_view head) {
     std::string shown;
     for (const char c : head.substr(0, 16)) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && byte < 0x7f)
-            shown += c;
-        else
-            shown += fmt::format("\\x{:02x}", byte);
+        if (byte >= 0x20 && byte < 0x7f) shown += c;
+        else shown += fmt::format("\\x{:02x}", byte);
     }
     return shown;
 }
@@ -105,8 +103,13 @@ std::string expected_by_name(const std::string& name) {
     std::string names;
     for (const auto& format : formats())
         for (const auto ending : words(format.extensions))
-            if (bytes::lowered(name).ends_with(ending)) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
-    return names.empty() ? "" : fmt::format("; its name is that of {}, whose files begin otherwise: it may be damaged or of another version", names);
+            if (bytes::lowered(name).ends_with(ending))
+                names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
+    return names.empty()
+               ? ""
+               : fmt::format(
+                     "; its name is that of {}, whose files begin otherwise: it may be damaged or of another version",
+                     names);
 }
 
 /// What kind of file the first bytes are of, where other programs' files are of it too.
@@ -117,10 +120,20 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
         if (names.size() > 5) names.resize(5);
         return fmt::format("a ZIP archive with {}", fmt::join(names, ", "));
     }
-    static constexpr std::pair<std::string_view, const char*> kinds[] = {
-        {"\x89HDF\r\n"sv, "an HDF5 file"},  {"II*\0"sv, "a TIFF picture"},      {"MM\0*"sv, "a TIFF picture"},        {"\xd0\xcf\x11\xe0"sv, "an OLE compound file"},
-        {"\x89PNG"sv, "a PNG picture"},      {"\xff\xd8\xff"sv, "a JPEG picture"}, {"BM"sv, "a bitmap picture"},      {"%PDF"sv, "a PDF document"},
-        {"\x28\xb5\x2f\xfd"sv, "a Zstandard stream"}, {"7z\xbc\xaf"sv, "a 7z archive"}, {"Rar!"sv, "a RAR archive"}, {"\x7f" "ELF"sv, "a program"}};
+    static constexpr std::pair<std::string_view, const char*> kinds[] = {{"\x89HDF\r\n"sv, "an HDF5 file"},
+                                                                         {"II*\0"sv, "a TIFF picture"},
+                                                                         {"MM\0*"sv, "a TIFF picture"},
+                                                                         {"\xd0\xcf\x11\xe0"sv, "an OLE compound file"},
+                                                                         {"\x89PNG"sv, "a PNG picture"},
+                                                                         {"\xff\xd8\xff"sv, "a JPEG picture"},
+                                                                         {"BM"sv, "a bitmap picture"},
+                                                                         {"%PDF"sv, "a PDF document"},
+                                                                         {"\x28\xb5\x2f\xfd"sv, "a Zstandard stream"},
+                                                                         {"7z\xbc\xaf"sv, "a 7z archive"},
+                                                                         {"Rar!"sv, "a RAR archive"},
+                                                                         {"\x7f"
+                                                                          "ELF"sv,
+                                                                          "a program"}};
     for (const auto& [signature, kind] : kinds)
         if (head.starts_with(signature)) return kind;
     return {};
@@ -130,11 +143,14 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (is_tiff(head)) refuse_tiff(source);
     if (bytes::looks_like_text(head))
-        throw FormatError(source.name, {.line = 1}, "text without a row of numbers; expected columns x and height below a header" + expected_by_name(source.name));
+        throw FormatError(source.name, {.line = 1},
+                          "text without a row of numbers; expected columns x and height below a header" +
+                              expected_by_name(source.name));
     const auto kind = kind_of(head, source);
-    throw FormatError(source.name, {.offset = 0},
-                      fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them", first_bytes(head), kind.empty() ? "" : ", as " + kind,
-                                  expected_by_name(source.name)));
+    throw FormatError(
+        source.name, {.offset = 0},
+        fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them",
+                    first_bytes(head), kind.empty() ? "" : ", as " + kind, expected_by_name(source.name)));
 }
 
 /// Sizes the user or an index gave against the file's own, which stay.
@@ -143,9 +159,12 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
     for (auto& channel : channels) {
         const auto& size = channel.info.size;
         bool same = size.size() == options.size->size();
-        for (std::size_t i = 0; same && i < size.size(); ++i) same = std::abs(size[i] / (*options.size)[i] - 1.0) < 1e-4;
+        for (std::size_t i = 0; same && i < size.size(); ++i)
+            same = std::abs(size[i] / (*options.size)[i] - 1.0) < 1e-4;
         if (!same && !size.empty())
-            channel.info.alerts.push_back({"SIZE_MISMATCH", source.name, fmt::format("a size of {} m was given, the file says {} m, which was used", options.size->front(), size.front()),
+            channel.info.alerts.push_back({"SIZE_MISMATCH", source.name,
+                                           fmt::format("a size of {} m was given, the file says {} m, which was used",
+                                                       options.size->front(), size.front()),
                                            "check which of the two is right"});
     }
 }
@@ -179,7 +198,8 @@ const Format& format_to_write(const std::string& path) {
             endings += fmt::format("{}{}", endings.empty() ? "" : ", ", ending);
         }
     }
-    throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings));
+    throw InvalidArgument(
+        fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings));
 }
 
 std::vector<std::string> missing(const ChannelInfo& info) {
@@ -194,7 +214,8 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 std::optional<topography::TiledMap> tiled(const Channel& channel) {
     const auto& info = channel.info;
     if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
-    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]}, false, info.metadata, channel.lines};
+    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]},
+                                false,         info.metadata, channel.lines};
 }
 
 std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& options) {
@@ -204,12 +225,15 @@ std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& option
     return channels;
 }
 
-std::vector<Channel> open(const std::string& path, const ReadOptions& options) { return open(bytes::file_source(path), options); }
+std::vector<Channel> open(const std::string& path, const ReadOptions& options) {
+    return open(bytes::file_source(path), options);
+}
 
 topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
     const auto channels = open(path, options);
     if (channel >= channels.size())
-        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", path, channel, channels.size()));
+        throw InvalidArgument(
+            fmt::format("{}: no channel {}, the file has {} (counted from 0)", path, channel, channels.size()));
     return channels[channel].read();
 }
 

@@ -15,17 +15,21 @@
 
 namespace setae::formats {
 
-const topography::HeightMap& required_map(const topography::Measurement& measurement, const std::string& path, const std::string& format) {
+const topography::HeightMap& required_map(const topography::Measurement& measurement, const std::string& path,
+                                          const std::string& format) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return *map;
     const bool line = std::holds_alternative<topography::LineScan>(measurement);
-    throw InvalidArgument(fmt::format("{}: {} holds maps alone, this is a {}; write it as {}", path, format, line ? "line" : "profile",
+    throw InvalidArgument(fmt::format("{}: {} holds maps alone, this is a {}; write it as {}", path, format,
+                                      line ? "line" : "profile",
                                       line ? ".x3p, .sdf, .nc, .npy or .csv" : ".x3p, .nc or .csv"));
 }
 
 void refuse_trace(const topography::Measurement& measurement, const std::string& path) {
     const auto* profile = std::get_if<topography::Profile>(&measurement);
     if (profile && (profile->response || profile->standard_error.size() > 0))
-        throw InvalidArgument(fmt::format("{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv", path));
+        throw InvalidArgument(fmt::format(
+            "{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv",
+            path));
 }
 
 void write_measurement_as_netcdf(const std::string& path, const topography::Measurement& measurement) {
@@ -36,7 +40,9 @@ void write_measurement_as_netcdf(const std::string& path, const topography::Meas
 void write_measurement_as_npy(const std::string& path, const topography::Measurement& measurement) {
     refuse_trace(measurement, path);
     if (std::holds_alternative<topography::Profile>(measurement))
-        throw InvalidArgument(fmt::format("{}: NPY holds heights alone, this is a profile with positions of its own; write it as .x3p, .nc or .csv", path));
+        throw InvalidArgument(fmt::format(
+            "{}: NPY holds heights alone, this is a profile with positions of its own; write it as .x3p, .nc or .csv",
+            path));
     std::visit([&](const auto& m) { write_npy(path, m.heights); }, measurement);
 }
 
@@ -49,13 +55,15 @@ std::string row_bytes(const Array2D& heights, double undefined_as) {
         for (Index i = 0; i < nx; ++i)
             for (Index j = top; j < std::min(top + tile, ny); ++j) {
                 const double height = std::isnan(heights(i, j)) ? undefined_as : heights(i, j);
-                std::memcpy(bytes.data() + static_cast<std::size_t>(j * nx + i) * sizeof(double), &height, sizeof(double));
+                std::memcpy(bytes.data() + static_cast<std::size_t>(j * nx + i) * sizeof(double), &height,
+                            sizeof(double));
             }
     return bytes;
 }
 
 WrittenTime written_time(const std::string& text) {
-    static const std::regex pattern(R"((\d{4})-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])(?:[T ]([01]\d|2[0-3]):([0-5]\d)(?::([0-5]\d(?:\.\d+)?))?\s?(Z|[+-]\d{2}:\d{2})?)?)");
+    static const std::regex pattern(
+        R"((\d{4})-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])(?:[T ]([01]\d|2[0-3]):([0-5]\d)(?::([0-5]\d(?:\.\d+)?))?\s?(Z|[+-]\d{2}:\d{2})?)?)");
     std::smatch match;
     if (text.size() > 40 || !std::regex_match(text, match, pattern)) return {};
     const auto part = [&](std::size_t index) { return match[index].matched ? match[index].str() : std::string("00"); };

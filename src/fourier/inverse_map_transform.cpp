@@ -14,15 +14,17 @@ namespace {
 
 std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
-/// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines 0
-/// and ny/2, which the transform along x makes real, beside it.
+/// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines
+/// 0 and ny/2, which the transform along x makes real, beside it.
 struct HalfSpectrum {
     Eigen::Ref<Array2D> map;
     Index inner;  ///< lines other than 0 and ny/2
     Buffer<double> mean_line, highest_line;
 
     explicit HalfSpectrum(Eigen::Ref<Array2D> target)
-        : map(target), inner((map.cols() - 1) / 2), mean_line(extent(map.rows())),
+        : map(target),
+          inner((map.cols() - 1) / 2),
+          mean_line(extent(map.rows())),
           highest_line(map.cols() % 2 == 0 ? extent(map.rows()) : 0) {}
 };
 
@@ -34,7 +36,8 @@ void transform_edge(const SpectrumLine& load, const ComplexTransform& along_x, I
 }
 
 void transform_block(const SpectrumLine& load, const ComplexTransform& along_x, Index block, HalfSpectrum& half) {
-    const Index nx = along_x.points(), first = block * lines_per_block, lines = std::min(lines_per_block, half.inner - first);
+    const Index nx = along_x.points(), first = block * lines_per_block,
+                lines = std::min(lines_per_block, half.inner - first);
     const Index stride = (nx + 3) / 4 * 4 + 4;  // lines of a block must not fight for the same places of the cache
     thread_local Buffer<Complex> buffer;
     buffer.resize(extent(lines_per_block * stride));
@@ -69,7 +72,8 @@ void transform_row(const InverseRealTransform& along_y, Index i, HalfSpectrum& h
 
 void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads) {
     const Index nx = map.rows(), ny = map.cols();
-    if (nx < 1 || ny < 1) throw InvalidArgument(fmt::format("a transform to {} x {} points; expected at least 1 x 1", nx, ny));
+    if (nx < 1 || ny < 1)
+        throw InvalidArgument(fmt::format("a transform to {} x {} points; expected at least 1 x 1", nx, ny));
     const ComplexTransform along_x(nx, ComplexTransform::Sign::plus);
     const InverseRealTransform along_y(ny);
     HalfSpectrum half(map);

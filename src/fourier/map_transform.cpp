@@ -11,8 +11,8 @@
 namespace setae::fourier {
 namespace {
 
-/// From line to line of a block: on a cache line of `Value` each, but never a power of two apart, or the lines of a block
-/// would fight for the same few places of the cache.
+/// From line to line of a block: on a cache line of `Value` each, but never a power of two apart, or the lines of a
+/// block would fight for the same few places of the cache.
 template <class Value>
 constexpr Index padded(Index n) {
     constexpr Index line = 64 / static_cast<Index>(sizeof(Value));
@@ -27,7 +27,8 @@ SpectrumBlock block_of(Index index, Index lines, Index modes, const Complex* val
 }
 
 void require_shape(Index nx, Index ny) {
-    if (nx < 1 || ny < 1) throw InvalidArgument(fmt::format("a transform of {} x {} points; expected at least 1 x 1", nx, ny));
+    if (nx < 1 || ny < 1)
+        throw InvalidArgument(fmt::format("a transform of {} x {} points; expected at least 1 x 1", nx, ny));
 }
 
 }  // namespace

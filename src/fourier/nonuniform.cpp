@@ -37,9 +37,7 @@ Complex plain_sum(const ArrayView1D& positions, const ArrayView1D& coefficients,
 }
 
 /// Smallest 2^a 3^b 5^c that is even and >= n.
-Index smooth_size(double n) {
-    return 2 * fast_length(static_cast<Index>(std::ceil(0.5 * n)));
-}
+Index smooth_size(double n) { return 2 * fast_length(static_cast<Index>(std::ceil(0.5 * n))); }
 
 struct Extent {
     double centre;
@@ -53,7 +51,11 @@ class BandTransform {
 public:
     BandTransform(const ArrayView1D& positions, const ArrayView1D& coefficients, const ArrayView1D& wavevectors,
                   parallel::Threads threads, Eigen::ArrayXcd& result)
-        : positions_(positions), coefficients_(coefficients), wavevectors_(wavevectors), threads_(threads), result_(result),
+        : positions_(positions),
+          coefficients_(coefficients),
+          wavevectors_(wavevectors),
+          threads_(threads),
+          result_(result),
           x_(extent_of(positions.minCoeff(), positions.maxCoeff())) {}
 
     /// `band`: indices of wavevectors in increasing order of q.
@@ -63,8 +65,8 @@ public:
         const double steps = grid_steps(q);
         if (sum_cost(band) <= grid_cost(band, steps)) return by_sum(band);
         if (steps <= largest_grid) return by_grid(band, q, steps);
-        const auto middle = std::partition_point(band.begin(), band.end(),
-                                                 [&](Index j) { return wavevectors_[j] < q.centre; });
+        const auto middle =
+            std::partition_point(band.begin(), band.end(), [&](Index j) { return wavevectors_[j] < q.centre; });
         const auto lower = static_cast<std::size_t>(middle - band.begin());
         apply(band.first(lower));
         apply(band.subspan(lower));
@@ -78,12 +80,14 @@ private:
     /// Points of the grid in x, before the second oversampling.
     [[nodiscard]] double grid_steps(const Extent& q) const { return 2.0 * sigma * x_.half * q.half / pi + 2.0 * width; }
 
-    // measured: 12 ns a term of the sum, 6 ns a grid point and doubling of the grid, 150 ns a point spread or interpolated
+    // measured: 12 ns a term of the sum, 6 ns a grid point and doubling of the grid, 150 ns a point spread or
+    // interpolated
     [[nodiscard]] double sum_cost(std::span<const Index> band) const {
         return 12.0 * static_cast<double>(positions_.size()) * static_cast<double>(band.size());
     }
     [[nodiscard]] double grid_cost(std::span<const Index> band, double steps) const {
-        return 6.0 * steps * std::log2(steps) + 150.0 * (static_cast<double>(positions_.size()) + static_cast<double>(band.size()));
+        return 6.0 * steps * std::log2(steps) +
+               150.0 * (static_cast<double>(positions_.size()) + static_cast<double>(band.size()));
     }
 
     /// Calls body for the entries of the band, in fixed chunks.
@@ -112,7 +116,8 @@ private:
             Complex sum{};
             for (Index i = 0; i < SpreadingKernel::width; ++i) {
                 const Index m = taps.first + i;
-                sum += taps.values[static_cast<std::size_t>(i)] * spectrum[static_cast<std::size_t>(m < 0 ? m + fine : m)];
+                sum +=
+                    taps.values[static_cast<std::size_t>(i)] * spectrum[static_cast<std::size_t>(m < 0 ? m + fine : m)];
             }
             result_[j] = sum * std::polar(1.0, -wavevectors_[j] * x_.centre) / kernel.transform(offset * step);
         });
@@ -140,7 +145,8 @@ private:
         const auto entry = [&](Index l) { return grid[static_cast<std::size_t>(l + coarse / 2)]; };
         spectrum[0] = entry(0) / kernel.transform(0.0);
         for (Index l = 1; l < coarse / 2; ++l) {
-            const double inverse = 1.0 / kernel.transform(2.0 * pi * static_cast<double>(l) / static_cast<double>(fine));
+            const double inverse =
+                1.0 / kernel.transform(2.0 * pi * static_cast<double>(l) / static_cast<double>(fine));
             spectrum[static_cast<std::size_t>(l)] = entry(l) * inverse;
             spectrum[static_cast<std::size_t>(fine - l)] = entry(-l) * inverse;
         }

@@ -48,7 +48,8 @@ SpreadingKernel::SpreadingKernel() {
         for (std::size_t p = 0; p < nodes; ++p) {
             double coefficient = 0.0;
             for (std::size_t j = 0; j < nodes; ++j)
-                coefficient += samples[j] * std::cos(pi * static_cast<double>(p) * (static_cast<double>(j) + 0.5) / nodes);
+                coefficient +=
+                    samples[j] * std::cos(pi * static_cast<double>(p) * (static_cast<double>(j) + 0.5) / nodes);
             coefficient *= (p == 0 ? 1.0 : 2.0) / nodes;
             const auto& polynomial = p == 0 ? previous : current;
             for (std::size_t k = 0; k <= p; ++k) powers[k] += coefficient * polynomial[k];

@@ -18,7 +18,8 @@ std::mutex& planner_mutex() {
     return mutex;
 }
 
-/// Aligned memory for the planner, which with FFTW_ESTIMATE looks at addresses only: never touched, so it costs nothing.
+/// Aligned memory for the planner, which with FFTW_ESTIMATE looks at addresses only: never touched, so it costs
+/// nothing.
 template <class T>
 class Room {
 public:
@@ -60,23 +61,27 @@ fftw_plan plan_real(Index n) {
     const Room<double> in(n);
     const Room<Complex> out(n / 2 + 1);
     const std::lock_guard lock(planner_mutex());
-    return checked(fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(out.data()),
-                                        FFTW_ESTIMATE | FFTW_PRESERVE_INPUT), n);
+    return checked(
+        fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT),
+        n);
 }
 
 fftw_plan plan_inverse_real(Index n) {
     const Room<Complex> in(n / 2 + 1);
     const Room<double> out(n);
     const std::lock_guard lock(planner_mutex());
-    return checked(fftw_plan_dft_c2r_1d(static_cast<int>(n), as_fftw(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT), n);
+    return checked(
+        fftw_plan_dft_c2r_1d(static_cast<int>(n), as_fftw(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT),
+        n);
 }
 
 fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
     const Room<Complex> values(n);
     const int direction = sign == ComplexTransform::Sign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
     const std::lock_guard lock(planner_mutex());
-    return checked(fftw_plan_dft_1d(static_cast<int>(n), as_fftw(values.data()), as_fftw(values.data()), direction,
-                                    FFTW_ESTIMATE), n);
+    return checked(
+        fftw_plan_dft_1d(static_cast<int>(n), as_fftw(values.data()), as_fftw(values.data()), direction, FFTW_ESTIMATE),
+        n);
 }
 
 }  // namespace
@@ -105,7 +110,9 @@ InverseRealTransform::~InverseRealTransform() = default;
 InverseRealTransform::InverseRealTransform(InverseRealTransform&&) noexcept = default;
 InverseRealTransform& InverseRealTransform::operator=(InverseRealTransform&&) noexcept = default;
 
-void InverseRealTransform::apply(Complex* in, double* out) const { fftw_execute_dft_c2r(plan_->handle, as_fftw(in), out); }
+void InverseRealTransform::apply(Complex* in, double* out) const {
+    fftw_execute_dft_c2r(plan_->handle, as_fftw(in), out);
+}
 
 struct ComplexTransform::Plan : PlanHandle {
     using PlanHandle::PlanHandle;

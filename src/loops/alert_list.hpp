@@ -24,7 +24,9 @@ private:
     std::vector<Alert> alerts_;
 };
 
-/// What is wrong with the record itself, or looks as if its units were: times, saturation, frames, sizes, several contacts.
-void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies, const AlertLimits& limits);
+/// What is wrong with the record itself, or looks as if its units were: times, saturation, frames, sizes, several
+/// contacts.
+void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
+                  const AlertLimits& limits);
 
 }  // namespace setae::loops

@@ -39,14 +39,16 @@ void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const Ale
                  "quote W with its fit range");
 }
 
-void check_size(AlertList& list, const LoopContext& context, const LensAndCounterBody& bodies, const AlertLimits& limits) {
+void check_size(AlertList& list, const LoopContext& context, const LensAndCounterBody& bodies,
+                const AlertLimits& limits) {
     const double strain = context.largest_contact_radius / bodies.radius;
     if (strain > limits.contact_radius_per_sphere_radius)
         list.add("LARGE_STRAIN",
-                 fmt::format("a/R reaches {:.2f}; a sphere is deeper than its paraboloid there by {:.1f} % of a²/R", strain,
-                             100.0 * strain * strain / 3.0),
+                 fmt::format("a/R reaches {:.2f}; a sphere is deeper than its paraboloid there by {:.1f} % of a²/R",
+                             strain, 100.0 * strain * strain / 3.0),
                  "limit the load, or treat E* and W as those of an effective paraboloid");
-    if (bodies.layer_thickness && context.largest_contact_radius > limits.contact_radius_per_thickness * *bodies.layer_thickness)
+    if (bodies.layer_thickness &&
+        context.largest_contact_radius > limits.contact_radius_per_thickness * *bodies.layer_thickness)
         list.add("THIN_LAYER",
                  fmt::format("a/h reaches {:.2f}; the base below the layer stiffens the contact",
                              context.largest_contact_radius / *bodies.layer_thickness),
@@ -57,15 +59,17 @@ void check_size(AlertList& list, const LoopContext& context, const LensAndCounte
                              format_value(*bodies.lens_height, "m"), format_value(limits.lens_height, "m")),
                  "use a higher lens");
     if (context.tabor_parameter < limits.tabor_parameter)
-        list.add("TABOR_RANGE", fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter,
-                                            limits.tabor_parameter),
-                 "use the transition of maugis, or dmt below 0.1");
+        list.add(
+            "TABOR_RANGE",
+            fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter, limits.tabor_parameter),
+            "use the transition of maugis, or dmt below 0.1");
 }
 
 void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
     constexpr const char* action = "check drift and compliance; E* and W move with the contact point";
     if (loop.displacement.size() > 0 && !analysis.contact_points)
-        list.add("CONTACT_POINT_UNKNOWN", analysis.contact_points.reason, "choose another estimator or give the contact point");
+        list.add("CONTACT_POINT_UNKNOWN", analysis.contact_points.reason,
+                 "choose another estimator or give the contact point");
     if (analysis.contact_points && analysis.contact_points->spread_share > limits.contact_point_share) {
         const ContactPoints& points = *analysis.contact_points;
         std::string each;
@@ -73,10 +77,12 @@ void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Lo
             if (estimate.contact_point)
                 each += fmt::format("{}{} {}", each.empty() ? "" : ", ", contact_point_name(estimate.method),
                                     format_value(estimate.contact_point->value - points.contact_point.value, "m", 3));
-        list.add("CONTACT_POINT_SPREAD",
-                 fmt::format("estimates of the contact point spread over {}, {:.0f} % of the largest penetration: {} from the one used",
-                             format_value(points.spread, "m"), 100.0 * points.spread_share, each),
-                 action);
+        list.add(
+            "CONTACT_POINT_SPREAD",
+            fmt::format(
+                "estimates of the contact point spread over {}, {:.0f} % of the largest penetration: {} from the one used",
+                format_value(points.spread, "m"), 100.0 * points.spread_share, each),
+            action);
         return;
     }
     if (!analysis.unloading || !analysis.loading.force_displacement || !analysis.unloading->force_displacement) return;
@@ -84,10 +90,11 @@ void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Lo
     const double unloading = analysis.unloading->force_displacement->contact_point.value;
     const double penetration = loop.displacement[analysis.loading.range.last] - loading;
     if (std::abs(unloading - loading) > limits.contact_point_share * std::abs(penetration))
-        list.add("CONTACT_POINT_SPREAD",
-                 fmt::format("contact points of loading and unloading differ by {}, {:.0f} % of the largest penetration",
-                             format_value(unloading - loading, "m"), 100.0 * std::abs((unloading - loading) / penetration)),
-                 action);
+        list.add(
+            "CONTACT_POINT_SPREAD",
+            fmt::format("contact points of loading and unloading differ by {}, {:.0f} % of the largest penetration",
+                        format_value(unloading - loading, "m"), 100.0 * std::abs((unloading - loading) / penetration)),
+            action);
 }
 
 /// A contact much stiffer than the machine shows in the displacement only as a small difference of large numbers.
@@ -98,15 +105,18 @@ void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& 
     const double deflection = loop.displacement[range.last] - loop.displacement[range.first];
     const double contact = (range.force_last - range.force_first) / deflection;
     if (!(contact > limits.stiffness_ratio * machine)) return;
-    list.add("STIFFNESS_UNRESOLVED",
-             fmt::format("the contact is {:.0f} times stiffer than the machine ({:.3g} N/m against {:.3g} N/m): an error of 1 % "
-                         "in the sensor's calibration changes the penetration by {:.0f} %",
-                         contact / machine, contact, machine, contact / machine),
-             "E* is a lower bound; use a stiffer sensor or a softer sample");
+    list.add(
+        "STIFFNESS_UNRESOLVED",
+        fmt::format(
+            "the contact is {:.0f} times stiffer than the machine ({:.3g} N/m against {:.3g} N/m): an error of 1 % "
+            "in the sensor's calibration changes the penetration by {:.0f} %",
+            contact / machine, contact, machine, contact / machine),
+        "E* is a lower bound; use a stiffer sensor or a softer sample");
 }
 
 void check_loop(AlertList& list, const LoopAnalysis& analysis, const AlertLimits& limits) {
-    if (!analysis.unloading) list.add("NO_RETRACTION", analysis.unloading.reason, "record the retraction to pull-off and beyond");
+    if (!analysis.unloading)
+        list.add("NO_RETRACTION", analysis.unloading.reason, "record the retraction to pull-off and beyond");
     if (!analysis.segments.before.range)
         list.add("NO_BASELINE", "no free flight before contact: the zero of force is taken as given",
                  "record free flight first, or be sure of the zero");

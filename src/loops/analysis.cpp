@@ -24,18 +24,22 @@ Loop without_compliance(const Loop& loop, const std::optional<double>& machine_s
     return corrected;
 }
 
-void add_ranges(std::vector<IndexRange>& ranges, const std::vector<IndexRange>& further) { ranges.insert(ranges.end(), further.begin(), further.end()); }
+void add_ranges(std::vector<IndexRange>& ranges, const std::vector<IndexRange>& further) {
+    ranges.insert(ranges.end(), further.begin(), further.end());
+}
 
 PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options) {
     PreparedRecord record;
     Loop loop = recorded;
     if (faults.time_backwards) loop.time = Array1D();  // samples count on in its stead
-    record.deflected = without_displacement_drift(without_compliance(loop, options.machine_stiffness), options.displacement_drift_rate);
+    record.deflected = without_displacement_drift(without_compliance(loop, options.machine_stiffness),
+                                                  options.displacement_drift_rate);
     record.segments = find_segments(record.deflected, options.segments);
     add_ranges(record.segments.ignored, faults.saturated_high);
     add_ranges(record.segments.ignored, faults.saturated_low);
     if (options.extrapolate_force_drift) record.drift = DriftModel::extrapolated;
-    record.level = options.force_drift ? without_force_drift(record.deflected, record.segments, record.drift) : record.deflected;
+    record.level =
+        options.force_drift ? without_force_drift(record.deflected, record.segments, record.drift) : record.deflected;
     return record;
 }
 
@@ -54,16 +58,19 @@ void move_into(LoopAnalysis& analysis, ContactAnalysis first) {
 
 }  // namespace
 
-LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options, const std::string& subject) {
+LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                     const std::string& subject) {
     LoopAnalysis analysis{.faults = record_faults(recorded)};
     const PreparedRecord record = prepared(recorded, analysis.faults, options);
     const Segments& segments = record.segments;
     const auto n = static_cast<Index>(segments.contacts.size());
     ContactAnalysis first = analyse_contact(record, 0, bodies, options);
-    for (Index k = 1; k < n; ++k) analysis.further_contacts.push_back(attempt([&] { return analyse_contact(record, k, bodies, options); }));
+    for (Index k = 1; k < n; ++k)
+        analysis.further_contacts.push_back(attempt([&] { return analyse_contact(record, k, bodies, options); }));
     for (Index i = 0; i < static_cast<Index>(segments.cycles.size()); ++i) {
         const Index k = segments.cycles[static_cast<std::size_t>(i)].contact;
-        const Outcome<ContactAnalysis>* further = k > 0 ? &analysis.further_contacts[static_cast<std::size_t>(k) - 1] : nullptr;
+        const Outcome<ContactAnalysis>* further =
+            k > 0 ? &analysis.further_contacts[static_cast<std::size_t>(k) - 1] : nullptr;
         const ContactAnalysis& contact = further != nullptr && *further ? **further : first;
         analysis.cycles.push_back(analyse_cycle(record, i, contact, bodies, options));
     }

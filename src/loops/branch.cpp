@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "attempt.hpp"
-#include "records/baseline.hpp"
 #include "fits/fit_support.hpp"
+#include "records/baseline.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::loops {
@@ -36,20 +36,24 @@ Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies,
     if (!result || !(data.force_zero_standard_error > 0.0)) return result;
     BranchData higher = data;
     higher.force += data.force_zero_standard_error;
-    if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); })) add_force_zero_error(*result.value, *shifted, bodies);
+    if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); }))
+        add_force_zero_error(*result.value, *shifted, bodies);
     return result;
 }
 
 /// Force against displacement, the contact point held where one is given.
 JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    if (options.contact_point.mode == ContactPointChoice::Mode::value) return fit_with_contact_point(data, bodies, options.contact_point.value);
-    return fit_force_displacement(data, bodies, options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only);
+    if (options.contact_point.mode == ContactPointChoice::Mode::value)
+        return fit_with_contact_point(data, bodies, options.contact_point.value);
+    return fit_force_displacement(
+        data, bodies, options.effective_variance ? DepthErrors::effective_variance : DepthErrors::depth_only);
 }
 
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
 
 bool can_join(const BranchData& data) {
-    return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 && data.displacement.size() > 0;
+    return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 &&
+           data.displacement.size() > 0;
 }
 
 const char* why_not_joined(const BranchData& data) {
@@ -67,7 +71,8 @@ Selection range_selection(const IndexRange& range, std::string name) {
 }
 
 Selection loading_selection(const Loop& loop, const Segments& segments, const ContactSegments& contact, Index dropped) {
-    Selection selection{.name = fmt::format("loading, from {} samples after first contact to the largest force", dropped)};
+    Selection selection{.name =
+                            fmt::format("loading, from {} samples after first contact to the largest force", dropped)};
     Index next = contact.loading.first + dropped;
     const auto take_until = [&](Index last) {
         for (; next <= last; ++next) selection.samples.push_back(next);
@@ -115,7 +120,8 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
     const BranchData data = branch_data(loop, baseline, selection, options);
     BranchAnalysis branch{.effective_variance_first = options.effective_variance};
     const auto radius_fit = [&](RadiusErrors errors) {
-        return fitted(data, bodies, [&](const BranchData& samples) { return fit_radius_force(samples, bodies, errors); });
+        return fitted(data, bodies,
+                      [&](const BranchData& samples) { return fit_radius_force(samples, bodies, errors); });
     };
     branch.radius_force = radius_fit(RadiusErrors::radius_only);
     branch.radius_force_effective_variance =
@@ -123,14 +129,16 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                              : Outcome<JkrFit>::missing("the noise of force or contact radius is not known");
     branch.linear_form =
         fitted(data, bodies, [&](const BranchData& samples) { return fit_linear_form(samples, bodies); });
-    branch.force_displacement = fitted(data, bodies, [&](const BranchData& samples) { return depth_fit(samples, bodies, options); });
-    branch.joint = can_join(data) ? fitted(data, bodies, [&](const BranchData& samples) { return fit_joint(samples, bodies); })
-                                  : Outcome<JkrFit>::missing(why_not_joined(data));
+    branch.force_displacement =
+        fitted(data, bodies, [&](const BranchData& samples) { return depth_fit(samples, bodies, options); });
+    branch.joint = can_join(data)
+                       ? fitted(data, bodies, [&](const BranchData& samples) { return fit_joint(samples, bodies); })
+                       : Outcome<JkrFit>::missing(why_not_joined(data));
     branch.pointwise = attempt([&] { return fit_pointwise_modulus(data, bodies); });
     if (!branch.radius_force && !branch.force_displacement)
-        throw UndefinedDataError(
-            fmt::format("{}: no fit: {}", selection.name,
-                        data.contact_radius.size() > 0 ? branch.radius_force.reason : branch.force_displacement.reason));
+        throw UndefinedDataError(fmt::format(
+            "{}: no fit: {}", selection.name,
+            data.contact_radius.size() > 0 ? branch.radius_force.reason : branch.force_displacement.reason));
     const std::vector<Index> samples = in_contact(loop, selection.samples);
     branch.range = {.name = selection.name,
                     .first = samples.front(),
@@ -139,7 +147,8 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                     .force_first = data.force[0],
                     .force_last = data.force[data.force.size() - 1]};
     const JkrFit& fit = branch.primary();
-    const Estimate contact_point = branch.force_displacement ? branch.force_displacement->contact_point : Estimate{.value = 0.0};
+    const Estimate contact_point =
+        branch.force_displacement ? branch.force_displacement->contact_point : Estimate{.value = 0.0};
     branch.energy_release_rate = energy_release_rates(data, bodies.radius, fit.contact_modulus, contact_point);
     return branch;
 }

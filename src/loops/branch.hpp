@@ -31,6 +31,7 @@ struct Selection {
                                             const LensAndCounterBody& bodies, const AnalysisOptions& options);
 
 /// The branch's primary fit alone.
-[[nodiscard]] JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options);
+[[nodiscard]] JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies,
+                                 const AnalysisOptions& options);
 
 }  // namespace setae::loops

@@ -10,7 +10,9 @@ namespace {
 Selection selection_of(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options) {
     const Segments& segments = analysis.segments;
     if (branch == LoopBranch::loading)
-        return without_ignored(loading_selection(analysis.corrected, segments, segments.contacts.front(), options.samples_dropped), segments);
+        return without_ignored(
+            loading_selection(analysis.corrected, segments, segments.contacts.front(), options.samples_dropped),
+            segments);
     if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
     const FitRange& range = analysis.unloading->range;
     return without_ignored(range_selection({.first = range.first, .last = range.last}, range.name), segments);

@@ -8,8 +8,8 @@
 
 #include "attempt.hpp"
 #include "fits/fit_support.hpp"
-#include "records/jump.hpp"
 #include "pinned_stretch.hpp"
+#include "records/jump.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/contact/tabor.hpp"
 #include "setae/core/constants.hpp"
@@ -18,19 +18,24 @@ namespace setae::loops {
 namespace {
 
 bool is_ignored(const Segments& segments, Index sample) {
-    return std::any_of(segments.ignored.begin(), segments.ignored.end(), [&](const IndexRange& range) { return range.contains(sample); });
+    return std::any_of(segments.ignored.begin(), segments.ignored.end(),
+                       [&](const IndexRange& range) { return range.contains(sample); });
 }
 
 BranchAnalysis analyse_loading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
                                const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    BranchAnalysis branch = analyse_branch(
-        loop, segments.before, without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments), bodies, options);
+    BranchAnalysis branch =
+        analyse_branch(loop, segments.before,
+                       without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments),
+                       bodies, options);
     for (const Index dropped : options.sensitivity_dropped)
-        branch.sensitivity.push_back({.dropped = dropped, .fit = attempt([&] {
-                                          const Selection selection = without_ignored(loading_selection(loop, segments, contact, dropped), segments);
-                                          return primary_fit(branch_data(loop, segments.before, selection, options), bodies,
-                                                             options);
-                                      })});
+        branch.sensitivity.push_back(
+            {.dropped = dropped, .fit = attempt([&] {
+                                     const Selection selection =
+                                         without_ignored(loading_selection(loop, segments, contact, dropped), segments);
+                                     return primary_fit(branch_data(loop, segments.before, selection, options), bodies,
+                                                        options);
+                                 })});
     return branch;
 }
 
@@ -40,9 +45,13 @@ Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segm
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
     IndexRange range = *contact.unloading;
     if (pinned) range.first = pinned->last + 1;
-    const std::string name = fmt::format("unloading, from {} to the {}", pinned ? "where the contact edge lets go" : "the last press",
-                                         contact.pull_off ? "pull-off minimum" : "last sample in contact");
-    return attempt([&] { return analyse_branch(loop, segments.before, without_ignored(range_selection(range, name), segments), bodies, options); });
+    const std::string name =
+        fmt::format("unloading, from {} to the {}", pinned ? "where the contact edge lets go" : "the last press",
+                    contact.pull_off ? "pull-off minimum" : "last sample in contact");
+    return attempt([&] {
+        return analyse_branch(loop, segments.before, without_ignored(range_selection(range, name), segments), bodies,
+                              options);
+    });
 }
 
 /// −ΔF/Δδ of the largest step of the jump.
@@ -53,17 +62,20 @@ double stiffness_of_jump(const Loop& loop, const IndexRange& jump) {
     return step < 0.0 ? (loop.force[at + 1] - loop.force[at]) / -step : INFINITY;
 }
 
-Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const ContactSegments& contact, double radius) {
+Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                               double radius) {
     if (!contact.pull_off)
-        return Outcome<PullOff>::missing(contact.unloading ? "the force has no minimum below the baseline before contact ends"
-                                                           : "the record has no retraction");
+        return Outcome<PullOff>::missing(contact.unloading
+                                             ? "the force has no minimum below the baseline before contact ends"
+                                             : "the record has no retraction");
     const Baseline& baseline = segments.before;
     PullOff result{.index = contact.pull_off->first};
     result.force = {loop.force[result.index] - baseline.force,
                     std::hypot(baseline.force_noise, baseline.force_standard_error), "baseline noise"};
     const auto work = [&](contact::jkr::Control control) -> Estimate {
         return {contact::jkr::work_of_adhesion_from_pull_off(result.force.value, radius, control),
-                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control), "baseline noise"};
+                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control),
+                "baseline noise"};
     };
     result.work_of_adhesion = work(contact::jkr::Control::fixed_load);
     result.work_of_adhesion_fixed_grips = work(contact::jkr::Control::fixed_grips);
@@ -81,8 +93,8 @@ Selection last_points(const Loop& loop, const Segments& segments, const IndexRan
     return selection;
 }
 
-Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segments, const ContactSegments& contact, const ContactAnalysis& analysis,
-                                          const LensAndCounterBody& bodies,
+Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                                          const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
                                           const AnalysisOptions& options) {
     if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
     return attempt([&] {
@@ -91,8 +103,8 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
         const bool known = analysis.unloading && analysis.unloading->force_displacement;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
-        RetractionFit fit = fit_retraction(points, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
-                                           options.retraction_modulus_free);
+        RetractionFit fit = fit_retraction(points, bodies.radius, analysis.loading.primary().contact_modulus,
+                                           contact_point, options.retraction_modulus_free);
         fit.first = selection.samples.front();
         fit.last = selection.samples.back();
         return fit;
@@ -101,7 +113,8 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
 
 /// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
 /// differ from the fit. The largest of noisy frames would be too large.
-double radius_at_largest_force(const Loop& loop, const Segments& segments, const IndexRange& loading, const contact::jkr::Contact& lens) {
+double radius_at_largest_force(const Loop& loop, const Segments& segments, const IndexRange& loading,
+                               const contact::jkr::Contact& lens) {
     constexpr Index frames = 5;
     const double zero = segments.before.force;
     const double fitted = contact::jkr::contact_radius_at_force(loop.force[loading.last] - zero, lens);
@@ -116,8 +129,8 @@ double radius_at_largest_force(const Loop& loop, const Segments& segments, const
     return n > 0 && std::isfinite(difference) ? fitted + difference / static_cast<double>(n) : fitted;
 }
 
-LoopContext find_context(const Loop& loop, const Segments& segments, const ContactSegments& contact, const BranchAnalysis& loading,
-                         const LensAndCounterBody& bodies,
+LoopContext find_context(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                         const BranchAnalysis& loading, const LensAndCounterBody& bodies,
                          const AnalysisOptions& options) {
     const JkrFit& fit = loading.primary();
     const contact::jkr::Contact lens{.radius = bodies.radius,
@@ -129,15 +142,19 @@ LoopContext find_context(const Loop& loop, const Segments& segments, const Conta
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
     if (lens.work_of_adhesion > 0.0)
-        context.applicable_model =
-            contact::tabor::which_model(loop.force[contact.loading.last] - segments.before.force, lens, options.interaction_range).sentence;
+        context.applicable_model = contact::tabor::which_model(loop.force[contact.loading.last] - segments.before.force,
+                                                               lens, options.interaction_range)
+                                       .sentence;
     return context;
 }
 
-ContactPointInputs inputs_of(const Loop& loop, const Segments& segments, Index index, const ContactAnalysis& analysis, const AnalysisOptions& options) {
+ContactPointInputs inputs_of(const Loop& loop, const Segments& segments, Index index, const ContactAnalysis& analysis,
+                             const AnalysisOptions& options) {
     const ContactSegments& contact = segments.contacts[static_cast<std::size_t>(index)];
     ContactPointInputs inputs{.loop = loop, .segments = segments, .contact = index};
-    inputs.loading = branch_data(loop, segments.before, without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments), options);
+    inputs.loading = branch_data(
+        loop, segments.before,
+        without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments), options);
     inputs.force_displacement = analysis.loading.force_displacement;
     inputs.pointwise = analysis.loading.pointwise;
     if (analysis.unloading) inputs.unloading = analysis.unloading->primary();
@@ -148,8 +165,8 @@ ContactPointInputs inputs_of(const Loop& loop, const Segments& segments, Index i
 using Mode = ContactPointChoice::Mode;
 
 /// Both branches with the contact point held, its own error in theirs.
-void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact, const LensAndCounterBody& bodies,
-                        AnalysisOptions options, const Estimate& contact_point) {
+void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact,
+                        const LensAndCounterBody& bodies, AnalysisOptions options, const Estimate& contact_point) {
     const auto analysed = [&](double value) {
         options.contact_point = {.mode = Mode::value, .value = value};
         ContactAnalysis held;
@@ -166,46 +183,61 @@ void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record,
     if (contact_point.uncertain()) {
         const ContactAnalysis shifted = analysed(contact_point.value + contact_point.standard_error);
         add_error(held.loading.force_displacement, shifted.loading.force_displacement);
-        if (held.unloading && shifted.unloading) add_error(held.unloading.value->force_displacement, shifted.unloading->force_displacement);
+        if (held.unloading && shifted.unloading)
+            add_error(held.unloading.value->force_displacement, shifted.unloading->force_displacement);
     }
     analysis.loading = held.loading;
     analysis.unloading = held.unloading;
 }
 
-/// What one standard error of the machine's stiffness changes; it joins the errors of the fits of force against displacement.
-void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact, const LensAndCounterBody& bodies,
-                          const AnalysisOptions& options) {
-    if (!options.machine_stiffness || !(options.machine_stiffness_standard_error > 0.0) || record.level.displacement.size() == 0) return;
-    const Estimate stiffness{.value = *options.machine_stiffness, .standard_error = options.machine_stiffness_standard_error, .method = "given"};
+/// What one standard error of the machine's stiffness changes; it joins the errors of the fits of force against
+/// displacement.
+void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact,
+                          const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    if (!options.machine_stiffness || !(options.machine_stiffness_standard_error > 0.0) ||
+        record.level.displacement.size() == 0)
+        return;
+    const Estimate stiffness{.value = *options.machine_stiffness,
+                             .standard_error = options.machine_stiffness_standard_error,
+                             .method = "given"};
     analysis.compliance = ComplianceEffect{.stiffness = stiffness};
     PreparedRecord stiffer = record;
-    stiffer.level.displacement += record.deflected.force * (1.0 / stiffness.value - 1.0 / (stiffness.value + stiffness.standard_error));
+    stiffer.level.displacement +=
+        record.deflected.force * (1.0 / stiffness.value - 1.0 / (stiffness.value + stiffness.standard_error));
     const auto add = [&](BranchAnalysis& branch, const Outcome<BranchAnalysis>& shifted) {
         if (!branch.force_displacement || !shifted || !shifted->force_displacement) return;
         add_force_zero_error(*branch.force_displacement.value, *shifted->force_displacement, bodies);
     };
-    const auto shifted = attempt([&] { return analyse_loading(stiffer.level, record.segments, contact, bodies, options); });
+    const auto shifted =
+        attempt([&] { return analyse_loading(stiffer.level, record.segments, contact, bodies, options); });
     if (shifted && shifted->force_displacement && analysis.loading.force_displacement) {
-        analysis.compliance->modulus_change = shifted->force_displacement->contact_modulus.value - analysis.loading.force_displacement->contact_modulus.value;
-        analysis.compliance->work_change = shifted->force_displacement->work_of_adhesion.value - analysis.loading.force_displacement->work_of_adhesion.value;
+        analysis.compliance->modulus_change = shifted->force_displacement->contact_modulus.value -
+                                              analysis.loading.force_displacement->contact_modulus.value;
+        analysis.compliance->work_change = shifted->force_displacement->work_of_adhesion.value -
+                                           analysis.loading.force_displacement->work_of_adhesion.value;
     }
     add(analysis.loading, shifted);
-    if (analysis.unloading) add(*analysis.unloading.value, analyse_unloading(stiffer.level, record.segments, contact, analysis.pinned, bodies, options));
+    if (analysis.unloading)
+        add(*analysis.unloading.value,
+            analyse_unloading(stiffer.level, record.segments, contact, analysis.pinned, bodies, options));
     if (analysis.ledger) analysis.compliance->energy_change = analysis.ledger->approach.standard_error.compliance;
 }
 
-Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
-                                  const AnalysisOptions& options) {
+Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
+                                  const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const JkrFit& fit = analysis.loading.primary();
-    LedgerInputs inputs{.smooth_sphere = {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
-                        .largest_contact_area = analysis.context.largest_contact_area,
-                        .true_area_ratio = options.true_area_ratio,
-                        .machine_stiffness = INFINITY,
-                        .drift = record.drift};
+    LedgerInputs inputs{
+        .smooth_sphere = {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
+        .largest_contact_area = analysis.context.largest_contact_area,
+        .true_area_ratio = options.true_area_ratio,
+        .machine_stiffness = INFINITY,
+        .drift = record.drift};
     if (options.machine_stiffness) inputs.machine_stiffness = *options.machine_stiffness;
-    else if (analysis.pull_off && analysis.pull_off->machine_stiffness > 0.0) inputs.machine_stiffness = analysis.pull_off->machine_stiffness;
+    else if (analysis.pull_off && analysis.pull_off->machine_stiffness > 0.0)
+        inputs.machine_stiffness = analysis.pull_off->machine_stiffness;
     if (options.machine_stiffness && options.machine_stiffness_standard_error > 0.0)
-        inputs.displacement_stiffness = Estimate{.value = *options.machine_stiffness, .standard_error = options.machine_stiffness_standard_error};
+        inputs.displacement_stiffness =
+            Estimate{.value = *options.machine_stiffness, .standard_error = options.machine_stiffness_standard_error};
     return attempt([&] { return energy_ledger(record.deflected, record.segments, index, inputs); });
 }
 
@@ -216,7 +248,8 @@ Selection without_ignored(Selection selection, const Segments& segments) {
     return selection;
 }
 
-ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const LensAndCounterBody& bodies,
+                                const AnalysisOptions& options) {
     const Loop& loop = record.level;
     const Segments& segments = record.segments;
     const ContactSegments& contact = segments.contacts[static_cast<std::size_t>(index)];
@@ -229,7 +262,8 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, bodies, free);
     const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, options);
     analysis.contact_points = attempt([&] { return contact_points(inputs, bodies, options.contact_point); });
-    const bool held = analysis.contact_points && analysis.contact_points->chosen != ContactPointMethod::force_displacement;
+    const bool held =
+        analysis.contact_points && analysis.contact_points->chosen != ContactPointMethod::force_displacement;
     if (held) {
         hold_contact_point(analysis, record, contact, bodies, options, analysis.contact_points->contact_point);
         analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);

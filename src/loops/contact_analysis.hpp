@@ -7,8 +7,8 @@ namespace setae::loops {
 
 /// A record ready for analysis.
 struct PreparedRecord {
-    Loop deflected;   ///< the machine's own deflection and the displacement's drift taken off
-    Loop level;       ///< the drift of force, too
+    Loop deflected;  ///< the machine's own deflection and the displacement's drift taken off
+    Loop level;      ///< the drift of force, too
     Segments segments;
     DriftModel drift = DriftModel::between_baselines;  ///< of the energies
 };
@@ -18,7 +18,7 @@ struct PreparedRecord {
 
 /// Everything about one touch.
 /// @throws UndefinedDataError where its loading has too few samples.
-[[nodiscard]] ContactAnalysis analyse_contact(const PreparedRecord& record, Index contact, const LensAndCounterBody& bodies,
-                                              const AnalysisOptions& options);
+[[nodiscard]] ContactAnalysis analyse_contact(const PreparedRecord& record, Index contact,
+                                              const LensAndCounterBody& bodies, const AnalysisOptions& options);
 
 }  // namespace setae::loops

@@ -29,7 +29,8 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
         // the last release closes the outer loop: what the partial loops leave of the whole
         Estimate outer = contact.loop->estimate();
         for (const Index other : segments.cycles)
-            if (const auto inner = partial_loop_energy(record.deflected, record.segments, other)) outer.value -= inner->value;
+            if (const auto inner = partial_loop_energy(record.deflected, record.segments, other))
+                outer.value -= inner->value;
         keep(outer);
     } else {
         result.energy = Outcome<double>::missing("the release is not followed by a press that closes it");
@@ -37,25 +38,27 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
 }
 
 /// A branch between reversals, refused where its modulus says that the contact edge did not move.
-Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const ContactAnalysis& contact, const IndexRange& range,
-                                        const std::string& name, const LensAndCounterBody& bodies,
-                                        const AnalysisOptions& options) {
-    Outcome<BranchAnalysis> branch = attempt(
-        [&] { return analyse_branch(record.level, record.segments.before, without_ignored(range_selection(range, name), record.segments), bodies, options); });
+Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const ContactAnalysis& contact,
+                                        const IndexRange& range, const std::string& name,
+                                        const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+    Outcome<BranchAnalysis> branch = attempt([&] {
+        return analyse_branch(record.level, record.segments.before,
+                              without_ignored(range_selection(range, name), record.segments), bodies, options);
+    });
     if (!branch) return branch;
     const double first = contact.loading.primary().contact_modulus.value;
     const double ratio = branch->primary().contact_modulus.value / first;
     const double limit = options.limits.pinned_modulus_ratio;
     if (ratio < limit && ratio > 1.0 / limit) return branch;
-    return Outcome<BranchAnalysis>::missing(
-        fmt::format("{}: E* would be {:.2g} times that of first loading: the contact edge is pinned, this is no jkr branch",
-                    name, ratio));
+    return Outcome<BranchAnalysis>::missing(fmt::format(
+        "{}: E* would be {:.2g} times that of first loading: the contact edge is pinned, this is no jkr branch", name,
+        ratio));
 }
 
 }  // namespace
 
-CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const ContactAnalysis& contact, const LensAndCounterBody& bodies,
-                            const AnalysisOptions& options) {
+CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const ContactAnalysis& contact,
+                            const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     CycleAnalysis result{.cycle = record.segments.cycles[static_cast<std::size_t>(index)]};
     add_energy(result, record, index, contact);
     const std::vector<Index>& cycles = record.segments.contacts[static_cast<std::size_t>(result.cycle.contact)].cycles;
@@ -66,10 +69,13 @@ CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const Con
     }
     const auto whole = [&](const IndexRange& range, const std::string& name) {
         return attempt([&] {
-            return analyse_branch(record.level, record.segments.before, without_ignored(range_selection(range, name), record.segments), bodies, options);
+            return analyse_branch(record.level, record.segments.before,
+                                  without_ignored(range_selection(range, name), record.segments), bodies, options);
         });
     };
-    const auto partial = [&](const IndexRange& range, const std::string& name) { return analyse_partial(record, contact, range, name, bodies, options); };
+    const auto partial = [&](const IndexRange& range, const std::string& name) {
+        return analyse_partial(record, contact, range, name, bodies, options);
+    };
     const std::string loading_name = fmt::format("loading of cycle {}", index + 1);
     const std::string unloading_name = fmt::format("unloading of cycle {}", index + 1);
     IndexRange loading = result.cycle.loading;
@@ -80,9 +86,8 @@ CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const Con
         result.loading = partial(loading, loading_name);
     }
     result.unloading = cycles.back() == index ? whole(result.cycle.unloading, unloading_name)
-                                                      : partial(result.cycle.unloading, unloading_name);
+                                              : partial(result.cycle.unloading, unloading_name);
     return result;
 }
-
 
 }  // namespace setae::loops

@@ -6,7 +6,7 @@
 namespace setae::loops {
 
 /// One press and release of a touch whose analysis is known.
-[[nodiscard]] CycleAnalysis analyse_cycle(const PreparedRecord& record, Index cycle, const ContactAnalysis& contact, const LensAndCounterBody& bodies,
-                                          const AnalysisOptions& options);
+[[nodiscard]] CycleAnalysis analyse_cycle(const PreparedRecord& record, Index cycle, const ContactAnalysis& contact,
+                                          const LensAndCounterBody& bodies, const AnalysisOptions& options);
 
 }  // namespace setae::loops

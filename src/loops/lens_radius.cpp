@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "fits/least_squares.hpp"
 #include "setae/core/errors.hpp"
@@ -53,7 +53,8 @@ Circle unscaled(const Scaled& points, const Eigen::Vector3d& circle) {
 
 Circle circle_through(const ArrayView1D& x, const ArrayView1D& y) {
     require_points(x, y);
-    if (x.size() != 3) throw InvalidArgument(fmt::format("{} points, a circle goes through three; use fit_circle", x.size()));
+    if (x.size() != 3)
+        throw InvalidArgument(fmt::format("{} points, a circle goes through three; use fit_circle", x.size()));
     const Scaled points = scaled(x, y);
     return unscaled(points, algebraic_circle(points));
 }
@@ -75,7 +76,8 @@ Circle fit_circle(const ArrayView1D& x, const ArrayView1D& y) {
         }};
     const LeastSquaresSolution solution = minimise(distances, algebraic_circle(points));
     Circle circle = unscaled(points, solution.parameters);
-    circle.radius = solution.estimate(circle.radius.value, points.unit * std::sqrt(solution.uncertainty.covariance(2, 2)));
+    circle.radius =
+        solution.estimate(circle.radius.value, points.unit * std::sqrt(solution.uncertainty.covariance(2, 2)));
     circle.rms_residual = points.unit * std::sqrt(solution.residuals.array().square().mean());
     return circle;
 }

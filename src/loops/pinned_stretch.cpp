@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "records/baseline.hpp"
 #include "branch.hpp"
+#include "records/baseline.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
@@ -31,7 +31,8 @@ Radii measured_radii(const Loop& loop, const IndexRange& range, const AnalysisOp
     return radii;
 }
 
-Radii implied_radii(const Loop& loop, const Segments& segments, const ContactAnalysis& analysis, const IndexRange& range, double sphere_radius) {
+Radii implied_radii(const Loop& loop, const Segments& segments, const ContactAnalysis& analysis,
+                    const IndexRange& range, double sphere_radius) {
     Radii radii;
     const JkrFit& fit = *analysis.loading.force_displacement;
     const contact::SphereOnFlat bodies{sphere_radius, fit.contact_modulus.value};
@@ -56,7 +57,8 @@ Array1D running_means(const Array1D& values, Index window) {
     return means;
 }
 
-/// How many neighbours to average so that the noise does not hide a change of the radius by a fiftieth, at most a tenth of them all; 1 where it does not.
+/// How many neighbours to average so that the noise does not hide a change of the radius by a fiftieth, at most a tenth
+/// of them all; 1 where it does not.
 Index averaged_neighbours(const Radii& radii, double largest, double deviations) {
     constexpr double visible_share = 0.02;
     const double wanted = std::pow(deviations * radii.noise / (visible_share * largest), 2);
@@ -70,7 +72,8 @@ double least_pinned_radius(Radii& radii, double largest, double by_force) {
     if (window == 1) return largest - std::max(deviations * std::hypot(radii.noise, by_force), rounding * largest);
     // the averaged radii know the largest better than a fit at one noisy force does
     radii.values = running_means(radii.values, window);
-    return radii.values.segment(window / 2, radii.values.size() - 2 * (window / 2)).maxCoeff() - deviations * radii.noise / std::sqrt(static_cast<double>(window));
+    return radii.values.segment(window / 2, radii.values.size() - 2 * (window / 2)).maxCoeff() -
+           deviations * radii.noise / std::sqrt(static_cast<double>(window));
 }
 
 }  // namespace
@@ -82,7 +85,8 @@ std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segme
     const IndexRange& unloading = *contact.unloading;
     const bool measured = loop.contact_radius.size() > 0;
     if (!measured && !analysis.loading.force_displacement) return std::nullopt;
-    Radii radii = measured ? measured_radii(loop, unloading, options) : implied_radii(loop, segments, analysis, unloading, bodies.radius);
+    Radii radii = measured ? measured_radii(loop, unloading, options)
+                           : implied_radii(loop, segments, analysis, unloading, bodies.radius);
     constexpr Index fewest_left = 10, fewest_pinned = 2;
     const double largest = analysis.context.largest_contact_radius;
     // the largest radius belongs to a noisy force: a ∝ F^(1/3)

@@ -7,14 +7,16 @@
 
 namespace setae::loops {
 
-/// Samples after the last press in which the contact edge does not move: the contact unloads as a flat punch, G rises from
-/// one W to the other, and no JKR curve describes it.
+/// Samples after the last press in which the contact edge does not move: the contact unloads as a flat punch, G rises
+/// from one W to the other, and no JKR curve describes it.
 ///
-/// The edge recedes for good behind the last sample whose contact radius is within four standard deviations of the noise
-/// of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured, force, displacement and E* of loading imply it. Nothing without a
-/// retraction, for a stretch of fewer than two samples, or where fewer than ten samples of the branch would be left.
-[[nodiscard]] std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                                                       const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
+/// The edge recedes for good behind the last sample whose contact radius is within four standard deviations of the
+/// noise of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured,
+/// force, displacement and E* of loading imply it. Nothing without a retraction, for a stretch of fewer than two
+/// samples, or where fewer than ten samples of the branch would be left.
+[[nodiscard]] std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments,
+                                                       const ContactSegments& contact, const ContactAnalysis& analysis,
+                                                       const LensAndCounterBody& bodies,
                                                        const AnalysisOptions& options);
 
 }  // namespace setae::loops

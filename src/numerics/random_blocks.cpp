@@ -27,11 +27,15 @@ double radius_from(double u) {
     const double exponent = std::bit_cast<double>(0x4330000000000000 | (shifted >> 52)) - (0x1p52 + 1023.0);
     const double f = std::bit_cast<double>((shifted & mantissa_mask) + bits_of_root_half) - 1.0;
     const double s = f / (2.0 + f), z = s * s, half_square = 0.5 * f * f;
-    const double series =
-        z * (6.666666666666735130e-01 + z * (3.999999999940941908e-01 + z * (2.857142874366239149e-01 + z * (2.222219843214978396e-01 +
-        z * (1.818357216161805012e-01 + z * (1.531383769920937332e-01 + z * 1.479819860511658591e-01))))));
+    const double series = z * (6.666666666666735130e-01 +
+                               z * (3.999999999940941908e-01 +
+                                    z * (2.857142874366239149e-01 +
+                                         z * (2.222219843214978396e-01 +
+                                              z * (1.818357216161805012e-01 +
+                                                   z * (1.531383769920937332e-01 + z * 1.479819860511658591e-01))))));
     constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
-    const double logarithm = exponent * ln2_high - ((half_square - (s * (half_square + series) + exponent * ln2_low)) - f);
+    const double logarithm =
+        exponent * ln2_high - ((half_square - (s * (half_square + series) + exponent * ln2_low)) - f);
     return std::sqrt(-2.0 * logarithm);
 }
 
@@ -44,11 +48,19 @@ Direction direction_from(Bits bits) {
     const Bits quarter = bits >> 62;
     const double r = std::bit_cast<double>(bits_of_one | ((bits >> 10) & mantissa_mask & ~Bits{3})) - (1.5 - 0x1p-51);
     const double x = r * (0.5 * pi), z = x * x;
-    const double sine = x + x * z * (-1.66666666666666324348e-01 + z * (8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 +
-                        z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)))));
-    const double cosine = 1.0 - (0.5 * z - z * z * (4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 +
-                          z * (2.48015872894767294178e-05 + z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 -
-                          z * 1.13596475577881948265e-11))))));
+    const double sine = x + x * z *
+                                (-1.66666666666666324348e-01 +
+                                 z * (8.33333333332248946124e-03 +
+                                      z * (-1.98412698298579493134e-04 +
+                                           z * (2.75573137070700676789e-06 +
+                                                z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)))));
+    const double cosine =
+        1.0 - (0.5 * z - z * z *
+                             (4.16666666666666019037e-02 +
+                              z * (-1.38888888888741095749e-03 +
+                                   z * (2.48015872894767294178e-05 +
+                                        z * (-2.75573143513906633035e-07 +
+                                             z * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11))))));
     // a quarter turn takes (c, s) to (−s, c)
     const Bits swap = Bits{0} - (quarter & 1), c = std::bit_cast<Bits>(cosine), s = std::bit_cast<Bits>(sine);
     const Bits turned_c = (c & ~swap) | (s & swap), turned_s = (s & ~swap) | (c & swap);
@@ -86,7 +98,8 @@ void fill(RandomKey key, const Bits* blocks, std::complex<double>* out, Index n)
                 cosines[i] *= radius;
                 sines[i] *= radius;
             }
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) out[from + static_cast<Index>(i)] = {cosines[i], sines[i]};
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+            out[from + static_cast<Index>(i)] = {cosines[i], sines[i]};
     }
 }
 
@@ -103,7 +116,11 @@ std::array<Bits, 2> random_block(RandomKey key, Bits block) {
 
 double uniform_from(Bits bits) { return uniform(bits); }
 
-void complex_normals(RandomKey key, const Bits* blocks, std::complex<double>* out, Index n) { fill<true>(key, blocks, out, n); }
-void unit_phases(RandomKey key, const Bits* blocks, std::complex<double>* out, Index n) { fill<false>(key, blocks, out, n); }
+void complex_normals(RandomKey key, const Bits* blocks, std::complex<double>* out, Index n) {
+    fill<true>(key, blocks, out, n);
+}
+void unit_phases(RandomKey key, const Bits* blocks, std::complex<double>* out, Index n) {
+    fill<false>(key, blocks, out, n);
+}
 
 }  // namespace setae::numerics

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/numerics/random_blocks.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/random_blocks.hpp"
 
 namespace setae::numerics {
 namespace {
@@ -78,7 +78,8 @@ Array1D uniform_numbers(RandomKey key, std::uint64_t first_counter, Index count)
 }
 
 Index random_index(RandomKey key, std::uint64_t counter, Index n) {
-    if (n < 1 || n > Index{1} << 40) throw InvalidArgument(fmt::format("a random index below {}; expected 1 … 2^40", n));
+    if (n < 1 || n > Index{1} << 40)
+        throw InvalidArgument(fmt::format("a random index below {}; expected 1 … 2^40", n));
     return static_cast<Index>(uniform_number(key, counter) * static_cast<double>(n));
 }
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/study/provenance.hpp"
 
 namespace setae::output {
@@ -21,8 +21,11 @@ struct Word {
     Value value;
     const char* name;
 };
-constexpr std::array<Word<imaging::Vacuum>, 3> vacuum_words{{{imaging::Vacuum::automatic, "automatic"}, {imaging::Vacuum::bright, "bright"}, {imaging::Vacuum::dark, "dark"}}};
-constexpr std::array<Word<study::ContourShape>, 3> shape_words{{{study::ContourShape::envelope, "envelope"}, {study::ContourShape::cut, "cut"}, {study::ContourShape::parametric, "parametric"}}};
+constexpr std::array<Word<imaging::Vacuum>, 3> vacuum_words{
+    {{imaging::Vacuum::automatic, "automatic"}, {imaging::Vacuum::bright, "bright"}, {imaging::Vacuum::dark, "dark"}}};
+constexpr std::array<Word<study::ContourShape>, 3> shape_words{{{study::ContourShape::envelope, "envelope"},
+                                                                {study::ContourShape::cut, "cut"},
+                                                                {study::ContourShape::parametric, "parametric"}}};
 
 template <class Words, class Value>
 std::string word_of(const Words& words, Value value) {
@@ -44,7 +47,8 @@ auto value_of(const Words& words, const std::string& name, const char* what) {
 /// An object whose keys are all known; errors name the file and the key.
 class Object {
 public:
-    Object(const Json& json, std::string path, std::string where, const std::vector<std::string>& keys) : json_(json), path_(std::move(path)), where_(std::move(where)) {
+    Object(const Json& json, std::string path, std::string where, const std::vector<std::string>& keys)
+        : json_(json), path_(std::move(path)), where_(std::move(where)) {
         if (!json.is_object()) fail("", "is no object");
         for (const auto& [key, value] : json.items())
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
@@ -86,8 +90,14 @@ Json as_json(const imaging::Region& r) { return Json::array({r.x, r.y, r.width, 
 
 Json options_json(const study::ContourOptions& options) {
     const auto& t = options.trace;
-    Json json{{"vacuum", to_string(t.vacuum)}, {"smoothing_length", nullptr}, {"denoise", t.denoise}, {"least_length", nullptr}, {"hidden", Json::array()},
-              {"hide_annotations", options.hide_annotations}, {"shape", to_string(options.shape)}, {"foil_thickness", nullptr}};
+    Json json{{"vacuum", to_string(t.vacuum)},
+              {"smoothing_length", nullptr},
+              {"denoise", t.denoise},
+              {"least_length", nullptr},
+              {"hidden", Json::array()},
+              {"hide_annotations", options.hide_annotations},
+              {"shape", to_string(options.shape)},
+              {"foil_thickness", nullptr}};
     if (t.smoothing_length) json["smoothing_length"] = *t.smoothing_length;
     if (t.least_length) json["least_length"] = *t.least_length;
     if (options.foil_thickness) json["foil_thickness"] = *options.foil_thickness;
@@ -96,19 +106,38 @@ Json options_json(const study::ContourOptions& options) {
 }
 
 Json calibration_json(const imaging::Calibration& c) {
-    return {{"pixel_size", {c.pixel_size.x, c.pixel_size.y}}, {"relative_standard_error", c.relative_standard_error}, {"source", c.source}};
+    return {{"pixel_size", {c.pixel_size.x, c.pixel_size.y}},
+            {"relative_standard_error", c.relative_standard_error},
+            {"source", c.source}};
 }
 
 Json segment_json(const imaging::ContourSegment& s, const study::ContourProfile& p) {
-    Json json{{"length", s.length}, {"points", s.x.size()}, {"closed", s.closed}, {"edge_width", s.edge_width}, {"smoothing_length", s.smoothing_length}, {"noise_density", s.noise_density},
-              {"contrast_to_noise", number(s.contrast_to_noise)}, {"fringe", s.fringe}, {"converged", s.converged}, {"mean_standard_error", s.standard_error.mean()}};
+    Json json{{"length", s.length},
+              {"points", s.x.size()},
+              {"closed", s.closed},
+              {"edge_width", s.edge_width},
+              {"smoothing_length", s.smoothing_length},
+              {"noise_density", s.noise_density},
+              {"contrast_to_noise", number(s.contrast_to_noise)},
+              {"fringe", s.fringe},
+              {"converged", s.converged},
+              {"mean_standard_error", s.standard_error.mean()}};
     const auto& stretches = p.levelled.reentrant;
-    json["profile"] = {{"points", p.levelled.profile.positions.size()}, {"length", p.levelled.profile.size()}, {"rotation", p.levelled.rotation}, {"rms_height", p.rms_height},
-                       {"rms_error", p.rms_error}, {"reentrant_share", p.levelled.reentrant_share}};
+    json["profile"] = {{"points", p.levelled.profile.positions.size()},
+                       {"length", p.levelled.profile.size()},
+                       {"rotation", p.levelled.rotation},
+                       {"rms_height", p.rms_height},
+                       {"rms_error", p.rms_error},
+                       {"reentrant_share", p.levelled.reentrant_share}};
     json["profile"]["reentrant"] = Json::array();
-    for (const auto& r : stretches) json["profile"]["reentrant"].push_back({{"begin", r.begin}, {"end", r.end}, {"depth", r.depth}});
+    for (const auto& r : stretches)
+        json["profile"]["reentrant"].push_back({{"begin", r.begin}, {"end", r.end}, {"depth", r.depth}});
     const auto& q = p.statistics;
-    json["curve"] = {{"length", q.length}, {"tortuosity", number(q.tortuosity)}, {"rms_normal_distance", q.rms_normal_distance}, {"rms_angle", q.rms_angle}, {"rms_curvature", q.rms_curvature},
+    json["curve"] = {{"length", q.length},
+                     {"tortuosity", number(q.tortuosity)},
+                     {"rms_normal_distance", q.rms_normal_distance},
+                     {"rms_angle", q.rms_angle},
+                     {"rms_curvature", q.rms_curvature},
                      {"reentrant_share", q.reentrant_share}};
     return json;
 }
@@ -116,7 +145,8 @@ Json segment_json(const imaging::ContourSegment& s, const study::ContourProfile&
 std::vector<imaging::Anchor> anchor_list(const Json& list, const Object& object) {
     std::vector<imaging::Anchor> anchors;
     for (const auto& point : list) {
-        if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) object.fail("anchors", fmt::format("holds {}, expected [x, y] in pixels", point.dump()));
+        if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number())
+            object.fail("anchors", fmt::format("holds {}, expected [x, y] in pixels", point.dump()));
         anchors.push_back({point[0].get<double>(), point[1].get<double>()});
     }
     return anchors;
@@ -133,15 +163,19 @@ std::vector<std::vector<imaging::Anchor>> anchor_lists(const Json& json, const O
 }
 
 study::ContourOptions stored_options(const Json& json, const std::string& path) {
-    const Object object(json, path, "options.", {"vacuum", "smoothing_length", "denoise", "least_length", "hidden", "hide_annotations", "shape", "foil_thickness"});
+    const Object object(json, path, "options.",
+                        {"vacuum", "smoothing_length", "denoise", "least_length", "hidden", "hide_annotations", "shape",
+                         "foil_thickness"});
     study::ContourOptions options;
     options.trace.vacuum = vacuum_from_name(object.value<std::string>("vacuum"));
     options.trace.smoothing_length = object.maybe<double>("smoothing_length");
     options.trace.denoise = object.value<double>("denoise");
     options.trace.least_length = object.maybe<double>("least_length");
     for (const auto& region : object.at("hidden")) {
-        if (!region.is_array() || region.size() != 4) object.fail("hidden", "holds something else than [x, y, width, height]");
-        options.trace.hidden.push_back({region[0].get<long>(), region[1].get<long>(), region[2].get<long>(), region[3].get<long>()});
+        if (!region.is_array() || region.size() != 4)
+            object.fail("hidden", "holds something else than [x, y, width, height]");
+        options.trace.hidden.push_back(
+            {region[0].get<long>(), region[1].get<long>(), region[2].get<long>(), region[3].get<long>()});
     }
     options.hide_annotations = object.value<bool>("hide_annotations");
     options.shape = shape_from_name(object.value<std::string>("shape"));
@@ -170,7 +204,9 @@ study::ContourShape shape_from_name(const std::string& name) { return value_of(s
 Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options) {
     const auto& m = picture.micrograph;
     Json json{{"format", format_name}, {"version", format_version}};
-    json["image"] = {{"file", m.file}, {"sha256", picture.digest}, {"width", m.pixels.cols()}, {"height", m.pixels.rows()}, {"format", m.format}, {"image", options.micrograph.image}};
+    json["image"] = {{"file", m.file},           {"sha256", picture.digest},
+                     {"width", m.pixels.cols()}, {"height", m.pixels.rows()},
+                     {"format", m.format},       {"image", options.micrograph.image}};
     json["calibration"] = calibration_json(picture.calibration);
     json["options"] = options_json(options);
     json["anchors"] = Json::array();
@@ -179,9 +215,12 @@ Json to_json(const study::TracedPicture& picture, const study::ContourOptions& o
         for (const auto& a : list) json["anchors"].back().push_back({a.x, a.y});
     }
     const auto& t = picture.trace;
-    json["levels"] = {{"vacuum", to_string(t.vacuum)}, {"binary", t.binary}, {"vacuum_level", t.vacuum_level}, {"vacuum_noise", t.vacuum_noise}, {"sample_level", t.sample_level}, {"sample_noise", t.sample_noise}};
+    json["levels"] = {{"vacuum", to_string(t.vacuum)},  {"binary", t.binary},
+                      {"vacuum_level", t.vacuum_level}, {"vacuum_noise", t.vacuum_noise},
+                      {"sample_level", t.sample_level}, {"sample_noise", t.sample_noise}};
     json["segments"] = Json::array();
-    for (std::size_t i = 0; i < t.segments.size(); ++i) json["segments"].push_back(segment_json(t.segments[i], picture.profiles[i]));
+    for (std::size_t i = 0; i < t.segments.size(); ++i)
+        json["segments"].push_back(segment_json(t.segments[i], picture.profiles[i]));
     json["alerts"] = to_json(picture.alerts);
     json["setae"] = study::version();
     return json;
@@ -195,7 +234,9 @@ StoredTrace read_trace(const std::string& path) {
     } catch (const Json::parse_error& error) {
         throw FormatError(path, {.offset = error.byte}, "no JSON; expected a trace or {\"anchors\": [[x, y], …]}");
     }
-    const Object object(json, path, "", {"format", "version", "image", "calibration", "options", "anchors", "levels", "segments", "alerts", "setae"});
+    const Object object(
+        json, path, "",
+        {"format", "version", "image", "calibration", "options", "anchors", "levels", "segments", "alerts", "setae"});
     StoredTrace stored;
     stored.anchors = anchor_lists(object.at("anchors"), object);
     if (!object.has("format")) {
@@ -203,8 +244,10 @@ StoredTrace read_trace(const std::string& path) {
             if (object.has(key)) object.fail(key, "stands in a file without \"format\": \"setae trace\"");
         return stored;
     }
-    if (object.value<std::string>("format") != format_name) object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), format_name));
-    if (object.value<int>("version") != format_version) object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), format_version));
+    if (object.value<std::string>("format") != format_name)
+        object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), format_name));
+    if (object.value<int>("version") != format_version)
+        object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), format_version));
     const Object image(object.at("image"), path, "image.", {"file", "sha256", "width", "height", "format", "image"});
     stored.digest = image.value<std::string>("sha256");
     try {

@@ -18,7 +18,8 @@ double value_of(std::uint64_t key) { return std::bit_cast<double>(key & sign_bit
 
 }  // namespace
 
-OrderStatistics::OrderStatistics(const double* values, Index n, bool absolute) : values_(values), n_(n), absolute_(absolute) {
+OrderStatistics::OrderStatistics(const double* values, Index n, bool absolute)
+    : values_(values), n_(n), absolute_(absolute) {
     for (Index i = 0; i < n; ++i) defined_ += values[i] == values[i];
 }
 

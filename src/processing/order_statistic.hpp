@@ -7,7 +7,8 @@
 
 namespace setae::processing {
 
-/// Defined values of an array by rank, without copying or sorting it: bits of the numbers are found 16 at a time by counting.
+/// Defined values of an array by rank, without copying or sorting it: bits of the numbers are found 16 at a time by
+/// counting.
 class OrderStatistics {
 public:
     /// values: read as long as this lives; absolute: ranks are of |value|.

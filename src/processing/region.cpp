@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "order_statistic.hpp"
+#include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -37,9 +37,23 @@ struct Places {
     [[nodiscard]] double y(Index j) const { return static_cast<double>(j) * step[1]; }
 };
 
-Places places_of(const HeightMap& map) { return {map.heights.rows(), map.heights.cols(), map.pixel_size(), nullptr, map.heights.data(), false, topography::label(map.metadata)}; }
-Places places_of(const LineScan& scan) { return {scan.heights.size(), 1, {scan.pixel_size(), 1.0}, nullptr, scan.heights.data(), true, topography::label(scan.metadata)}; }
-Places places_of(const Profile& profile) { return {profile.positions.size(), 1, {1.0, 1.0}, profile.positions.data(), profile.heights.data(), true, topography::label(profile.metadata)}; }
+Places places_of(const HeightMap& map) {
+    return {map.heights.rows(),
+            map.heights.cols(),
+            map.pixel_size(),
+            nullptr,
+            map.heights.data(),
+            false,
+            topography::label(map.metadata)};
+}
+Places places_of(const LineScan& scan) {
+    return {scan.heights.size(), 1,    {scan.pixel_size(), 1.0},        nullptr,
+            scan.heights.data(), true, topography::label(scan.metadata)};
+}
+Places places_of(const Profile& profile) {
+    return {profile.positions.size(),           1, {1.0, 1.0}, profile.positions.data(), profile.heights.data(), true,
+            topography::label(profile.metadata)};
+}
 
 struct Limits {
     double lower, upper;
@@ -49,7 +63,9 @@ struct Limits {
 /// `slack` widens a range of positions, so that a point on its end is not lost to rounding.
 Limits limits_of(const Range& range, const char* what, double slack) {
     const Limits limits{range.from.value_or(-unlimited), range.to.value_or(unlimited)};
-    if (!(limits.lower <= limits.upper)) throw InvalidArgument(fmt::format("range of {} from {} to {}; expected from <= to", what, limits.lower, limits.upper));
+    if (!(limits.lower <= limits.upper))
+        throw InvalidArgument(
+            fmt::format("range of {} from {} to {}; expected from <= to", what, limits.lower, limits.upper));
     return {limits.lower - slack, limits.upper + slack};
 }
 
@@ -62,7 +78,10 @@ struct Chooser {
     parallel::Threads threads;
 
     void require_map(const char* shape) const {
-        if (places.line) throw InvalidArgument(fmt::format("{}: {} of a line; expected a range of x (rectangle FROM to TO), heights or percentiles", places.label, shape));
+        if (places.line)
+            throw InvalidArgument(
+                fmt::format("{}: {} of a line; expected a range of x (rectangle FROM to TO), heights or percentiles",
+                            places.label, shape));
     }
 
     /// chosen(i, j) for every point.
@@ -75,18 +94,21 @@ struct Chooser {
 
     void operator()(const Rectangle& rectangle) const {
         if (rectangle.y.from || rectangle.y.to) require_map("a range of y");
-        const auto x = limits_of(rectangle.x, "x", places.positions ? 0.0 : rounding_of_positions * places.step[0]), y = limits_of(rectangle.y, "y", rounding_of_positions * places.step[1]);
+        const auto x = limits_of(rectangle.x, "x", places.positions ? 0.0 : rounding_of_positions * places.step[0]),
+                   y = limits_of(rectangle.y, "y", rounding_of_positions * places.step[1]);
         choose([&](Index i, Index j) { return x.hold(places.x(i)) && y.hold(places.y(j)); });
     }
 
     void operator()(const Ellipse& ellipse) const {
         require_map("an ellipse");
         if (!(ellipse.semi_axes[0] > 0.0 && ellipse.semi_axes[1] > 0.0))
-            throw InvalidArgument(fmt::format("ellipse with semi-axes {} and {} m; expected lengths > 0", ellipse.semi_axes[0], ellipse.semi_axes[1]));
+            throw InvalidArgument(fmt::format("ellipse with semi-axes {} and {} m; expected lengths > 0",
+                                              ellipse.semi_axes[0], ellipse.semi_axes[1]));
         const double cosine = std::cos(ellipse.angle), sine = std::sin(ellipse.angle);
         choose([&](Index i, Index j) {
             const double x = places.x(i) - ellipse.centre[0], y = places.y(j) - ellipse.centre[1];
-            return std::hypot((x * cosine + y * sine) / ellipse.semi_axes[0], (y * cosine - x * sine) / ellipse.semi_axes[1]) <= 1.0 + rounding_of_positions;
+            return std::hypot((x * cosine + y * sine) / ellipse.semi_axes[0],
+                              (y * cosine - x * sine) / ellipse.semi_axes[1]) <= 1.0 + rounding_of_positions;
         });
     }
 
@@ -106,7 +128,9 @@ struct Chooser {
             std::sort(crossings.begin(), crossings.end());
             mask.row(i).setZero();
             for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-                for (Index j = std::max<Index>(0, static_cast<Index>(std::ceil(crossings[k] / places.step[1]))); j < places.columns && places.y(j) <= crossings[k + 1]; ++j) mask(i, j) = 1;
+                for (Index j = std::max<Index>(0, static_cast<Index>(std::ceil(crossings[k] / places.step[1])));
+                     j < places.columns && places.y(j) <= crossings[k + 1]; ++j)
+                    mask(i, j) = 1;
         });
     }
 
@@ -118,11 +142,17 @@ struct Chooser {
 
     void operator()(const PercentileRange& range) const {
         const auto percentiles = limits_of(range.percentiles, "percentiles", 0.0);
-        if ((range.percentiles.from && !(percentiles.lower >= 0.0)) || (range.percentiles.to && !(percentiles.upper <= 100.0)))
-            throw InvalidArgument(fmt::format("percentiles {} to {}; expected 0 … 100", percentiles.lower, percentiles.upper));
+        if ((range.percentiles.from && !(percentiles.lower >= 0.0)) ||
+            (range.percentiles.to && !(percentiles.upper <= 100.0)))
+            throw InvalidArgument(
+                fmt::format("percentiles {} to {}; expected 0 … 100", percentiles.lower, percentiles.upper));
         const OrderStatistics heights(places.heights, places.rows * places.columns, false);
-        if (heights.defined() == 0) throw UndefinedDataError(fmt::format("{}: no height is defined, so there are no percentiles of heights", places.label));
-        const auto at = [&](const std::optional<double>& percentile, double open) { return percentile ? heights.quantile(*percentile / 100.0) : open; };
+        if (heights.defined() == 0)
+            throw UndefinedDataError(
+                fmt::format("{}: no height is defined, so there are no percentiles of heights", places.label));
+        const auto at = [&](const std::optional<double>& percentile, double open) {
+            return percentile ? heights.quantile(*percentile / 100.0) : open;
+        };
         within({at(range.percentiles.from, -unlimited), at(range.percentiles.to, unlimited)});
     }
 };
@@ -144,9 +174,13 @@ Mask grown(const Mask& mask, Index by) {
         }
     };
     Mask wider = mask;
-    for (Index i = 0; i < mask.rows(); ++i) along(mask.cols(), [&](Index j) { return mask(i, j); }, [&](Index j) { wider(i, j) = 1; });
+    for (Index i = 0; i < mask.rows(); ++i)
+        along(
+            mask.cols(), [&](Index j) { return mask(i, j); }, [&](Index j) { wider(i, j) = 1; });
     Mask both = wider;
-    for (Index j = 0; j < mask.cols(); ++j) along(mask.rows(), [&](Index i) { return wider(i, j); }, [&](Index i) { both(i, j) = 1; });
+    for (Index j = 0; j < mask.cols(); ++j)
+        along(
+            mask.rows(), [&](Index i) { return wider(i, j); }, [&](Index i) { both(i, j) = 1; });
     return both;
 }
 
@@ -161,7 +195,8 @@ Mask union_of(const std::vector<Shape>& shapes, const Places& places, parallel::
 }
 
 Mask mask_at(const Region& region, const Places& places, parallel::Threads threads) {
-    Mask mask = region.include.empty() ? Mask(Mask::Ones(places.rows, places.columns)) : union_of(region.include, places, threads);
+    Mask mask = region.include.empty() ? Mask(Mask::Ones(places.rows, places.columns))
+                                       : union_of(region.include, places, threads);
     if (!region.exclude.empty()) mask = mask.min(std::uint8_t{1} - union_of(region.exclude, places, threads));
     return mask;
 }
@@ -190,12 +225,20 @@ void leave_out(Uniform& uniform, const Mask& chosen) {
 
 }  // namespace
 
-Mask mask_of(const Region& region, const HeightMap& map, parallel::Threads threads) { return mask_at(region, places_of(map), threads); }
-Mask mask_of(const Region& region, const LineScan& scan, parallel::Threads threads) { return mask_at(region, places_of(scan), threads); }
-Mask mask_of(const Region& region, const Profile& profile, parallel::Threads threads) { return mask_at(region, places_of(profile), threads); }
+Mask mask_of(const Region& region, const HeightMap& map, parallel::Threads threads) {
+    return mask_at(region, places_of(map), threads);
+}
+Mask mask_of(const Region& region, const LineScan& scan, parallel::Threads threads) {
+    return mask_at(region, places_of(scan), threads);
+}
+Mask mask_of(const Region& region, const Profile& profile, parallel::Threads threads) {
+    return mask_at(region, places_of(profile), threads);
+}
 
 Processed apply(const MaskOut& step, topography::Measurement measurement, parallel::Threads threads) {
-    if (step.region.everything()) throw InvalidArgument("mask_out without a region would leave nothing; expected one, such as region=\"include heights above 20 nm\"");
+    if (step.region.everything())
+        throw InvalidArgument(
+            "mask_out without a region would leave nothing; expected one, such as region=\"include heights above 20 nm\"");
     StepRecord record{std::string(step_name(step)), {}, {}};
     std::visit(
         [&](auto& m) {
@@ -203,9 +246,12 @@ Processed apply(const MaskOut& step, topography::Measurement measurement, parall
             const auto defined = (m.heights == m.heights).count();
             leave_out(m, chosen);
             const auto left = (m.heights == m.heights).count();
-            if (left == 0) throw UndefinedDataError(fmt::format("{}: the region of mask_out holds every defined height", topography::label(m.metadata)));
+            if (left == 0)
+                throw UndefinedDataError(fmt::format("{}: the region of mask_out holds every defined height",
+                                                     topography::label(m.metadata)));
             record.numbers.push_back(recorded_count("masked_points", defined - left));
-            record.numbers.push_back(recorded("masked_share", "", static_cast<double>(defined - left) / static_cast<double>(chosen.size()), "1"));
+            record.numbers.push_back(recorded(
+                "masked_share", "", static_cast<double>(defined - left) / static_cast<double>(chosen.size()), "1"));
         },
         measurement);
     return {std::move(measurement), std::move(record)};

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/value_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/region.hpp"
-#include "pipeline/value_text.hpp"
 
 namespace setae::processing {
 namespace {
@@ -48,7 +48,8 @@ Range range_from(std::string_view text, Value value) {
     else if (word == "below") range.to = value(rest);
     else {
         const auto middle = text.find(" to ");
-        if (middle == std::string_view::npos) throw InvalidArgument(fmt::format("'{}' is no range; expected FROM to TO, above FROM or below TO", text));
+        if (middle == std::string_view::npos)
+            throw InvalidArgument(fmt::format("'{}' is no range; expected FROM to TO, above FROM or below TO", text));
         range.from = value(trimmed(text.substr(0, middle)));
         range.to = value(trimmed(text.substr(middle + 4)));
     }
@@ -57,21 +58,29 @@ Range range_from(std::string_view text, Value value) {
 
 Rectangle rectangle_from(std::string_view text) {
     const auto ranges = split(text, ',');
-    if (ranges.size() > 2) throw InvalidArgument(fmt::format("a rectangle has a range of x and one of y, got {} ranges", ranges.size()));
+    if (ranges.size() > 2)
+        throw InvalidArgument(fmt::format("a rectangle has a range of x and one of y, got {} ranges", ranges.size()));
     return {range_from(ranges[0], length), ranges.size() > 1 ? range_from(ranges[1], length) : Range{}};
 }
 
 Ellipse ellipse_from(std::string_view text) {
     const auto numbers = split(text, ',');
-    if (numbers.size() != 4 && numbers.size() != 5) throw InvalidArgument(fmt::format("an ellipse has centre x, y and two semi-axes, and an angle if need be, got {} values", numbers.size()));
-    return {{length(numbers[0]), length(numbers[1])}, {length(numbers[2]), length(numbers[3])}, numbers.size() > 4 ? parsed_angle(numbers[4]) : 0.0};
+    if (numbers.size() != 4 && numbers.size() != 5)
+        throw InvalidArgument(fmt::format(
+            "an ellipse has centre x, y and two semi-axes, and an angle if need be, got {} values", numbers.size()));
+    return {{length(numbers[0]), length(numbers[1])},
+            {length(numbers[2]), length(numbers[3])},
+            numbers.size() > 4 ? parsed_angle(numbers[4]) : 0.0};
 }
 
 Polygon polygon_from(std::string_view text) {
     const auto numbers = split(text, ',');
-    if (numbers.size() < 6 || numbers.size() % 2 != 0) throw InvalidArgument(fmt::format("a polygon has x, y of at least three corners, got {} values", numbers.size()));
+    if (numbers.size() < 6 || numbers.size() % 2 != 0)
+        throw InvalidArgument(
+            fmt::format("a polygon has x, y of at least three corners, got {} values", numbers.size()));
     Polygon polygon;
-    for (std::size_t k = 0; k < numbers.size(); k += 2) polygon.corners.push_back({length(numbers[k]), length(numbers[k + 1])});
+    for (std::size_t k = 0; k < numbers.size(); k += 2)
+        polygon.corners.push_back({length(numbers[k]), length(numbers[k + 1])});
     return polygon;
 }
 
@@ -101,20 +110,28 @@ std::string range_text(const Range& range, Value value) {
 struct OutlineText {
     std::string operator()(const Rectangle& rectangle) const {
         const auto x = range_text(rectangle.x, length_text);
-        return rectangle.y == Range{} ? "rectangle " + x : fmt::format("rectangle {}, {}", x, range_text(rectangle.y, length_text));
+        return rectangle.y == Range{} ? "rectangle " + x
+                                      : fmt::format("rectangle {}, {}", x, range_text(rectangle.y, length_text));
     }
     std::string operator()(const Ellipse& ellipse) const {
-        auto text = fmt::format("ellipse {}, {}, {}, {}", length_text(ellipse.centre[0]), length_text(ellipse.centre[1]), length_text(ellipse.semi_axes[0]), length_text(ellipse.semi_axes[1]));
+        auto text =
+            fmt::format("ellipse {}, {}, {}, {}", length_text(ellipse.centre[0]), length_text(ellipse.centre[1]),
+                        length_text(ellipse.semi_axes[0]), length_text(ellipse.semi_axes[1]));
         return ellipse.angle == 0.0 ? text : text + ", " + angle_text(ellipse.angle);
     }
     std::string operator()(const Polygon& polygon) const {
         std::string text = "polygon ";
-        for (const auto& corner : polygon.corners) text += fmt::format("{}{}, {}", text.back() == ' ' ? "" : ", ", length_text(corner[0]), length_text(corner[1]));
+        for (const auto& corner : polygon.corners)
+            text +=
+                fmt::format("{}{}, {}", text.back() == ' ' ? "" : ", ", length_text(corner[0]), length_text(corner[1]));
         return text;
     }
-    std::string operator()(const HeightRange& range) const { return "heights " + range_text(range.heights, length_text); }
+    std::string operator()(const HeightRange& range) const {
+        return "heights " + range_text(range.heights, length_text);
+    }
     std::string operator()(const PercentileRange& range) const {
-        return "percentiles " + range_text(range.percentiles, [](double percentile) { return fmt::format("{}", percentile); });
+        return "percentiles " +
+               range_text(range.percentiles, [](double percentile) { return fmt::format("{}", percentile); });
     }
 };
 
@@ -133,7 +150,9 @@ Region region_from_text(std::string_view text) {
         if (part.empty()) continue;
         auto rest = part;
         const auto word = take_word(rest);
-        if (word != "include" && word != "exclude") throw InvalidArgument(fmt::format("region '{}': '{}'; expected include or exclude before each shape", part, word));
+        if (word != "include" && word != "exclude")
+            throw InvalidArgument(
+                fmt::format("region '{}': '{}'; expected include or exclude before each shape", part, word));
         try {
             (word == "include" ? region.include : region.exclude).push_back(shape_from(rest));
         } catch (const InvalidArgument& error) {

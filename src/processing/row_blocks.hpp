@@ -9,13 +9,14 @@
 
 namespace setae::processing {
 
-/// Rows of a map in blocks of about 2^16 points: they depend on its shape alone, so sums added in block order are the same for any
-/// number of threads.
+/// Rows of a map in blocks of about 2^16 points: they depend on its shape alone, so sums added in block order are the
+/// same for any number of threads.
 struct RowBlocks {
     Index rows = 0;
     Index rows_per_block = 1;
 
-    RowBlocks(Index row_count, Index points_per_row) : rows(row_count), rows_per_block(std::max<Index>(1, (Index{1} << 16) / std::max<Index>(1, points_per_row))) {}
+    RowBlocks(Index row_count, Index points_per_row)
+        : rows(row_count), rows_per_block(std::max<Index>(1, (Index{1} << 16) / std::max<Index>(1, points_per_row))) {}
 
     [[nodiscard]] Index count() const { return (rows + rows_per_block - 1) / rows_per_block; }
     [[nodiscard]] Index first(Index block) const { return block * rows_per_block; }
@@ -24,7 +25,8 @@ struct RowBlocks {
 
 /// body(first, last, result) for the rows of every block; the results in block order.
 template <class Result, class Body>
-std::vector<Result> by_row_blocks(const RowBlocks& blocks, parallel::Threads threads, const Result& start, const Body& body) {
+std::vector<Result> by_row_blocks(const RowBlocks& blocks, parallel::Threads threads, const Result& start,
+                                  const Body& body) {
     std::vector<Result> results(static_cast<std::size_t>(blocks.count()), start);
     parallel::for_each_index(results.size(), threads, [&](std::size_t b) {
         const auto block = static_cast<Index>(b);

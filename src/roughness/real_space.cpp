@@ -38,8 +38,8 @@ struct Sums {
     }
 };
 
-/// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and what their differences are
-/// scaled by. Sums run over the points begin … end − 1; those beside them are looked at.
+/// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and what their
+/// differences are scaled by. Sums run over the points begin … end − 1; those beside them are looked at.
 struct Neighbourhood {
     const double* previous;
     const double* row;
@@ -84,7 +84,9 @@ Sum sum_of(Index first, Index last, Term term) {
     for (; j + lanes <= last; j += lanes)
         for (Index lane = 0; lane < lanes; ++lane) add(lane, term(j + lane));
     for (; j < last; ++j) add((j - first) % lanes, term(j));
-    const auto total = [](const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); };
+    const auto total = [](const double* v) {
+        return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+    };
     return {total(sum), checked ? total(count) : static_cast<double>(std::max<Index>(0, last - first))};
 }
 
@@ -103,17 +105,26 @@ Sums row_sums(const Neighbourhood& at) {
     double ignored = 0.0;
     store(sum_of<checked>(begin, end, [&](Index j) { return row[j] - at.origin; }), sums.h, ignored);
     store(sum_of<checked>(begin, end, [&](Index j) { return square(row[j] - at.origin); }), sums.h2, sums.points);
-    store(sum_of<checked>(begin, std::min(end, n - 1), [&](Index j) { return square(row[j + 1] - row[j]); }), sums.dy2, sums.dy_points);
-    if (at.periodic) store(sum_of<checked>(0, 1, [&](Index) { return square(row[0] - row[n - 1]); }), sums.dy2, sums.dy_points);
-    if (at.next) store(sum_of<checked>(begin, end, [&](Index j) { return square(at.next[j] - row[j]); }), sums.dx2, sums.dx_points);
+    store(sum_of<checked>(begin, std::min(end, n - 1), [&](Index j) { return square(row[j + 1] - row[j]); }), sums.dy2,
+          sums.dy_points);
+    if (at.periodic)
+        store(sum_of<checked>(0, 1, [&](Index) { return square(row[0] - row[n - 1]); }), sums.dy2, sums.dy_points);
+    if (at.next)
+        store(sum_of<checked>(begin, end, [&](Index j) { return square(at.next[j] - row[j]); }), sums.dx2,
+              sums.dx_points);
     if (!at.previous || !at.next) return sums;
     const auto laplacian2 = [&](Index left, Index j, Index right) {
-        return square((at.previous[j] - 2.0 * row[j] + at.next[j]) * at.inverse_dx2 + (row[left] - 2.0 * row[j] + row[right]) * at.inverse_dy2);
+        return square((at.previous[j] - 2.0 * row[j] + at.next[j]) * at.inverse_dx2 +
+                      (row[left] - 2.0 * row[j] + row[right]) * at.inverse_dy2);
     };
-    store(sum_of<checked>(std::max<Index>(begin, 1), std::min(end, n - 1), [&](Index j) { return laplacian2(j - 1, j, j + 1); }), sums.laplacian2, sums.laplacian_points);
+    store(sum_of<checked>(std::max<Index>(begin, 1), std::min(end, n - 1),
+                          [&](Index j) { return laplacian2(j - 1, j, j + 1); }),
+          sums.laplacian2, sums.laplacian_points);
     if (at.periodic && n > 2) {
-        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 1, 0, 1); }), sums.laplacian2, sums.laplacian_points);
-        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 2, n - 1, 0); }), sums.laplacian2, sums.laplacian_points);
+        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 1, 0, 1); }), sums.laplacian2,
+              sums.laplacian_points);
+        store(sum_of<checked>(0, 1, [&](Index) { return laplacian2(n - 2, n - 1, 0); }), sums.laplacian2,
+              sums.laplacian_points);
     }
     return sums;
 }
@@ -179,9 +190,10 @@ struct MapSums {
         parallel::for_each_index(blocks, threads, [&](std::size_t b) {
             const auto first = static_cast<Index>(b) * block_rows, line = first / block_rows * 3;
             for (Index i = first; i < std::min(nx, first + block_rows); ++i)
-                partial[b] += add_row({row(i - 1), row(i), row(i + 1), band.heights.cols(), band.begin, band.end, 1.0 / (pixel[0] * pixel[0]),
-                                       1.0 / (pixel[1] * pixel[1]), *origin, band.periodic},
-                                      {lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data()});
+                partial[b] +=
+                    add_row({row(i - 1), row(i), row(i + 1), band.heights.cols(), band.begin, band.end,
+                             1.0 / (pixel[0] * pixel[0]), 1.0 / (pixel[1] * pixel[1]), *origin, band.periodic},
+                            {lines.row(line).data(), lines.row(line + 1).data(), lines.row(line + 2).data()});
         });
         for (const auto& block : partial) sums += block;
         Array1D sum = Array1D::Zero(lines_count), squares = sum, count = sum;
@@ -223,7 +235,8 @@ RealSpaceParameters real_space_parameters(const topography::HeightMap& map, para
     return sums.result();
 }
 
-RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together, parallel::Threads threads) {
+RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together,
+                                          parallel::Threads threads) {
     MapSums sums{map.pixel_size()};
     if (map.periodic) {
         const Array2D whole = map.lines(0, map.ny);  // differences wrap round
@@ -250,9 +263,12 @@ RealSpaceParameters real_space_parameters(const topography::LineScan& scan) {
     result.defined = defined;
     result.mean_height = (scan.heights == scan.heights).select(scan.heights, 0.0).sum() / static_cast<double>(defined);
     result.rms_height = result.rms_height_of_lines = rms_of(0, n, [&](Index i) { return h[i] - result.mean_height; });
-    result.rms_slope = result.rms_slope_x = rms_of(0, last_difference, [&](Index i) { return at(i + 1) - at(i); }) / step;
+    result.rms_slope = result.rms_slope_x =
+        rms_of(0, last_difference, [&](Index i) { return at(i + 1) - at(i); }) / step;
     result.rms_slope_y = undefined;
-    result.rms_curvature = rms_of(scan.periodic ? 0 : 1, last_difference, [&](Index i) { return at(i - 1) - 2.0 * at(i) + at(i + 1); }) / (step * step);
+    result.rms_curvature =
+        rms_of(scan.periodic ? 0 : 1, last_difference, [&](Index i) { return at(i - 1) - 2.0 * at(i) + at(i + 1); }) /
+        (step * step);
     return result;
 }
 
@@ -275,8 +291,7 @@ RealSpaceParameters real_space_parameters(const topography::Profile& profile) {
     result.rms_slope_y = undefined;
     result.rms_curvature = undefined;
     if (n >= 4) {
-        const Array1D curvature =
-            2.0 * (slope.tail(n - 2) - slope.head(n - 2)) / (step.tail(n - 2) + step.head(n - 2));
+        const Array1D curvature = 2.0 * (slope.tail(n - 2) - slope.head(n - 2)) / (step.tail(n - 2) + step.head(n - 2));
         const Array1D squares = curvature.square();
         const Array1D inner = step.segment(1, n - 3);
         const double integral = (0.5 * inner * (squares.head(n - 3) + squares.tail(n - 3))).sum();
@@ -288,9 +303,13 @@ RealSpaceParameters real_space_parameters(const topography::Profile& profile) {
 RealSpaceParameters real_space_parameters(const topography::Measurement& measurement, parallel::Threads threads) {
     struct Visitor {
         parallel::Threads threads;
-        RealSpaceParameters operator()(const topography::HeightMap& map) const { return real_space_parameters(map, threads); }
+        RealSpaceParameters operator()(const topography::HeightMap& map) const {
+            return real_space_parameters(map, threads);
+        }
         RealSpaceParameters operator()(const topography::LineScan& scan) const { return real_space_parameters(scan); }
-        RealSpaceParameters operator()(const topography::Profile& profile) const { return real_space_parameters(profile); }
+        RealSpaceParameters operator()(const topography::Profile& profile) const {
+            return real_space_parameters(profile);
+        }
     };
     return std::visit(Visitor{threads}, measurement);
 }
@@ -299,7 +318,8 @@ double arithmetic_height(const topography::Measurement& measurement, double mean
     if (std::holds_alternative<topography::Profile>(measurement)) return undefined;
     return std::visit(
         [mean_height](const auto& m) {
-            const auto deviations = sum_of<true>(0, m.heights.size(), [&](Index j) { return std::abs(m.heights.data()[j] - mean_height); });
+            const auto deviations =
+                sum_of<true>(0, m.heights.size(), [&](Index j) { return std::abs(m.heights.data()[j] - mean_height); });
             return ratio(deviations.sum, deviations.count);
         },
         measurement);

@@ -108,7 +108,8 @@ Slopes slopes_of(const topography::HeightMap& map) {
             down[block].add((h(i + 1, j) - h(i, j + 1)) / diagonal, 1.0);
         }
     const double tilt = std::atan2(dy, dx);
-    slopes.directions = {directional(0.0, x), directional(0.5 * pi, y), directional(tilt, up), directional(-tilt, down)};
+    slopes.directions = {directional(0.0, x), directional(0.5 * pi, y), directional(tilt, up),
+                         directional(-tilt, down)};
     return slopes;
 }
 
@@ -128,12 +129,14 @@ Slopes slopes_along_line(Index n, Step step, Rise rise) {
 
 Slopes slopes_of(const topography::LineScan& scan) {
     const auto& h = scan.heights;
-    return slopes_along_line(h.size() - 1, [step = scan.pixel_size()](Index) { return step; }, [&](Index i) { return h[i + 1] - h[i]; });
+    return slopes_along_line(
+        h.size() - 1, [step = scan.pixel_size()](Index) { return step; }, [&](Index i) { return h[i + 1] - h[i]; });
 }
 
 Slopes slopes_of(const topography::Profile& profile) {
     const auto &x = profile.positions, &h = profile.heights;
-    return slopes_along_line(x.size() - 1, [&](Index i) { return x[i + 1] - x[i]; }, [&](Index i) { return h[i + 1] - h[i]; });
+    return slopes_along_line(
+        x.size() - 1, [&](Index i) { return x[i + 1] - x[i]; }, [&](Index i) { return h[i + 1] - h[i]; });
 }
 
 void fill_histogram(SlopeDistribution& distribution, const std::vector<double>& slopes, double rms) {
@@ -166,8 +169,8 @@ double gaussian_p_value(const std::vector<DirectionalSlope>& directions) {
     return std::min(1.0, smallest * static_cast<double>(directions.size()));
 }
 
-/// Perpendicular directions with the same step, so that resolution does not mimic anisotropy: the diagonals always, x and y
-/// where pixels are square.
+/// Perpendicular directions with the same step, so that resolution does not mimic anisotropy: the diagonals always, x
+/// and y where pixels are square.
 std::vector<std::pair<DirectionalSlope, DirectionalSlope>> comparable(const std::vector<DirectionalSlope>& d) {
     std::vector<std::pair<DirectionalSlope, DirectionalSlope>> pairs{{d[2], d[3]}};
     if (std::abs(d[2].angle - 0.25 * pi) < 0.01) pairs.emplace_back(d[0], d[1]);
@@ -198,21 +201,24 @@ void add_alerts(SlopeDistribution& distribution, const std::string& subject) {
         if (std::abs(d.excess_kurtosis) > std::abs(kurtosis)) kurtosis = d.excess_kurtosis;
         if (std::abs(d.skewness) > std::abs(skewness)) skewness = d.skewness;
     }
-    if (distribution.gaussian_p_value < significance && (std::abs(kurtosis) > shape_size || std::abs(skewness) > shape_size))
-        distribution.alerts.push_back({"NON_GAUSSIAN", subject,
-                                       fmt::format("slopes have excess kurtosis {:.2g} and skewness {:.2g} (p = {:.1e})", kurtosis,
-                                                   skewness, distribution.gaussian_p_value),
-                                       "the true area of formula (9) assumes Gaussian slopes: use the triangulated area of maps"});
+    if (distribution.gaussian_p_value < significance &&
+        (std::abs(kurtosis) > shape_size || std::abs(skewness) > shape_size))
+        distribution.alerts.push_back(
+            {"NON_GAUSSIAN", subject,
+             fmt::format("slopes have excess kurtosis {:.2g} and skewness {:.2g} (p = {:.1e})", kurtosis, skewness,
+                         distribution.gaussian_p_value),
+             "the true area of formula (9) assumes Gaussian slopes: use the triangulated area of maps"});
     if (distribution.directions.size() == 1) {
         distribution.alerts.push_back({"ONE_DIRECTION", subject, "a line sees the slope along one direction only",
                                        "isotropy, which the 2D parameters assume, cannot be tested on it"});
         return;
     }
     if (distribution.isotropy_p_value < significance && distribution.isotropy_ratio > anisotropy_size)
-        distribution.alerts.push_back({"ANISOTROPIC", subject,
-                                       fmt::format("rms slopes of perpendicular directions differ by a factor {:.3g} (p = {:.1e})",
-                                                   distribution.isotropy_ratio, distribution.isotropy_p_value),
-                                       "2D parameters from line scans assume isotropy: measure along several directions"});
+        distribution.alerts.push_back(
+            {"ANISOTROPIC", subject,
+             fmt::format("rms slopes of perpendicular directions differ by a factor {:.3g} (p = {:.1e})",
+                         distribution.isotropy_ratio, distribution.isotropy_p_value),
+             "2D parameters from line scans assume isotropy: measure along several directions"});
 }
 
 }  // namespace
@@ -221,7 +227,8 @@ SlopeDistribution slope_distribution(const topography::Measurement& measurement)
     const auto slopes = std::visit([](const auto& m) { return slopes_of(m); }, measurement);
     const auto& subject = topography::metadata(measurement).file;
     if (slopes.along_x.size() < 32)
-        throw UndefinedDataError(fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.along_x.size()));
+        throw UndefinedDataError(
+            fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.along_x.size()));
     SlopeDistribution distribution;
     distribution.directions = slopes.directions;
     fill_histogram(distribution, slopes.along_x, slopes.directions.front().rms);

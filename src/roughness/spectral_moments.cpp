@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -44,7 +44,8 @@ std::vector<Piece> pieces(const SpectrumCurve& curve) {
             c.push_back(curve.values[i]);
         }
     if (q.size() < 2)
-        throw UndefinedDataError(fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", q.size()));
+        throw UndefinedDataError(
+            fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", q.size()));
     if (modes) return cells(q, c, band);
     std::vector<Piece> result;
     for (std::size_t i = 0; i + 1 < q.size(); ++i) {
@@ -62,7 +63,8 @@ double integral(const Piece& piece, double order) {
     if (piece.mode > 0.0) return piece.level * std::pow(piece.mode, order) * (piece.right - piece.left);
     const double s = piece.exponent + order + 1.0;
     const double log_ratio = std::log(piece.right / piece.left);
-    const double growth = std::abs(s * log_ratio) < 1e-8 ? log_ratio * (1.0 + 0.5 * s * log_ratio) : std::expm1(s * log_ratio) / s;
+    const double growth =
+        std::abs(s * log_ratio) < 1e-8 ? log_ratio * (1.0 + 0.5 * s * log_ratio) : std::expm1(s * log_ratio) / s;
     return piece.level * std::pow(piece.left, order + 1.0) * growth;
 }
 
@@ -95,13 +97,15 @@ struct Contribution {
 
 /// Contributions of C1D through the exact identities.
 Contribution of_profile(const Piece& piece) {
-    return {integral(piece, 0.0) / pi, 2.0 * integral(piece, 2.0) / pi, 2.0 * integral(piece, 4.0) / (3.0 * pi), integral(piece, 1.0) / 8.0};
+    return {integral(piece, 0.0) / pi, 2.0 * integral(piece, 2.0) / pi, 2.0 * integral(piece, 4.0) / (3.0 * pi),
+            integral(piece, 1.0) / 8.0};
 }
 
 /// Contributions of C_iso; integrate(order) is ∫ q^order C_iso dq.
 template <class Integrate>
 Contribution of_isotropic(Integrate integrate) {
-    return {integrate(1.0) / (2.0 * pi), integrate(3.0) / (2.0 * pi), integrate(5.0) / (8.0 * pi), integrate(2.0) / (8.0 * pi)};
+    return {integrate(1.0) / (2.0 * pi), integrate(3.0) / (2.0 * pi), integrate(5.0) / (8.0 * pi),
+            integrate(2.0) / (8.0 * pi)};
 }
 
 Contribution contribution(const Piece& piece, const SpectrumCurve& curve, Conversion conversion) {
@@ -112,7 +116,8 @@ Contribution contribution(const Piece& piece, const SpectrumCurve& curve, Conver
 
 /// ∫ ln C d(ln q) over the part of a piece between two wavevectors.
 double log_integral(const Piece& piece, double lower, double upper) {
-    const double from = std::log(std::max(piece.left, lower) / piece.left), to = std::log(std::min(piece.right, upper) / piece.left);
+    const double from = std::log(std::max(piece.left, lower) / piece.left),
+                 to = std::log(std::min(piece.right, upper) / piece.left);
     return to > from ? (to - from) * (std::log(piece.level) + 0.5 * piece.exponent * (from + to)) : 0.0;
 }
 
@@ -121,7 +126,9 @@ DecadeMeans means_of(const std::vector<Piece>& parts) {
     DecadeMeans means = no_decades;
     for (std::size_t d = 0; d < means.size(); ++d) {
         const double lower = std::pow(10.0, first_decade + static_cast<double>(d)), upper = 10.0 * lower;
-        if (parts.empty() || parts.front().left > lower * (1.0 + rounding) || parts.back().right < upper * (1.0 - rounding)) continue;
+        if (parts.empty() || parts.front().left > lower * (1.0 + rounding) ||
+            parts.back().right < upper * (1.0 - rounding))
+            continue;
         double sum = 0.0;
         for (const auto& piece : parts) sum += log_integral(piece, lower, upper);
         means[d] = std::exp(sum / std::log(10.0));
@@ -135,9 +142,10 @@ SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
     if (limits.longest) curve.band.lower = std::max(curve.band.lower, 2.0 * pi / *limits.longest);
     if (limits.shortest) curve.band.upper = std::min(curve.band.upper, 2.0 * pi / *limits.shortest);
     if (!(curve.band.lower < curve.band.upper))
-        throw InvalidArgument(fmt::format("no wavevector between {:.4g} and {:.4g} 1/m is left; widen longest_wavelength and "
-                                          "shortest_wavelength",
-                                          curve.band.lower, curve.band.upper));
+        throw InvalidArgument(
+            fmt::format("no wavevector between {:.4g} and {:.4g} 1/m is left; widen longest_wavelength and "
+                        "shortest_wavelength",
+                        curve.band.lower, curve.band.upper));
     return curve;
 }
 
@@ -147,7 +155,8 @@ Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
     for (Index i = 0; i < wavevector.size(); ++i) {
         const double q = wavevector[i];
         const auto piece = std::find_if(parts.begin(), parts.end(), [q](const Piece& p) { return q <= p.right; });
-        if (piece != parts.end() && q >= piece->left) values[i] = piece->level * std::pow(q / piece->left, piece->exponent);
+        if (piece != parts.end() && q >= piece->left)
+            values[i] = piece->level * std::pow(q / piece->left, piece->exponent);
     }
     return values;
 }

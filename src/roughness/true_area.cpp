@@ -56,7 +56,8 @@ TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::T
             const double a = lower[j], b = upper[j], c = lower[next], d = upper[next];
             // both triangulations of the cell: each pairs one slope along x with one along y
             const double x0 = (b - a) / dx, x1 = (d - c) / dx, y0 = (c - a) / dy, y1 = (d - b) / dy;
-            const double s00 = x0 * x0 + y0 * y0, s11 = x1 * x1 + y1 * y1, s01 = x0 * x0 + y1 * y1, s10 = x1 * x1 + y0 * y0;
+            const double s00 = x0 * x0 + y0 * y0, s11 = x1 * x1 + y1 * y1, s01 = x0 * x0 + y1 * y1,
+                         s10 = x1 * x1 + y0 * y0;
             const double slope2 = s00 + s11 + s01 + s10;
             if (slope2 != slope2) continue;
             sums.area += std::sqrt(1.0 + s00) + std::sqrt(1.0 + s11) + std::sqrt(1.0 + s01) + std::sqrt(1.0 + s10);
@@ -72,7 +73,8 @@ TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::T
         total.triangles += sums.triangles;
     }
     if (total.triangles == 0.0) throw UndefinedDataError("no cell of the map has four defined corners");
-    return {total.area / total.triangles, std::sqrt(total.slope2 / total.triangles), static_cast<Index>(total.triangles / 4.0)};
+    return {total.area / total.triangles, std::sqrt(total.slope2 / total.triangles),
+            static_cast<Index>(total.triangles / 4.0)};
 }
 
 }  // namespace setae::roughness

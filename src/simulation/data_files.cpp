@@ -58,7 +58,8 @@ std::string scan_text(const topography::LineScan& scan) {
     const int digits = decimals(step);
     std::string text = "x [um],h [nm]\n";
     for (Index i = 0; i < scan.heights.size(); ++i)
-        fmt::format_to(std::back_inserter(text), "{:.{}f},{:.4f}\n", step * static_cast<double>(i), digits, nano * scan.heights[i]);
+        fmt::format_to(std::back_inserter(text), "{:.{}f},{:.4f}\n", step * static_cast<double>(i), digits,
+                       nano * scan.heights[i]);
     return text;
 }
 
@@ -67,40 +68,47 @@ std::string map_text(const topography::HeightMap& map) {
                                    micro * map.size[0], micro * map.size[1]);
     for (Index j = 0; j < map.heights.cols(); ++j)
         for (Index i = 0; i < map.heights.rows(); ++i)
-            fmt::format_to(std::back_inserter(text), "{:.4f}{}", nano * map.heights(i, j), i + 1 < map.heights.rows() ? '\t' : '\n');
+            fmt::format_to(std::back_inserter(text), "{:.4f}{}", nano * map.heights(i, j),
+                           i + 1 < map.heights.rows() ? '\t' : '\n');
     return text;
 }
 
 std::string contour_text(const topography::Profile& contour) {
     std::string text = "x [nm],h [nm]\n";
     for (Index i = 0; i < contour.positions.size(); ++i)
-        fmt::format_to(std::back_inserter(text), "{:.5f},{:.5f}\n", nano * contour.positions[i], nano * contour.heights[i]);
+        fmt::format_to(std::back_inserter(text), "{:.5f},{:.5f}\n", nano * contour.positions[i],
+                       nano * contour.heights[i]);
     return text;
 }
 
 std::string loop_text(const loops::Loop& loop) {
     std::string text = "time [s],force [uN],displacement [nm],contact_radius [um]\n";
     for (Index i = 0; i < loop.force.size(); ++i) {
-        fmt::format_to(std::back_inserter(text), "{:.6g},{:.5f},{:.4f},", loop.time[i], micro * loop.force[i], nano * loop.displacement[i]);
-        if (!std::isnan(loop.contact_radius[i])) fmt::format_to(std::back_inserter(text), "{:.5f}", micro * loop.contact_radius[i]);
+        fmt::format_to(std::back_inserter(text), "{:.6g},{:.5f},{:.4f},", loop.time[i], micro * loop.force[i],
+                       nano * loop.displacement[i]);
+        if (!std::isnan(loop.contact_radius[i]))
+            fmt::format_to(std::back_inserter(text), "{:.5f}", micro * loop.contact_radius[i]);
         text += '\n';
     }
     return text;
 }
 
-std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces, const std::vector<PlantedLoop>& loops) {
-    Json truth{{"seed", recipe.seed}, {"work_of_adhesion", recipe.work_of_adhesion}, {"surfaces", Json::object()},
-               {"elastomers", Json::object()}, {"pairs", Json::array()}, {"references", Json::array()}};
+std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces,
+                       const std::vector<PlantedLoop>& loops) {
+    Json truth{{"seed", recipe.seed},        {"work_of_adhesion", recipe.work_of_adhesion},
+               {"surfaces", Json::object()}, {"elastomers", Json::object()},
+               {"pairs", Json::array()},     {"references", Json::array()}};
     if (recipe.loops && recipe.loops->law == RetractionLaw::loss) truth["loss_factor"] = recipe.loops->loss_factor;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto& parameters = surfaces[i].parameters;
-        truth["surfaces"][recipe.surfaces[i].surface.name] = {{"rms_height", parameters.rms_height},
-                                                              {"rms_slope", parameters.rms_slope},
-                                                              {"rms_curvature", parameters.rms_curvature},
-                                                              {"elastic_energy_per_modulus", parameters.elastic_energy_per_modulus},
-                                                              {"area_ratio", surfaces[i].area_ratio},
-                                                              {"skewness", recipe.surfaces[i].surface.skewness},
-                                                              {"source", surfaces[i].source}};
+        truth["surfaces"][recipe.surfaces[i].surface.name] = {
+            {"rms_height", parameters.rms_height},
+            {"rms_slope", parameters.rms_slope},
+            {"rms_curvature", parameters.rms_curvature},
+            {"elastic_energy_per_modulus", parameters.elastic_energy_per_modulus},
+            {"area_ratio", surfaces[i].area_ratio},
+            {"skewness", recipe.surfaces[i].surface.skewness},
+            {"source", surfaces[i].source}};
         Json numbers = Json::object();
         for (const auto& parameter : recipe.surfaces[i].parameters) numbers[parameter.key] = parameter.value;
         truth["surfaces"][recipe.surfaces[i].surface.name]["spectrum"] = std::move(numbers);
@@ -132,7 +140,8 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
     double shortest = recipe.surfaces.front().surface.short_wavelength;
     for (const auto& rough : recipe.surfaces) shortest = std::min(shortest, rough.surface.short_wavelength);
     line("\n[analysis]\nshortest_wavelength = \"{} m\"", shortest);
-    line("\n[rough_solid]\nyoungs_modulus = \"{} Pa\"\npoisson_ratio = {}", recipe.counter_youngs_modulus, recipe.counter_poisson_ratio);
+    line("\n[rough_solid]\nyoungs_modulus = \"{} Pa\"\npoisson_ratio = {}", recipe.counter_youngs_modulus,
+         recipe.counter_poisson_ratio);
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = recipe.surfaces[i].surface;
         line("\n[surfaces.{}]", quoted(surface.name));
@@ -141,7 +150,8 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         for (const auto& m : measurements[i]) {
             const std::string tip = m.tip_radius.empty() ? "" : fmt::format(", tip_radius = \"{}\"", m.tip_radius);
             std::string references;
-            for (const auto& file : m.references) references += (references.empty() ? ", references = [" : ", ") + quoted(file);
+            for (const auto& file : m.references)
+                references += (references.empty() ? ", references = [" : ", ") + quoted(file);
             if (!references.empty()) references += "]";
             line("  {{ file = {}, instrument = \"{}\"{}{} }},", quoted(m.file), m.instrument, tip, references);
         }
@@ -151,7 +161,8 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         line("\n[elastomers.{}]", quoted(elastomer.name));
         if (loops.empty()) line("youngs_modulus = \"{} Pa\"", elastomer.youngs_modulus);
         line("poisson_ratio = {}", elastomer.poisson_ratio);
-        line("surface_energy = \"{} ± {} J/m2\"", elastomer.surface_energy.value, elastomer.surface_energy.standard_error);
+        line("surface_energy = \"{} ± {} J/m2\"", elastomer.surface_energy.value,
+             elastomer.surface_energy.standard_error);
         line("sphere_radius = \"{} m\"", elastomer.sphere_radius);
     }
     for (const auto& loop : loops) {

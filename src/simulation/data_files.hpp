@@ -27,12 +27,13 @@ namespace setae::simulation {
 struct MeasurementFile {
     std::string file;  ///< relative to the data set's folder
     std::string instrument;
-    std::string tip_radius;  ///< "5e-06 ± 2e-07 m", empty without tip
+    std::string tip_radius;               ///< "5e-06 ± 2e-07 m", empty without tip
     std::vector<std::string> references;  ///< scans of a smooth standard in the same session
 };
 
 /// study.toml: an analysis of all of it that is told only what an experimenter knows.
-[[nodiscard]] std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,
+[[nodiscard]] std::string study_text(const Recipe& recipe,
+                                     const std::vector<std::vector<MeasurementFile>>& measurements,
                                      const std::vector<PlantedLoop>& loops);
 
 }  // namespace setae::simulation

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "data_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "surfaces/surface_patches.hpp"
 
 namespace setae::simulation {
@@ -35,7 +35,8 @@ constexpr double cost_of_strip = 1e9;
 /// What the study is told of a tip; nothing of none.
 std::string tip_text(double radius, double standard_error) {
     if (radius == 0.0) return "";
-    return standard_error > 0.0 ? fmt::format("{:.9g} ± {:.9g} m", radius, standard_error) : fmt::format("{:.9g} m", radius);
+    return standard_error > 0.0 ? fmt::format("{:.9g} ± {:.9g} m", radius, standard_error)
+                                : fmt::format("{:.9g} m", radius);
 }
 
 /// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.
@@ -54,10 +55,12 @@ public:
         if (rough.afm) {
             const auto names = named(stem, "afm", "txt", rough.afm->sizes.size());
             for (std::size_t k = 0; k < names.size(); ++k) {
-                files.push_back({names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), {}});
+                files.push_back(
+                    {names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), {}});
                 const auto side = static_cast<double>(rough.afm->pixels_of(k));
                 jobs_.push_back({side * side, [this, &rough, key, k, name = names[k]] {
-                                     write(name, map_text(afm_scan(rough.surface, *rough.afm, k, substream(key, of_afm))));
+                                     write(name,
+                                           map_text(afm_scan(rough.surface, *rough.afm, k, substream(key, of_afm))));
                                  }});
             }
         }
@@ -66,7 +69,8 @@ public:
             for (std::size_t k = 0; k < names.size(); ++k) {
                 files.push_back({names[k], "tem", "", {}});
                 jobs_.push_back({0.0, [this, &rough, C1D, key, k, name = names[k]] {
-                                     write(name, contour_text(tem_contour(rough.surface, *C1D, *rough.tem, k, substream(key, of_tem))));
+                                     write(name, contour_text(tem_contour(rough.surface, *C1D, *rough.tem, k,
+                                                                          substream(key, of_tem))));
                                  }});
             }
         }
@@ -86,11 +90,13 @@ public:
         if (!loops_.empty()) create("loops");
         for (std::size_t i = 0; i < loops_.size(); ++i) {
             listed(loops_[i].file);
-            jobs_.push_back({1.0, [this, i] {
-                                 LoopArtefacts artefacts = recipe_.loops->artefacts;
-                                 artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
-                                 write(loops_[i].file, loop_text(simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts).loop));
-                             }});
+            jobs_.push_back(
+                {1.0, [this, i] {
+                     LoopArtefacts artefacts = recipe_.loops->artefacts;
+                     artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
+                     write(loops_[i].file,
+                           loop_text(simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts).loop));
+                 }});
         }
     }
 
@@ -103,8 +109,8 @@ public:
     }
 
 private:
-    void add_stylus(const SurfaceRecipe& rough, const std::string& stem, const std::shared_ptr<const LineSpectrum>& C1D, RandomKey key,
-                    std::vector<MeasurementFile>& files) {
+    void add_stylus(const SurfaceRecipe& rough, const std::string& stem, const std::shared_ptr<const LineSpectrum>& C1D,
+                    RandomKey key, std::vector<MeasurementFile>& files) {
         const StylusProtocol& protocol = *rough.stylus;
         const auto names = named(stem, "stylus", "csv", protocol.lengths.size());
         std::vector<std::string> references;
@@ -117,7 +123,8 @@ private:
                              for (std::size_t k = 0; k < names.size(); ++k) write(names[k], scan_text(scans[k]));
                              if (references.empty()) return;
                              const auto flats = stylus_references(protocol, key);
-                             for (std::size_t k = 0; k < references.size(); ++k) write(references[k], scan_text(flats[k]));
+                             for (std::size_t k = 0; k < references.size(); ++k)
+                                 write(references[k], scan_text(flats[k]));
                          }});
     }
 
@@ -126,9 +133,11 @@ private:
 
     const std::string& listed(std::string name) { return files_.emplace_back(std::move(name)); }
 
-    std::vector<std::string> named(const std::string& stem, const char* instrument, const char* ending, std::size_t count) {
+    std::vector<std::string> named(const std::string& stem, const char* instrument, const char* ending,
+                                   std::size_t count) {
         std::vector<std::string> names;
-        for (std::size_t k = 0; k < count; ++k) names.push_back(listed(fmt::format("{}/{}_{}.{}", stem, instrument, k + 1, ending)));
+        for (std::size_t k = 0; k < count; ++k)
+            names.push_back(listed(fmt::format("{}/{}_{}.{}", stem, instrument, k + 1, ending)));
         return names;
     }
 
@@ -150,9 +159,11 @@ private:
 }  // namespace
 
 std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads) {
-    if (recipe.surfaces.empty()) throw InvalidArgument("a recipe without surfaces has nothing to make; declare [surfaces.NAME]");
+    if (recipe.surfaces.empty())
+        throw InvalidArgument("a recipe without surfaces has nothing to make; declare [surfaces.NAME]");
     std::vector<SurfaceTruth> truths(recipe.surfaces.size());
-    parallel::for_each_index(truths.size(), threads, [&](std::size_t i) { truths[i] = surface_truth(recipe.surfaces[i].surface); });
+    parallel::for_each_index(truths.size(), threads,
+                             [&](std::size_t i) { truths[i] = surface_truth(recipe.surfaces[i].surface); });
     DataSet data(recipe, folder);
     data.add_loops(planted_loops(recipe, truths));  // first: what contradicts itself is found before anything is made
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {

@@ -23,7 +23,8 @@ std::uint64_t name_hash(const std::string& name) {
 RangeDraws::RangeDraws(std::uint64_t seed, const std::string& table)
     : key_(numerics::substream(numerics::substream({.seed = seed}, range_streams), name_hash(table))) {}
 
-std::optional<double> RangeDraws::quantity(bytes::TomlReader& reader, const char* key, const Dimension& dimension) const {
+std::optional<double> RangeDraws::quantity(bytes::TomlReader& reader, const char* key,
+                                           const Dimension& dimension) const {
     if (!reader.is_list(key)) return reader.quantity(key, dimension);
     const auto range = reader.quantities(key, dimension);
     if (range.size() != 2)

@@ -17,7 +17,8 @@ public:
 
     /// "1 um", or one drawn from ["1 um", "4 um"], log-uniform.
     /// @throws FormatError at a pair that is not 0 < from <= to.
-    [[nodiscard]] std::optional<double> quantity(bytes::TomlReader& reader, const char* key, const Dimension& dimension) const;
+    [[nodiscard]] std::optional<double> quantity(bytes::TomlReader& reader, const char* key,
+                                                 const Dimension& dimension) const;
     [[nodiscard]] std::optional<double> number(bytes::TomlReader& reader, const char* key) const {
         return quantity(reader, key, dimension::none);
     }

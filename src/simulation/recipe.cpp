@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "range_draws.hpp"
 #include "recipe_protocols.hpp"
+#include "setae/core/errors.hpp"
 #include "surfaces/recipe_spectrum.hpp"
 
 namespace setae::simulation {
@@ -20,7 +20,9 @@ constexpr Dimension speed{{1, 0, -1, 0, 0, 0}};
 constexpr Dimension force_per_time{{1, 1, -3, 0, 0, 0}};
 constexpr Dimension compliance = {{0, -1, 2, 0, 0, 0}};
 
-double required(TomlReader& reader, const char* key, const Dimension& unit) { return reader.required_uncertain(key, unit).value; }
+double required(TomlReader& reader, const char* key, const Dimension& unit) {
+    return reader.required_uncertain(key, unit).value;
+}
 
 void take(TomlReader& reader, const char* key, const Dimension& unit, double& value) {
     if (const auto given = reader.quantity(key, unit)) value = *given;
@@ -28,11 +30,12 @@ void take(TomlReader& reader, const char* key, const Dimension& unit, double& va
 
 double number_or(TomlReader& reader, const char* key, double fallback) { return reader.number(key).value_or(fallback); }
 
-SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols, const std::string& folder,
-                           const RangeDraws& draws) {
+SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Protocols& protocols,
+                           const std::string& folder, const RangeDraws& draws) {
     const auto wanted = reader.required_text("protocol");
     const auto protocol = protocols.find(wanted);
-    if (protocol == protocols.end()) reader.fail("protocol", fmt::format("'{}' is not declared under [protocols]", wanted));
+    if (protocol == protocols.end())
+        reader.fail("protocol", fmt::format("'{}' is not declared under [protocols]", wanted));
     SurfaceRecipe recipe = protocol->second;
     KnownSurface& surface = recipe.surface;
     surface.name = name;
@@ -74,10 +77,13 @@ LoopRecipe read_loops(TomlReader reader) {
     take(reader, "force_noise", dimension::force, artefacts.force_noise);
     take(reader, "displacement_noise", dimension::length, artefacts.displacement_noise);
     take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
-    loops.law = reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}}).value_or(loops.law);
+    loops.law =
+        reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}})
+            .value_or(loops.law);
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
-    loops.nonconforming = reader.choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
-                                                                              {"skip", NonconformingPairs::skip}})
+    loops.nonconforming = reader
+                              .choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
+                                                                            {"skip", NonconformingPairs::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
     reader.finish();
@@ -98,7 +104,8 @@ Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
         recipe.seed = static_cast<std::uint64_t>(*own);
     }
     recipe.seed = seed.value_or(recipe.seed);
-    recipe.work_of_adhesion = RangeDraws(recipe.seed, "").required(reader, "work_of_adhesion", dimension::surface_energy);
+    recipe.work_of_adhesion =
+        RangeDraws(recipe.seed, "").required(reader, "work_of_adhesion", dimension::surface_energy);
     if (!reader.is_table("rough_solid")) reader.fail("rough_solid", "missing: the elasticity of the rough body");
     reader.table("rough_solid", [&](TomlReader inner) {
         recipe.counter_youngs_modulus = required(inner, "youngs_modulus", dimension::pressure);
@@ -107,7 +114,8 @@ Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
     });
     const Protocols protocols = read_protocols(reader);
     reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) {
-        recipe.surfaces.push_back(read_surface(name, std::move(inner), protocols, folder, {recipe.seed, "surfaces." + name}));
+        recipe.surfaces.push_back(
+            read_surface(name, std::move(inner), protocols, folder, {recipe.seed, "surfaces." + name}));
     });
     reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
         recipe.elastomers.push_back(read_elastomer(name, std::move(inner), {recipe.seed, "elastomers." + name}));

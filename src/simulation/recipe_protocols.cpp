@@ -36,14 +36,17 @@ std::vector<double> lengths(TomlReader& reader, const char* key) {
 template <class Protocol>
 void take_tip(TomlReader& reader, Protocol& protocol) {
     const auto tip = reader.text("tip");
-    if (tip && *tip != "none") reader.fail("tip", fmt::format("'{}', expected \"none\"; a sphere has tip_radius", *tip));
+    if (tip && *tip != "none")
+        reader.fail("tip", fmt::format("'{}', expected \"none\"; a sphere has tip_radius", *tip));
     const auto radius = reader.uncertain("tip_radius", dimension::length);
     if (tip && radius) reader.fail("tip", "beside tip_radius; expected one of them");
     if (tip) protocol.tip_radius = 0.0;
     if (!radius) return;
-    if (!(radius->value >= 0.0)) reader.fail("tip_radius", fmt::format("{} m; expected a radius from 0", radius->value));
+    if (!(radius->value >= 0.0))
+        reader.fail("tip_radius", fmt::format("{} m; expected a radius from 0", radius->value));
     protocol.tip_radius = radius->value;
-    if (radius->standard_error > 0.0 && radius->value > 0.0) protocol.tip_radius_standard_error = radius->standard_error;
+    if (radius->standard_error > 0.0 && radius->value > 0.0)
+        protocol.tip_radius_standard_error = radius->standard_error;
 }
 
 void require_one_each(TomlReader& reader, const char* key, std::size_t values, std::size_t measurements) {
@@ -58,7 +61,8 @@ StylusProtocol read_stylus(TomlReader reader) {
     require_one_each(reader, "step", protocol.steps.size(), protocol.lengths.size());
     for (std::size_t k = 0; k < protocol.lengths.size(); ++k)
         if (!(protocol.step(k) > 0.0) || !(protocol.lengths[k] >= 2.0 * protocol.step(k)))
-            reader.fail("step", fmt::format("{} m for a scan of {} m; expected 0 < step <= length/2", protocol.step(k), protocol.lengths[k]));
+            reader.fail("step", fmt::format("{} m for a scan of {} m; expected 0 < step <= length/2", protocol.step(k),
+                                            protocol.lengths[k]));
     take_tip(reader, protocol);
     take(reader, "noise", protocol.noise);
     if (const auto bow = reader.quantity("bow", dimension::length)) protocol.bow = *bow;
@@ -74,13 +78,15 @@ AfmProtocol read_afm(TomlReader reader) {
     AfmProtocol protocol{.sizes = lengths(reader, "sizes")};
     if (reader.is_list("pixels")) {
         protocol.pixels.clear();
-        for (const double n : reader.quantities("pixels", dimension::none)) protocol.pixels.push_back(static_cast<Index>(n));
+        for (const double n : reader.quantities("pixels", dimension::none))
+            protocol.pixels.push_back(static_cast<Index>(n));
     } else if (const auto pixels = reader.integer("pixels")) {
         protocol.pixels = {*pixels};
     }
     require_one_each(reader, "pixels", protocol.pixels.size(), protocol.sizes.size());
     for (const Index pixels : protocol.pixels)
-        if (pixels < 2 || pixels > most_pixels) reader.fail("pixels", fmt::format("{}; expected 2 to {}", pixels, most_pixels));
+        if (pixels < 2 || pixels > most_pixels)
+            reader.fail("pixels", fmt::format("{}; expected 2 to {}", pixels, most_pixels));
     take_tip(reader, protocol);
     take(reader, "noise", protocol.noise);
     take(reader, "line_offset", protocol.line_offset);
@@ -96,13 +102,15 @@ TemProtocol read_tem(TomlReader reader) {
     TemProtocol protocol{.lengths = lengths(reader, "lengths")};
     take(reader, "step", protocol.step);
     if (!(protocol.step > 0.0)) reader.fail("step", "0 m; expected a length > 0");
-    protocol.steps = reader.choice<ContourSteps>("steps", {{"regular", ContourSteps::regular},
-                                                           {"uniform", ContourSteps::uniform},
-                                                           {"gamma", ContourSteps::gamma}})
+    protocol.steps = reader
+                         .choice<ContourSteps>("steps", {{"regular", ContourSteps::regular},
+                                                         {"uniform", ContourSteps::uniform},
+                                                         {"gamma", ContourSteps::gamma}})
                          .value_or(protocol.steps);
     take_number(reader, "step_spread", protocol.step_spread);
     if (!(protocol.step_spread >= 0.0) || !(protocol.step_spread <= widest_spread(protocol.steps)))
-        reader.fail("step_spread", fmt::format("{}; expected 0 to {:.4g}", protocol.step_spread, widest_spread(protocol.steps)));
+        reader.fail("step_spread",
+                    fmt::format("{}; expected 0 to {:.4g}", protocol.step_spread, widest_spread(protocol.steps)));
     take(reader, "noise", protocol.noise);
     take(reader, "foil_thickness", protocol.foil_thickness);
     reader.finish();

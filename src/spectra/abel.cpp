@@ -14,16 +14,20 @@ namespace {
 
 void require_same_size(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
     if (wavevector.size() != spectrum.size())
-        throw InvalidArgument(fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), spectrum.size()));
+        throw InvalidArgument(
+            fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), spectrum.size()));
 }
 
 void require_curve(const ArrayView1D& nodes, const ArrayView1D& spectrum) {
     require_same_size(nodes, spectrum);
-    if (nodes.size() < 2) throw InvalidArgument(fmt::format("a spectrum with {} nodes; expected at least 2", nodes.size()));
+    if (nodes.size() < 2)
+        throw InvalidArgument(fmt::format("a spectrum with {} nodes; expected at least 2", nodes.size()));
     for (Index i = 0; i < nodes.size(); ++i)
-        if (!(nodes[i] > (i == 0 ? 0.0 : nodes[i - 1])) || !(spectrum[i] > 0.0) || !std::isfinite(nodes[i] * spectrum[i]))
-            throw InvalidArgument(fmt::format("node {} of a spectrum (q = {} 1/m, C = {}); expected increasing q > 0 and C > 0", i,
-                                              nodes[i], spectrum[i]));
+        if (!(nodes[i] > (i == 0 ? 0.0 : nodes[i - 1])) || !(spectrum[i] > 0.0) ||
+            !std::isfinite(nodes[i] * spectrum[i]))
+            throw InvalidArgument(
+                fmt::format("node {} of a spectrum (q = {} 1/m, C = {}); expected increasing q > 0 and C > 0", i,
+                            nodes[i], spectrum[i]));
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ Array1D profile_from_isotropic(const ArrayView1D& nodes, const ArrayView1D& C_is
     return wavevector.unaryExpr([&](double q) { return integral(std::abs(q)); });
 }
 
-Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D, double shortest_wavevector, int rounds) {
+Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D, double shortest_wavevector,
+                               int rounds) {
     require_curve(wavevector, C1D);
     if (rounds < 0) throw InvalidArgument(fmt::format("{} rounds of correction; expected none or more", rounds));
     const Index n = wavevector.size();

@@ -22,7 +22,8 @@ AbelIntegral::AbelIntegral(const ArrayView1D& nodes, const ArrayView1D& spectrum
         const double span = std::log(nodes[i + 1] / nodes[i]);
         slopes_[i] = std::log(spectrum[i + 1] / spectrum[i]) / span;
         for (Index k = 0; k < terms; ++k) {
-            const double twice = 2.0 * static_cast<double>(k), exponent = slopes_[i] + 1.0 - twice, growth = exponent * span;
+            const double twice = 2.0 * static_cast<double>(k), exponent = slopes_[i] + 1.0 - twice,
+                         growth = exponent * span;
             const double piece = std::abs(growth) < 1e-12 ? span : std::expm1(growth) / exponent;
             sums_(i, k) = spectrum[i] * nodes[i] * piece + std::exp(-twice * span) * sums_(i + 1, k);
         }
@@ -31,7 +32,9 @@ AbelIntegral::AbelIntegral(const ArrayView1D& nodes, const ArrayView1D& spectrum
 
 double AbelIntegral::operator()(double q_x) const {
     const Index last = nodes_.size() - 1;
-    const auto first_above = [&](double q) { return static_cast<Index>(std::upper_bound(nodes_.begin(), nodes_.end(), q) - nodes_.begin()); };
+    const auto first_above = [&](double q) {
+        return static_cast<Index>(std::upper_bound(nodes_.begin(), nodes_.end(), q) - nodes_.begin());
+    };
     double sum = q_x < nodes_[0] ? spectrum_[0] * std::sqrt((nodes_[0] - q_x) * (nodes_[0] + q_x)) : 0.0;
     Index i = std::max<Index>(first_above(q_x) - 1, 0);
     for (const Index end = std::min(first_above(far * q_x), last); i < end; ++i) sum += near_piece(i, q_x);

@@ -17,16 +17,20 @@ namespace {
 std::vector<std::vector<std::size_t>> strata(const BinnedSpectra& spectra, bool by_instrument) {
     std::map<std::string, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < spectra.instruments.size(); ++i)
-        if (!spectra.C1D.row(static_cast<Index>(i)).isNaN().all()) groups[by_instrument ? spectra.instruments[i] : std::string{}].push_back(i);
+        if (!spectra.C1D.row(static_cast<Index>(i)).isNaN().all())
+            groups[by_instrument ? spectra.instruments[i] : std::string{}].push_back(i);
     std::vector<std::vector<std::size_t>> result;
     for (auto& [instrument, members] : groups) result.push_back(std::move(members));
     return result;
 }
 
-Multiplicity draw(const std::vector<std::vector<std::size_t>>& strata, std::size_t members, const BootstrapOptions& options, std::size_t resample) {
+Multiplicity draw(const std::vector<std::vector<std::size_t>>& strata, std::size_t members,
+                  const BootstrapOptions& options, std::size_t resample) {
     const auto key = numerics::substream({options.seed, 0}, resample);
     std::uint64_t drawn_so_far = 0;
-    const auto index_below = [&](std::size_t n) { return static_cast<std::size_t>(numerics::random_index(key, drawn_so_far++, static_cast<Index>(n))); };
+    const auto index_below = [&](std::size_t n) {
+        return static_cast<std::size_t>(numerics::random_index(key, drawn_so_far++, static_cast<Index>(n)));
+    };
     Multiplicity drawn(members, 0);
     for (std::size_t s = 0; s < strata.size(); ++s) {
         const auto& stratum = strata[options.draw == Draw::instruments_and_within ? index_below(strata.size()) : s];
@@ -38,7 +42,8 @@ Multiplicity draw(const std::vector<std::vector<std::size_t>>& strata, std::size
 }  // namespace
 
 BootstrapSpectra bootstrap(const BinnedSpectra& spectra, const BootstrapOptions& options) {
-    if (options.resamples < 1) throw InvalidArgument(fmt::format("{} resamples; expected at least 1", options.resamples));
+    if (options.resamples < 1)
+        throw InvalidArgument(fmt::format("{} resamples; expected at least 1", options.resamples));
     const Array1D all = bin_means(spectra, options.weighting, all_members(spectra));
     const auto filled = filled_bins(all);
     const Array1D full = all(filled);

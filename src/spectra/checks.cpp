@@ -12,13 +12,16 @@ namespace {
 
 void require_extent(Index points, double size, const char* direction, const topography::Metadata& metadata) {
     if (points >= 2 && size > 0.0 && std::isfinite(size)) return;
-    throw InvalidArgument(fmt::format("{}: {} points over {} m along {}; a spectrum needs at least 2 points and a positive size",
-                                      topography::label(metadata), points, size, direction));
+    throw InvalidArgument(
+        fmt::format("{}: {} points over {} m along {}; a spectrum needs at least 2 points and a positive size",
+                    topography::label(metadata), points, size, direction));
 }
 
 }  // namespace
 
-void require_shape(const topography::LineScan& scan) { require_extent(scan.heights.size(), scan.size, "x", scan.metadata); }
+void require_shape(const topography::LineScan& scan) {
+    require_extent(scan.heights.size(), scan.size, "x", scan.metadata);
+}
 
 void require_shape(const topography::HeightMap& map) {
     require_extent(map.heights.rows(), map.size[0], "x", map.metadata);
@@ -31,8 +34,10 @@ void require_defined(const ArrayView1D& heights, const topography::Metadata& met
 }
 
 void throw_undefined(const topography::Metadata& metadata, const std::string& where) {
-    throw UndefinedDataError(fmt::format("{}: undefined or infinite height at {}; a spectrum needs every height: fill the holes or "
-                                         "analyse a part without them", topography::label(metadata), where));
+    throw UndefinedDataError(
+        fmt::format("{}: undefined or infinite height at {}; a spectrum needs every height: fill the holes or "
+                    "analyse a part without them",
+                    topography::label(metadata), where));
 }
 
 }  // namespace setae::spectra

@@ -41,7 +41,8 @@ BinRange occupied_bins(std::span<const PowerSpectrum1D> spectra, const LogGrid& 
             last = std::max(last, bin);
         }
     if (first > last)
-        throw InvalidArgument(fmt::format("{} spectra with nothing inside their reliable bands; nothing to combine", spectra.size()));
+        throw InvalidArgument(
+            fmt::format("{} spectra with nothing inside their reliable bands; nothing to combine", spectra.size()));
     return {first, last - first + 1};
 }
 
@@ -56,7 +57,8 @@ void fill_bins(std::span<const PowerSpectrum1D> spectra, const Array1D& slopes, 
         for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
             if (!usable(spectrum, k)) continue;
             const Index bin = result.grid.bin_of(spectrum.wavevector[k]) - result.first_bin;
-            result.C1D(i, bin) += spectrum.C1D[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
+            result.C1D(i, bin) +=
+                spectrum.C1D[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
             const double relative = spectrum.standard_error[k] / spectrum.C1D[k];
             // a single line's periodogram is distributed exponentially: its deviation is its mean
             result.relative_variance(i, bin) += std::isfinite(relative) ? relative * relative : 1.0;
@@ -118,7 +120,8 @@ double standard_error(const BinnedSpectra& binned, Index bin, Weighting weightin
 bool spanned(const BinnedSpectra& binned, double below, double above) {
     for (Index i = 0; i < binned.C1D.rows(); ++i) {
         const auto has_value = !binned.C1D.row(i).transpose().isNaN();
-        if ((has_value && binned.wavevector <= below).any() && (has_value && binned.wavevector >= above).any()) return true;
+        if ((has_value && binned.wavevector <= below).any() && (has_value && binned.wavevector >= above).any())
+            return true;
     }
     return false;
 }
@@ -128,9 +131,10 @@ void add_gap_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     for (Index b = 1; b < spectrum.wavevector.size(); ++b) {
         const double below = spectrum.wavevector[b - 1], above = spectrum.wavevector[b];
         if (above < widest * below || spanned(binned, below, above)) continue;
-        spectrum.alerts.push_back({"COVERAGE_GAP", "combined spectrum",
-                                   fmt::format("no measurement between {:.3g} and {:.3g} 1/m (a factor {:.2g})", below, above, above / below),
-                                   "measure these wavelengths; integrals bridge the gap by a power law"});
+        spectrum.alerts.push_back(
+            {"COVERAGE_GAP", "combined spectrum",
+             fmt::format("no measurement between {:.3g} and {:.3g} 1/m (a factor {:.2g})", below, above, above / below),
+             "measure these wavelengths; integrals bridge the gap by a power law"});
     }
 }
 
@@ -150,9 +154,10 @@ void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum&
             if (spectrum.wavevector[b] > grid.edge(decade * n) && spectrum.wavevector[b] < grid.edge((decade + 1) * n))
                 most = std::max(most, spectrum.instrument_count[b]);
         if (most == 1.0)
-            spectrum.alerts.push_back({"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
-                                       fmt::format("from 1e{} to 1e{} 1/m one instrument at a time: nothing checks it", decade, decade + 1),
-                                       "measure this decade with a second instrument"});
+            spectrum.alerts.push_back(
+                {"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
+                 fmt::format("from 1e{} to 1e{} 1/m one instrument at a time: nothing checks it", decade, decade + 1),
+                 "measure this decade with a second instrument"});
     }
 }
 
@@ -165,7 +170,8 @@ struct LogMean {
 std::map<std::string, LogMean> log_means(const BinnedSpectra& binned, Index bin) {
     std::map<std::string, std::vector<double>> logs;
     for (Index i = 0; i < binned.C1D.rows(); ++i)
-        if (binned.C1D(i, bin) > 0.0) logs[binned.instruments[static_cast<std::size_t>(i)]].push_back(std::log(binned.C1D(i, bin)));
+        if (binned.C1D(i, bin) > 0.0)
+            logs[binned.instruments[static_cast<std::size_t>(i)]].push_back(std::log(binned.C1D(i, bin)));
     std::map<std::string, LogMean> means;
     for (const auto& [instrument, values] : logs) {
         if (values.size() < 2) continue;
@@ -176,7 +182,8 @@ std::map<std::string, LogMean> log_means(const BinnedSpectra& binned, Index bin)
     return means;
 }
 
-/// Pairs of instruments whose means differ by more than three standard errors in at least half of two or more shared bins.
+/// Pairs of instruments whose means differ by more than three standard errors in at least half of two or more shared
+/// bins.
 void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     struct Comparison {
         int shared = 0, apart = 0;
@@ -192,16 +199,18 @@ void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spec
                 ++comparison.shared;
                 comparison.difference += difference;
                 constexpr double errors = 3.0;
-                if (difference * difference > errors * errors * (a->second.variance + b->second.variance)) ++comparison.apart;
+                if (difference * difference > errors * errors * (a->second.variance + b->second.variance))
+                    ++comparison.apart;
             }
     }
     for (const auto& [pair, comparison] : comparisons)
         if (comparison.shared >= 2 && 2 * comparison.apart >= comparison.shared)
-            spectrum.alerts.push_back({"DISAGREE", pair.first + ", " + pair.second,
-                                       fmt::format("differ by more than three standard errors in {} of {} shared bins; C1D of the first is "
-                                                   "{:.2g} times the second's", comparison.apart, comparison.shared,
-                                                   std::exp(comparison.difference / comparison.shared)),
-                                       "check scale, tip and reliable bands of both"});
+            spectrum.alerts.push_back(
+                {"DISAGREE", pair.first + ", " + pair.second,
+                 fmt::format("differ by more than three standard errors in {} of {} shared bins; C1D of the first is "
+                             "{:.2g} times the second's",
+                             comparison.apart, comparison.shared, std::exp(comparison.difference / comparison.shared)),
+                 "check scale, tip and reliable bands of both"});
 }
 
 }  // namespace
@@ -211,12 +220,14 @@ BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const Combination
     BinnedSpectra result;
     result.grid = options.grid;
     result.first_bin = range.first;
-    result.wavevector = Array1D::NullaryExpr(range.count, [&](Index b) { return options.grid.centre(range.first + b); });
+    result.wavevector =
+        Array1D::NullaryExpr(range.count, [&](Index b) { return options.grid.centre(range.first + b); });
     for (const auto& spectrum : spectra) result.instruments.push_back(instrument_of(spectrum.metadata));
     fill_bins(spectra, Array1D::Zero(range.count), result);
     // slopes and values depend on each other; each round leaves about a seventh of the error
     constexpr int rounds = 4;
-    for (int round = 0; round < (options.slope_correction ? rounds : 0); ++round) fill_bins(spectra, local_slopes(result), result);
+    for (int round = 0; round < (options.slope_correction ? rounds : 0); ++round)
+        fill_bins(spectra, local_slopes(result), result);
     return result;
 }
 

@@ -8,7 +8,9 @@
 
 namespace setae::spectra {
 
-Multiplicity all_members(const BinnedSpectra& spectra) { return Multiplicity(static_cast<std::size_t>(spectra.C1D.rows()), 1); }
+Multiplicity all_members(const BinnedSpectra& spectra) {
+    return Multiplicity(static_cast<std::size_t>(spectra.C1D.rows()), 1);
+}
 
 Array1D bin_weights(const BinnedSpectra& spectra, Index bin, Weighting weighting, const Multiplicity& drawn) {
     const Index members = spectra.C1D.rows();
@@ -61,7 +63,9 @@ Eigen::Array<bool, Eigen::Dynamic, 1> fill_lost_bins(Array1D& means, const Array
         }
         Index after = b;
         while (after < n && lost[after]) ++after;
-        const double t = before < 0 ? 1.0 : after == n ? 0.0 : static_cast<double>(b - before) / static_cast<double>(after - before);
+        const double t = before < 0   ? 1.0
+                         : after == n ? 0.0
+                                      : static_cast<double>(b - before) / static_cast<double>(after - before);
         const double below = before < 0 ? 0.0 : ratio[before], above = after == n ? 0.0 : ratio[after];
         means[b] = full[b] * ((1.0 - t) * below + t * above);
     }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/beta.hpp>
-#include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -85,7 +85,8 @@ struct Transformed {
     Eigen::VectorXd by_value, by_slope;
 };
 
-Transformed transformed(Index at, const Array1D& q, const Array1D& x, const Eigen::VectorXd& y, const Eigen::VectorXd& s) {
+Transformed transformed(Index at, const Array1D& q, const Array1D& x, const Eigen::VectorXd& y,
+                        const Eigen::VectorXd& s) {
     const Index n = q.size();
     Transformed result{0.0, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
     const double factor = 2.0 / q[at];
@@ -93,15 +94,18 @@ Transformed transformed(Index at, const Array1D& q, const Array1D& x, const Eige
     const auto& abscissa = Rule::abscissa();
     const auto& weights = Rule::weights();
     for (Index k = at; k + 1 < n; ++k) {
-        const double upper = std::asin(std::min(1.0, q[at] / q[k])), lower = std::asin(q[at] / q[k + 1]), width = x[k + 1] - x[k];
+        const double upper = std::asin(std::min(1.0, q[at] / q[k])), lower = std::asin(q[at] / q[k + 1]),
+                     width = x[k + 1] - x[k];
         const double half = 0.5 * (upper - lower), middle = 0.5 * (upper + lower);
         for (std::size_t g = 0; g < 2 * abscissa.size(); ++g) {
             const double node = g < abscissa.size() ? abscissa[g] : -abscissa[g - abscissa.size()];
             const double weight = factor * half * weights[g % abscissa.size()];
             const double place = std::log(q[at] / std::sin(middle + half * node));
             const auto h = hermite(std::clamp((place - x[k]) / width, 0.0, 1.0), width);
-            const double log_C = h.values[0] * y[k] + h.values[1] * s[k] + h.values[2] * y[k + 1] + h.values[3] * s[k + 1];
-            const double alpha = -(h.slopes[0] * y[k] + h.slopes[1] * s[k] + h.slopes[2] * y[k + 1] + h.slopes[3] * s[k + 1]);
+            const double log_C =
+                h.values[0] * y[k] + h.values[1] * s[k] + h.values[2] * y[k + 1] + h.values[3] * s[k + 1];
+            const double alpha =
+                -(h.slopes[0] * y[k] + h.slopes[1] * s[k] + h.slopes[2] * y[k + 1] + h.slopes[3] * s[k + 1]);
             const double part = weight * std::exp(log_C);
             result.C_iso += part * alpha;
             result.by_value[k] += part * (alpha * h.values[0] - h.slopes[0]);
@@ -113,26 +117,36 @@ Transformed transformed(Index at, const Array1D& q, const Array1D& x, const Eige
     const double alpha = -s[n - 1], sine = q[at] / q[n - 1];
     if (!(alpha > 0.0)) return result;
     constexpr double step = 1e-5;
-    const auto tail = [&](double exponent) { return factor * std::exp(y[n - 1]) * exponent * tail_integral(sine, exponent); };
+    const auto tail = [&](double exponent) {
+        return factor * std::exp(y[n - 1]) * exponent * tail_integral(sine, exponent);
+    };
     result.C_iso += tail(alpha);
     result.by_value[n - 1] += tail(alpha);
-    result.by_slope[n - 1] -= (tail(alpha + step) - tail(alpha - step * std::min(1.0, alpha))) / (step + step * std::min(1.0, alpha));
+    result.by_slope[n - 1] -=
+        (tail(alpha + step) - tail(alpha - step * std::min(1.0, alpha))) / (step + step * std::min(1.0, alpha));
     return result;
 }
 
-void check(const ArrayView1D& q, const ArrayView1D& C1D, const ArrayView1D& standard_error, const InverseAbelOptions& options) {
+void check(const ArrayView1D& q, const ArrayView1D& C1D, const ArrayView1D& standard_error,
+           const InverseAbelOptions& options) {
     if (q.size() < 4 || C1D.size() != q.size() || (standard_error.size() != 0 && standard_error.size() != q.size()))
-        throw InvalidArgument(fmt::format("{} wavevectors, {} values of C1D, {} standard errors; expected at least four, and one of each", q.size(), C1D.size(), standard_error.size()));
+        throw InvalidArgument(
+            fmt::format("{} wavevectors, {} values of C1D, {} standard errors; expected at least four, and one of each",
+                        q.size(), C1D.size(), standard_error.size()));
     for (Index k = 0; k < q.size(); ++k)
-        if (!(q[k] > 0.0 && std::isfinite(q[k]) && C1D[k] > 0.0 && std::isfinite(C1D[k])) || (k > 0 && !(q[k] > q[k - 1])) ||
-            (standard_error.size() > 0 && !(standard_error[k] >= 0.0)))
-            throw InvalidArgument(fmt::format("row {}: C1D = {} m3 at {} 1/m; expected increasing wavevectors, positive values and errors that are not negative", k, C1D[k], q[k]));
-    if (!(options.smoothing >= 0.0 && std::isfinite(options.smoothing))) throw InvalidArgument(fmt::format("smoothing over {} decades; expected 0 or more", options.smoothing));
+        if (!(q[k] > 0.0 && std::isfinite(q[k]) && C1D[k] > 0.0 && std::isfinite(C1D[k])) ||
+            (k > 0 && !(q[k] > q[k - 1])) || (standard_error.size() > 0 && !(standard_error[k] >= 0.0)))
+            throw InvalidArgument(fmt::format(
+                "row {}: C1D = {} m3 at {} 1/m; expected increasing wavevectors, positive values and errors that are not negative",
+                k, C1D[k], q[k]));
+    if (!(options.smoothing >= 0.0 && std::isfinite(options.smoothing)))
+        throw InvalidArgument(fmt::format("smoothing over {} decades; expected 0 or more", options.smoothing));
 }
 
 }  // namespace
 
-IsotropicFromLines isotropic_from_lines(const ArrayView1D& wavevector, const ArrayView1D& C1D, const ArrayView1D& standard_error, const InverseAbelOptions& options) {
+IsotropicFromLines isotropic_from_lines(const ArrayView1D& wavevector, const ArrayView1D& C1D,
+                                        const ArrayView1D& standard_error, const InverseAbelOptions& options) {
     check(wavevector, C1D, standard_error, options);
     const Index n = wavevector.size();
     const Array1D q = wavevector, x = q.log();
@@ -140,14 +154,16 @@ IsotropicFromLines isotropic_from_lines(const ArrayView1D& wavevector, const Arr
     const Array1D relative = known ? Array1D(standard_error / C1D) : Array1D::Ones(n);
     const double largest = relative.maxCoeff();
     // a point without error would alone decide
-    const auto fits = local_fits(x, largest > 0.0 ? relative.max(0.01 * largest).eval() : Array1D::Ones(n).eval(), 0.5 * options.smoothing * std::log(10.0));
+    const auto fits = local_fits(x, largest > 0.0 ? relative.max(0.01 * largest).eval() : Array1D::Ones(n).eval(),
+                                 0.5 * options.smoothing * std::log(10.0));
     const Eigen::VectorXd data = C1D.log().matrix(), y = fits.value * data, s = fits.slope * data;
     IsotropicFromLines result{q, Array1D(n), Array1D(n), Array1D(n)};
     for (Index k = 0; k < n; ++k) {
         const auto t = transformed(k, q, x, y, s);
         result.C_iso[k] = t.C_iso > 0.0 ? t.C_iso : undefined;
         const Eigen::VectorXd by_data = fits.value.transpose() * t.by_value + fits.slope.transpose() * t.by_slope;
-        result.standard_error[k] = known && t.C_iso > 0.0 ? std::sqrt((by_data.array() * relative).square().sum()) : undefined;
+        result.standard_error[k] =
+            known && t.C_iso > 0.0 ? std::sqrt((by_data.array() * relative).square().sum()) : undefined;
     }
     result.ratio = result.C_iso * q / (pi * C1D);
     return result;
@@ -161,9 +177,12 @@ IsotropicFromLines isotropic_from_lines(const CombinedSpectrum& spectrum, const 
         if (spectrum.standard_error[k] > 0.0) continue;
         for (Index away = 1; away < n; ++away) {
             const Index below = k - away, above = k + away;
-            const Index nearest = below >= 0 && spectrum.standard_error[below] > 0.0 ? below : above < n && spectrum.standard_error[above] > 0.0 ? above : -1;
+            const Index nearest = below >= 0 && spectrum.standard_error[below] > 0.0  ? below
+                                  : above < n && spectrum.standard_error[above] > 0.0 ? above
+                                                                                      : -1;
             if (nearest < 0) continue;
-            errors[k] = spectrum.C1D[k] * spectrum.standard_error[nearest] / spectrum.C1D[nearest] * std::sqrt(spectrum.count[nearest] / spectrum.count[k]);
+            errors[k] = spectrum.C1D[k] * spectrum.standard_error[nearest] / spectrum.C1D[nearest] *
+                        std::sqrt(spectrum.count[nearest] / spectrum.count[k]);
             break;
         }
     }

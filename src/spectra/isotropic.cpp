@@ -36,9 +36,8 @@ LineLoader radial_loader(const ArrayView2D& heights, const std::array<double, 2>
     const double diameter = std::min(size[0], size[1]);
     const auto line = [=](Index i) {
         const double x = static_cast<double>(i - nx / 2) * dx;
-        return Array1D(Array1D::NullaryExpr(ny, [=](Index j) {
-            return radial_value(x, static_cast<double>(j - ny / 2) * dy, diameter);
-        }));
+        return Array1D(Array1D::NullaryExpr(
+            ny, [=](Index j) { return radial_value(x, static_cast<double>(j - ny / 2) * dy, diameter); }));
     };
     Array1D power(nx);
     for (Index i = 0; i < nx; ++i) power[i] = line(i).square().sum();
@@ -59,7 +58,8 @@ double mean_to_remove(const topography::HeightMap& map, const SpectrumOptions& o
             if (!std::isfinite(sums[i])) require_defined(map.heights.row(i).transpose(), map.metadata);
         }
     });
-    return options.trend == topography::Trend::none ? 0.0 : pairwise_sum(sums) / static_cast<double>(map.heights.size());
+    return options.trend == topography::Trend::none ? 0.0
+                                                    : pairwise_sum(sums) / static_cast<double>(map.heights.size());
 }
 
 /// Hands the half spectrum of the detrended, windowed map to `consume`.
@@ -73,8 +73,8 @@ void transform(const topography::HeightMap& map, Window window, const SpectrumOp
     }
     const double mean = mean_to_remove(map, options);
     const ArrayView2D heights = map.heights;
-    const auto load = window == Window::radial_hann ? radial_loader(heights, map.size, mean)
-                                                    : product_loader(heights, mean, window);
+    const auto load =
+        window == Window::radial_hann ? radial_loader(heights, map.size, mean) : product_loader(heights, mean, window);
     fourier::transform_map(heights.rows(), heights.cols(), load, consume, options.threads);
 }
 
@@ -136,7 +136,9 @@ private:
         return std::min(k, nx_ / 2 + 1);
     }
     static double power(const fourier::Complex* line, Index begin, Index end) {
-        return Eigen::Map<const Array1D>(reinterpret_cast<const double*>(line + begin), 2 * (end - begin)).square().sum();
+        return Eigen::Map<const Array1D>(reinterpret_cast<const double*>(line + begin), 2 * (end - begin))
+            .square()
+            .sum();
     }
     [[nodiscard]] double mirrored_power(const fourier::Complex* line, Index begin, Index end) const {
         const Index first = std::max<Index>(begin, 1), last = std::min(end, (nx_ + 1) / 2);
@@ -150,7 +152,8 @@ private:
 
 }  // namespace
 
-IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options, const LogGrid& grid) {
+IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options,
+                                           const LogGrid& grid) {
     require_shape(map);
     const auto window = resolved(options.window, map.periodic);
     const auto reliable = reliable_band(map, options.reliability, options.threads);
@@ -158,7 +161,8 @@ IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, con
     const double nyquist = pi / std::max(pixel[0], pixel[1]);
     const RadialBins bins(map, grid, 2.0 * pi / std::max(map.size[0], map.size[1]), nyquist);
 
-    std::vector<BinSums> shares(static_cast<std::size_t>(fourier::block_count(map.heights.cols() / 2 + 1)), BinSums(bins.size()));
+    std::vector<BinSums> shares(static_cast<std::size_t>(fourier::block_count(map.heights.cols() / 2 + 1)),
+                                BinSums(bins.size()));
     transform(map, window, options, [&](const fourier::SpectrumBlock& block) {
         auto& share = shares[static_cast<std::size_t>(block.index)];
         for (Index m = 0; m < block.lines; ++m) bins.add_line(block.first + m, block.line(m), share);

@@ -27,9 +27,10 @@ std::vector<Stratum> strata(const BinnedSpectra& spectra, const Multiplicity& mu
         if (members.size() > 1) found.push_back(std::move(members));
     }
     if (alone.size() == 1 && !found.empty())
-        std::max_element(found.begin(), found.end(), [](const Stratum& a, const Stratum& b) { return a.size() < b.size(); })->push_back(alone.front());
-    else if (alone.size() > 1)
-        found.push_back(std::move(alone));
+        std::max_element(found.begin(), found.end(), [](const Stratum& a, const Stratum& b) {
+            return a.size() < b.size();
+        })->push_back(alone.front());
+    else if (alone.size() > 1) found.push_back(std::move(alone));
     return found;
 }
 
@@ -38,8 +39,10 @@ std::vector<Stratum> strata(const BinnedSpectra& spectra, const Multiplicity& mu
 JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting, const Multiplicity& multiplicity) {
     auto taking_part = multiplicity.empty() ? all_members(spectra) : multiplicity;
     if (taking_part.size() != spectra.instruments.size())
-        throw InvalidArgument(fmt::format("a multiplicity of {} measurements for {}; expected one each", taking_part.size(), spectra.instruments.size()));
-    // the bins and the shape of lost ones are those of all measurements, so that every combination speaks of the same band
+        throw InvalidArgument(fmt::format("a multiplicity of {} measurements for {}; expected one each",
+                                          taking_part.size(), spectra.instruments.size()));
+    // the bins and the shape of lost ones are those of all measurements, so that every combination speaks of the same
+    // band
     const Array1D all = bin_means(spectra, weighting, all_members(spectra));
     const auto filled = filled_bins(all);
     const Array1D full = all(filled);

@@ -15,7 +15,8 @@ double LogGrid::centre(Index bin) const { return std::pow(10.0, (static_cast<dou
 
 Index LogGrid::bin_of(double wavevector) const {
     if (!(wavevector > 0.0) || !std::isfinite(wavevector))
-        throw InvalidArgument(fmt::format("wavevector {} 1/m on a logarithmic grid; expected positive and finite", wavevector));
+        throw InvalidArgument(
+            fmt::format("wavevector {} 1/m on a logarithmic grid; expected positive and finite", wavevector));
     constexpr double rounding = 1e-12;
     const auto bin = static_cast<Index>(std::floor(std::log10(wavevector) * bins_per_decade));
     // log10 may err by a rounding either way: the edges decide

@@ -20,17 +20,23 @@ SpectralDensity density(const SoftCutoff& model) {
 }
 
 SpectralDensity density(const TwoSlopes& model) {
-    const auto longer = density(SelfAffine{model.plateau, model.rolloff_wavevector, model.hurst_exponent, model.crossover_wavevector});
+    const auto longer =
+        density(SelfAffine{model.plateau, model.rolloff_wavevector, model.hurst_exponent, model.crossover_wavevector});
     const double level = longer(model.crossover_wavevector);
-    const auto shorter = density(SelfAffine{level, model.crossover_wavevector, model.short_hurst_exponent, model.short_wavevector});
-    return [longer, shorter, crossover = model.crossover_wavevector](double q) { return q < crossover ? longer(q) : shorter(q); };
+    const auto shorter =
+        density(SelfAffine{level, model.crossover_wavevector, model.short_hurst_exponent, model.short_wavevector});
+    return [longer, shorter, crossover = model.crossover_wavevector](double q) {
+        return q < crossover ? longer(q) : shorter(q);
+    };
 }
 
 SpectralDensity density(const Bump& model) {
     if (!(model.excess > -1.0 && model.wavevector > 0.0 && model.width > 0.0) ||
         !std::isfinite(model.excess * model.wavevector * model.width))
-        throw InvalidArgument(fmt::format("a bump {} times the spectrum at {} 1/m, {} wide in ln q; expected a height above -1, a positive "
-                                          "wavevector and a positive width", model.excess, model.wavevector, model.width));
+        throw InvalidArgument(fmt::format(
+            "a bump {} times the spectrum at {} 1/m, {} wide in ln q; expected a height above -1, a positive "
+            "wavevector and a positive width",
+            model.excess, model.wavevector, model.width));
     return [base = density(model.base), model](double q) {
         if (!(q > 0.0)) return base(q);
         const double distance = std::log(q / model.wavevector) / model.width;

@@ -23,9 +23,9 @@ using Complex = std::complex<double>;
 struct WindowedPolyline {
     Array1D x;
     Array1D h;
-    Array1D slope;          ///< of the segments
+    Array1D slope;  ///< of the segments
     double length;
-    double base;            ///< κ = 2π/L
+    double base;  ///< κ = 2π/L
     std::span<const double> cosines;
 
     [[nodiscard]] double highest_harmonic() const { return static_cast<double>(cosines.size() - 1) * base; }
@@ -41,10 +41,15 @@ struct WindowedPolyline {
 WindowedPolyline prepare(const topography::Profile& profile, Window window) {
     topography::validate(profile);
     if (profile.heights.isNaN().any())
-        throw UndefinedDataError(fmt::format("{}: a profile's spectrum needs every height defined; drop the undefined points",
-                                             topography::label(profile.metadata)));
+        throw UndefinedDataError(
+            fmt::format("{}: a profile's spectrum needs every height defined; drop the undefined points",
+                        topography::label(profile.metadata)));
     const auto n = profile.positions.size();
-    WindowedPolyline line{profile.positions - profile.positions[0], profile.heights, {}, profile.size(), 0.0,
+    WindowedPolyline line{profile.positions - profile.positions[0],
+                          profile.heights,
+                          {},
+                          profile.size(),
+                          0.0,
                           cosine_coefficients(window)};
     line.slope = (line.h.tail(n - 1) - line.h.head(n - 1)) / (line.x.tail(n - 1) - line.x.head(n - 1));
     line.base = 2.0 * pi / line.length;
@@ -56,12 +61,13 @@ Array1D slope_changes(const WindowedPolyline& line) {
     return line.slope.tail(inner) - line.slope.head(inner);
 }
 
-/// q*: above it the form with slope changes loses fewer digits. At least a few harmonics away from its poles, at most as
-/// many Gauss points as a few a segment.
+/// q*: above it the form with slope changes loses fewer digits. At least a few harmonics away from its poles, at most
+/// as many Gauss points as a few a segment.
 double dividing_wavevector(const WindowedPolyline& line) {
     const auto segments = line.slope.size();
     const double area = (0.5 * (line.h.head(segments).abs() + line.h.tail(segments).abs()) *
-                         (line.x.tail(segments) - line.x.head(segments))).sum();
+                         (line.x.tail(segments) - line.x.head(segments)))
+                            .sum();
     const double balanced = std::sqrt(slope_changes(line).abs().sum() / area);
     const double lowest = 4.0 * line.highest_harmonic() + 2.0 * line.base;
     const double highest = lowest + 4.0 * static_cast<double>(segments) / line.length;
@@ -76,7 +82,8 @@ constexpr std::array<std::array<double, 2>, 6> gauss_rule{{{-0.93246951420315202
                                                            {0.661209386466264514, 0.360761573048138608},
                                                            {0.932469514203152028, 0.171324492379170345}}};
 
-Eigen::ArrayXcd by_gauss_points(const WindowedPolyline& line, const Array1D& q, double highest, parallel::Threads threads) {
+Eigen::ArrayXcd by_gauss_points(const WindowedPolyline& line, const Array1D& q, double highest,
+                                parallel::Threads threads) {
     std::vector<double> positions, values;
     for (Index k = 0; k < line.slope.size(); ++k) {
         const double length = line.x[k + 1] - line.x[k];
@@ -110,8 +117,10 @@ Eigen::ArrayXcd by_slope_changes(const WindowedPolyline& line, const Array1D& q,
     const auto n = q.size();
     const auto highest = static_cast<Index>(line.cosines.size()) - 1;
     Array1D shifted((2 * highest + 1) * n);
-    for (Index s = -highest; s <= highest; ++s) shifted.segment((s + highest) * n, n) = q - static_cast<double>(s) * line.base;
-    const auto sums = fourier::nonuniform_transform(line.x.segment(1, line.slope.size() - 1), slope_changes(line), shifted, threads);
+    for (Index s = -highest; s <= highest; ++s)
+        shifted.segment((s + highest) * n, n) = q - static_cast<double>(s) * line.base;
+    const auto sums =
+        fourier::nonuniform_transform(line.x.segment(1, line.slope.size() - 1), slope_changes(line), shifted, threads);
 
     Eigen::ArrayXcd result(n);
     const double first_height = line.h[0], last_height = line.h[line.h.size() - 1];

@@ -24,7 +24,8 @@ Array1D modes(Index count, double length) {
 }
 
 template <class Kind>
-void describe(PowerSpectrum1D& spectrum, const Kind& measurement, const ReliableBand& reliable, double length, Window window) {
+void describe(PowerSpectrum1D& spectrum, const Kind& measurement, const ReliableBand& reliable, double length,
+              Window window) {
     spectrum.q_min = reliable.band.lower;
     spectrum.q_max = reliable.band.upper;
     spectrum.alerts = reliable.alerts;
@@ -52,9 +53,10 @@ struct LinePreparation {
     bool remove_mean = false;
 };
 
-/// Adds |transform|² and its square over the lines of a band, the first of them `first`, in an order that does not depend on threads.
-void add_lines(LineSums& sums, const ArrayView2D& heights, Index first, const LinePreparation& preparation, const topography::Metadata& metadata,
-               parallel::Threads threads) {
+/// Adds |transform|² and its square over the lines of a band, the first of them `first`, in an order that does not
+/// depend on threads.
+void add_lines(LineSums& sums, const ArrayView2D& heights, Index first, const LinePreparation& preparation,
+               const topography::Metadata& metadata, parallel::Threads threads) {
     const Index modes = heights.rows() / 2 + 1, blocks = fourier::block_count(heights.cols());
     Array2D power(blocks, modes), squares(blocks, modes);
     const auto prepare = [&](Index j, double* values) {
@@ -100,15 +102,18 @@ void fill_from_sums(PowerSpectrum1D& spectrum, const LineSums& sums, Index n, In
     spectrum.count = Array1D::Constant(count, number);
     spectrum.standard_error = Array1D::Constant(count, undefined);
     if (lines > 1) {
-        const Array1D variance = (sums.squares.tail(count) * (factor * factor / number) - spectrum.C1D.square()).max(0.0);
+        const Array1D variance =
+            (sums.squares.tail(count) * (factor * factor / number) - spectrum.C1D.square()).max(0.0);
         spectrum.standard_error = (variance / (number - 1.0)).sqrt();
     }
 }
 
 /// The same from the lines of a map whose trend other than the mean is gone.
-void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window, const SpectrumOptions& options) {
+void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window,
+                     const SpectrumOptions& options) {
     auto sums = no_lines(heights.rows());
-    add_lines(sums, heights, 0, {window_values(window, heights.rows()), options.trend != topography::Trend::none}, spectrum.metadata, options.threads);
+    add_lines(sums, heights, 0, {window_values(window, heights.rows()), options.trend != topography::Trend::none},
+              spectrum.metadata, options.threads);
     fill_from_sums(spectrum, sums, heights.rows(), heights.cols());
 }
 
@@ -126,16 +131,19 @@ void require_uniform(const Uniform& measurement, Window window) {
 /// Size of the correction of a contour's straight segments, below `end` [1/m].
 Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response, double end) {
     const Array1D q2 = corrected.wavevector.square();
-    const Array1D power = corrected.wavevector.unaryExpr([&](double q) { return q <= end ? 1.0 : 0.0; }) * corrected.C1D;
+    const Array1D power =
+        corrected.wavevector.unaryExpr([&](double q) { return q <= end ? 1.0 : 0.0; }) * corrected.C1D;
     const auto rms_change = [&](const Array1D& weight) {
         return 100.0 * (std::sqrt((weight * power).sum() / (weight * power * response).sum()) - 1.0);
     };
     const auto last = response.size() - 1;
-    return {"CONTOUR_STEPS", topography::label(corrected.metadata),
-            fmt::format("straight segments between points keep {:.0f} % of C1D at {:.3g} 1/m; undoing this raises this profile's "
-                        "rms slope by {:.1f} % and rms curvature by {:.1f} %",
-                        100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
-            "trace with finer steps, or choose segments to take the polyline for the surface"};
+    return {
+        "CONTOUR_STEPS", topography::label(corrected.metadata),
+        fmt::format(
+            "straight segments between points keep {:.0f} % of C1D at {:.3g} 1/m; undoing this raises this profile's "
+            "rms slope by {:.1f} % and rms curvature by {:.1f} %",
+            100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
+        "trace with finer steps, or choose segments to take the polyline for the surface"};
 }
 
 /// At chosen wavevectors the band cannot be found: it is that of the modes.
@@ -144,7 +152,8 @@ void take_band_of_modes(PowerSpectrum1D& spectrum, const topography::Profile& pr
     const auto of_modes = power_spectrum(profile, options);
     spectrum.q_max = of_modes.q_max;
     const auto is_trace = [](const Alert& alert) { return alert.code == "TRACE_NOISE"; };
-    *std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(), is_trace) = *std::find_if(of_modes.alerts.begin(), of_modes.alerts.end(), is_trace);
+    *std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(), is_trace) =
+        *std::find_if(of_modes.alerts.begin(), of_modes.alerts.end(), is_trace);
 }
 
 }  // namespace
@@ -155,7 +164,8 @@ PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumO
     auto spectrum = empty_spectrum(scan, scan.size, window, options);
     require_defined(scan.heights, scan.metadata);
     const auto detrended = topography::detrended(scan, options.trend);
-    fill_from_lines(spectrum, Eigen::Map<const Array2D>(detrended.heights.data(), detrended.heights.size(), 1), window, options);
+    fill_from_lines(spectrum, Eigen::Map<const Array2D>(detrended.heights.data(), detrended.heights.size(), 1), window,
+                    options);
     return spectrum;
 }
 
@@ -166,22 +176,24 @@ PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumO
     spectrum.pitch = map.pixel_size()[1];
     if (needs_fit(options.trend))
         fill_from_lines(spectrum, topography::detrended(map, options.trend).heights, window, options);
-    else
-        fill_from_lines(spectrum, map.heights, window, options);
+    else fill_from_lines(spectrum, map.heights, window, options);
     return spectrum;
 }
 
 PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options) {
     const auto window = resolved(options.window, map.periodic);
     require_line_window(window);
-    const auto levelled = needs_fit(options.trend) ? topography::detrended(map, options.trend, lines_together, options.threads) : map;
+    const auto levelled =
+        needs_fit(options.trend) ? topography::detrended(map, options.trend, lines_together, options.threads) : map;
     PowerSpectrum1D spectrum;
-    describe(spectrum, map, reliable_band(map, lines_together, options.reliability, options.threads), map.size[0], window);
+    describe(spectrum, map, reliable_band(map, lines_together, options.reliability, options.threads), map.size[0],
+             window);
     spectrum.pitch = map.pixel_size()[1];
     auto sums = no_lines(map.nx);
     const LinePreparation preparation{window_values(window, map.nx), options.trend != topography::Trend::none};
     for (Index first = 0; first < map.ny; first += lines_together)
-        add_lines(sums, levelled.lines(first, std::min(lines_together, map.ny - first)), first, preparation, map.metadata, options.threads);
+        add_lines(sums, levelled.lines(first, std::min(lines_together, map.ny - first)), first, preparation,
+                  map.metadata, options.threads);
     fill_from_sums(spectrum, sums, map.nx, map.ny);
     return spectrum;
 }
@@ -192,17 +204,20 @@ PowerSpectrum1D power_spectrum(const topography::Profile& profile, const Spectru
     const auto window = resolved(options.window, false);
     auto spectrum = empty_spectrum(profile, profile.size(), window, options);
     const double steps = static_cast<double>(profile.positions.size() - 1);
-    spectrum.wavevector = options.wavevectors ? *options.wavevectors
-                                              : modes(std::max<Index>(1, static_cast<Index>(0.5 * steps)), spectrum.length);
+    spectrum.wavevector = options.wavevectors
+                              ? *options.wavevectors
+                              : modes(std::max<Index>(1, static_cast<Index>(0.5 * steps)), spectrum.length);
     spectrum.C1D = polyline_power_spectrum(topography::detrended(profile, options.trend), spectrum.wavevector, window,
                                            options.threads);
     spectrum.count = Array1D::Ones(spectrum.wavevector.size());
     spectrum.standard_error = Array1D::Constant(spectrum.wavevector.size(), undefined);
-    const bool sampled = options.contour == ContourTreatment::sinc_corrected, free_of_trace = options.trace_response && profile.response;
+    const bool sampled = options.contour == ContourTreatment::sinc_corrected,
+               free_of_trace = options.trace_response && profile.response;
     if (!sampled && !free_of_trace) return spectrum;
 
     const SegmentResponse segments(profile.positions);
-    const Array1D response = segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
+    const Array1D response =
+        segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
     if (sampled) spectrum.C1D /= response;
     if (free_of_trace) {
         const Array1D all = Array1D::Ones(response.size());
@@ -210,7 +225,8 @@ PowerSpectrum1D power_spectrum(const topography::Profile& profile, const Spectru
         if (options.wavevectors) take_band_of_modes(spectrum, profile, options);
     }
     if (sampled && spectrum.q_max > 0.0)
-        spectrum.alerts.push_back(contour_alert(spectrum, response, free_of_trace ? spectrum.q_max : std::numeric_limits<double>::infinity()));
+        spectrum.alerts.push_back(contour_alert(
+            spectrum, response, free_of_trace ? spectrum.q_max : std::numeric_limits<double>::infinity()));
     return spectrum;
 }
 

@@ -16,7 +16,8 @@ struct Node {
 
 class Refinement {
 public:
-    Refinement(const std::function<double(double)>& function, double tolerance) : function_(function), tolerance_(tolerance) {}
+    Refinement(const std::function<double(double)>& function, double tolerance)
+        : function_(function), tolerance_(tolerance) {}
 
     void begin(double q) { nodes_.push_back({q, function_(q)}); }
 
@@ -53,8 +54,10 @@ private:
         const double q = std::sqrt(from.q * to.q);
         if (round < rounds && q > from.q && q < to.q) {
             const Node middle{q, function_(q)};
-            const double between = std::sqrt(from.value) * std::sqrt(to.value), deviation = std::abs(middle.value - between) / between;
-            // a smooth curve deviates by a quarter after each halving, a bent one by half, at a jump by as much as before
+            const double between = std::sqrt(from.value) * std::sqrt(to.value),
+                         deviation = std::abs(middle.value - between) / between;
+            // a smooth curve deviates by a quarter after each halving, a bent one by half, at a jump by as much as
+            // before
             const bool helps_little = deviation > deviation_before / 3.0;
             if (middle.value > 0.0 && deviation > tolerance_ && (round < smooth_rounds || helps_little)) {
                 refine(from, middle, round + 1, deviation);
@@ -78,7 +81,9 @@ Curve refined_curve(const std::function<double(double)>& function, double lower,
     refinement.begin(lower);
     const int steps = static_cast<int>(std::ceil(per_decade * std::log10(upper / lower)));
     for (int step = 1; step <= steps; ++step)
-        if (!refinement.go_to(step == steps ? upper : lower * std::pow(upper / lower, static_cast<double>(step) / steps))) break;
+        if (!refinement.go_to(step == steps ? upper
+                                            : lower * std::pow(upper / lower, static_cast<double>(step) / steps)))
+            break;
     return refinement.curve();
 }
 

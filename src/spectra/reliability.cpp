@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
+#include <boost/math/tools/roots.hpp>
 
 #include "checks.hpp"
 #include "second_differences.hpp"
@@ -29,15 +29,18 @@ struct Direction {
     double size;
 };
 
-Direction direction(const CurvatureGrid& grid, double size, const ReliabilityOptions& options, parallel::Threads threads) {
+Direction direction(const CurvatureGrid& grid, double size, const ReliabilityOptions& options,
+                    parallel::Threads threads) {
     return {curvature_on_grid(grid, options.percentile, threads), grid.step, size};
 }
 
 std::vector<Direction> directions(const HeightMap& map, const ReliabilityOptions& options, parallel::Threads threads) {
     require_shape(map);
-    std::vector<Direction> list{direction({map.heights, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)};
+    std::vector<Direction> list{
+        direction({map.heights, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)};
     if (options.both_directions)
-        list.push_back(direction({map.heights, false, map.pixel_size()[1], map.periodic}, map.size[1], options, threads));
+        list.push_back(
+            direction({map.heights, false, map.pixel_size()[1], map.periodic}, map.size[1], options, threads));
     return list;
 }
 
@@ -69,7 +72,8 @@ TipCutoff cutoff(const Direction& direction, double tip_radius) {
         if (at_below < 0.0) {
             std::uintmax_t rounds = 100;
             const auto close = [](double a, double b) { return std::abs(b - a) <= 1e-9 * std::abs(b); };
-            const auto root = boost::math::tools::toms748_solve(excess, below, above, at_below, at_above, close, rounds);
+            const auto root =
+                boost::math::tools::toms748_solve(excess, below, above, at_below, at_above, close, rounds);
             result.value = 0.5 * (root.first + root.second);
             return result;
         }
@@ -99,25 +103,36 @@ Sampling sampling(const Profile& profile) {
     return {profile.size() / static_cast<double>(profile.positions.size() - 1), profile.size()};
 }
 
-Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const TipCutoff& tip, const Band& band, double nyquist) {
+Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const TipCutoff& tip, const Band& band,
+                double nyquist) {
     const std::string action = "use a sharper tip, or a finer instrument for these wavelengths";
     if (tip.status == CutoffStatus::nothing_reliable)
-        return {"TIP_CUTOFF", topography::label(metadata),
-                fmt::format("the tip of {:.3g} m radius is blunter than the surface at every scale: nothing is reliable", tip_radius), action};
-    return {"TIP_CUTOFF", topography::label(metadata),
-            fmt::format("the tip of {:.3g} m radius hides wavelengths below {:.4g} m: the band ends at {:.3g} instead of {:.3g} 1/m, "
-                        "{:.2g} decades less", tip_radius, tip.value, band.upper, nyquist, std::log10(nyquist / band.upper)), action};
+        return {
+            "TIP_CUTOFF", topography::label(metadata),
+            fmt::format("the tip of {:.3g} m radius is blunter than the surface at every scale: nothing is reliable",
+                        tip_radius),
+            action};
+    return {
+        "TIP_CUTOFF", topography::label(metadata),
+        fmt::format(
+            "the tip of {:.3g} m radius hides wavelengths below {:.4g} m: the band ends at {:.3g} instead of {:.3g} 1/m, "
+            "{:.2g} decades less",
+            tip_radius, tip.value, band.upper, nyquist, std::log10(nyquist / band.upper)),
+        action};
 }
 
 void check(const ReliabilityOptions& options) {
     if (!(options.percentile >= 0.0 && options.percentile <= 0.5))
         throw InvalidArgument(fmt::format("percentile {} of the tip criterion; expected 0 … 0.5", options.percentile));
     if (!(options.nyquist_fraction > 0.0 && options.nyquist_fraction <= 1.0))
-        throw InvalidArgument(fmt::format("Nyquist fraction {}; expected above 0, at most 1", options.nyquist_fraction));
-    if (options.first_mode < 1) throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
+        throw InvalidArgument(
+            fmt::format("Nyquist fraction {}; expected above 0, at most 1", options.nyquist_fraction));
+    if (options.first_mode < 1)
+        throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
 }
 
-TipCutoff cutoff_among(const std::vector<Direction>& all, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options) {
+TipCutoff cutoff_among(const std::vector<Direction>& all, double tip_radius, std::optional<double> standard_error,
+                       const ReliabilityOptions& options) {
     check(options);
     if (!(tip_radius > 0.0) || !std::isfinite(tip_radius))
         throw InvalidArgument(fmt::format("tip radius {} m; expected a positive length", tip_radius));
@@ -134,8 +149,8 @@ TipCutoff cutoff_among(const std::vector<Direction>& all, double tip_radius, std
 }
 
 template <class Kind>
-TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options,
-                    parallel::Threads threads) {
+TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<double> standard_error,
+                    const ReliabilityOptions& options, parallel::Threads threads) {
     return cutoff_among(directions(measurement, options, threads), tip_radius, standard_error, options);
 }
 
@@ -160,16 +175,21 @@ void keep_worse(TipCutoff& worst, const TipCutoff& other) {
 }
 
 /// The least curvature of a map is the least of its bands, so its cutoff is that of the worst one.
-TipCutoff cutoff_of(const MapByBands& by_bands, double tip_radius, std::optional<double> standard_error, const ReliabilityOptions& options,
-                    parallel::Threads threads) {
+TipCutoff cutoff_of(const MapByBands& by_bands, double tip_radius, std::optional<double> standard_error,
+                    const ReliabilityOptions& options, parallel::Threads threads) {
     const auto& map = by_bands.map;
     if (options.percentile > 0.0 || options.both_directions)
-        throw InvalidArgument(fmt::format("{}: a tip criterion with a percentile or along both directions needs the map as a whole; read it whole, or use the strict "
-                                          "minimum along x", topography::label(map.metadata)));
+        throw InvalidArgument(fmt::format(
+            "{}: a tip criterion with a percentile or along both directions needs the map as a whole; read it whole, or use the strict "
+            "minimum along x",
+            topography::label(map.metadata)));
     TipCutoff worst{0.0, CutoffStatus::all_reliable, 0.0, {}};
     for (Index first = 0; first < map.ny; first += by_bands.lines_together) {
         const Array2D band = map.lines(first, std::min(by_bands.lines_together, map.ny - first));
-        keep_worse(worst, cutoff_among({direction({band, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)}, tip_radius, standard_error, options));
+        keep_worse(
+            worst,
+            cutoff_among({direction({band, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)},
+                         tip_radius, standard_error, options));
     }
     return worst;
 }
@@ -191,9 +211,11 @@ ReliableBand band_of(const Kind& measurement, const ReliabilityOptions& options,
     };
     if (instrument.resolution && *instrument.resolution > 0.0) limit(*instrument.resolution, "resolution");
     if (instrument.tip_radius) {
-        result.tip = cutoff_of(measurement, *instrument.tip_radius, instrument.tip_radius_standard_error, options, threads);
+        result.tip =
+            cutoff_of(measurement, *instrument.tip_radius, instrument.tip_radius_standard_error, options, threads);
         if (result.tip->value > 0.0 && limit(result.tip->value, "tip radius"))
-            result.alerts.push_back(tip_alert(measurement.metadata, *instrument.tip_radius, *result.tip, result.band, nyquist));
+            result.alerts.push_back(
+                tip_alert(measurement.metadata, *instrument.tip_radius, *result.tip, result.band, nyquist));
     }
     return result;
 }
@@ -218,8 +240,9 @@ TipCutoff tip_cutoff(const Profile& profile, double tip_radius, std::optional<do
 TipCutoff tip_cutoff(const topography::Measurement& measurement, double tip_radius,
                      std::optional<double> tip_radius_standard_error, const ReliabilityOptions& options,
                      parallel::Threads threads) {
-    return std::visit([&](const auto& m) { return cutoff_of(m, tip_radius, tip_radius_standard_error, options, threads); },
-                      measurement);
+    return std::visit(
+        [&](const auto& m) { return cutoff_of(m, tip_radius, tip_radius_standard_error, options, threads); },
+        measurement);
 }
 
 ReliableBand reliable_band(const HeightMap& map, const ReliabilityOptions& options, parallel::Threads threads) {
@@ -234,11 +257,13 @@ ReliableBand reliable_band(const Profile& profile, const ReliabilityOptions& opt
     return band_of(profile, options, threads);
 }
 
-ReliableBand reliable_band(const topography::TiledMap& map, Index lines_together, const ReliabilityOptions& options, parallel::Threads threads) {
+ReliableBand reliable_band(const topography::TiledMap& map, Index lines_together, const ReliabilityOptions& options,
+                           parallel::Threads threads) {
     return band_of(MapByBands{map, lines_together, map.metadata}, options, threads);
 }
 
-ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options, parallel::Threads threads) {
+ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options,
+                           parallel::Threads threads) {
     return std::visit([&](const auto& m) { return band_of(m, options, threads); }, measurement);
 }
 

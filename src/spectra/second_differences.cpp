@@ -63,7 +63,8 @@ void visit_along_x(const CurvatureGrid& grid, const Reach& reach, Index first, I
     const auto row = [&](Index i) { return grid.heights.row((i + n) % n).data(); };
     for (Index i = first; i < last; ++i) {
         if (!grid.periodic && (i < reach.outer() || i + reach.outer() >= n)) continue;
-        visit(StencilRows{row(i - reach.outer()), row(i - reach.whole), row(i), row(i + reach.whole), row(i + reach.outer())},
+        visit(StencilRows{row(i - reach.outer()), row(i - reach.whole), row(i), row(i + reach.whole),
+                          row(i + reach.outer())},
               grid.heights.cols());
     }
 }
@@ -102,13 +103,10 @@ CurvatureAtScale curvature_on_grid(const CurvatureGrid& grid, double percentile,
             const auto visit = [&](const StencilRows& stencil, Index n) {
                 if (percentile > 0.0)
                     for (Index j = 0; j < n; ++j) all[b].push_back(second_difference(stencil, reach.fraction, j));
-                else
-                    least[b] = std::min(least[b], smallest(stencil, reach.fraction, n));
+                else least[b] = std::min(least[b], smallest(stencil, reach.fraction, n));
             };
-            if (grid.along_x)
-                visit_along_x(grid, reach, first, last, visit);
-            else
-                visit_along_y(grid, reach, first, last, visit);
+            if (grid.along_x) visit_along_x(grid, reach, first, last, visit);
+            else visit_along_y(grid, reach, first, last, visit);
         });
         double value = *std::min_element(least.begin(), least.end());
         if (percentile > 0.0) {
@@ -139,7 +137,8 @@ CurvatureAtScale curvature_of_profile(const topography::Profile& profile, double
             for (Index k = 0; k < n; ++k) {
                 const double centre = x[k] + offset;
                 if (centre - half < x[0] || centre + half > x[n - 1]) continue;
-                values.push_back((at(centre - half, left) - 2.0 * at(centre, middle) + at(centre + half, right)) / (half * half));
+                values.push_back((at(centre - half, left) - 2.0 * at(centre, middle) + at(centre + half, right)) /
+                                 (half * half));
             }
         }
         return quantile(values, percentile);

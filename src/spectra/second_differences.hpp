@@ -22,7 +22,8 @@ struct CurvatureGrid {
 };
 
 /// At the grid points, linear between them. Undefined heights leave out their stencils.
-[[nodiscard]] CurvatureAtScale curvature_on_grid(const CurvatureGrid& grid, double percentile, parallel::Threads threads);
+[[nodiscard]] CurvatureAtScale curvature_on_grid(const CurvatureGrid& grid, double percentile,
+                                                 parallel::Threads threads);
 
 /// Of a polyline, which must outlive the result: where an end or the middle of the stencil meets a point, among which a
 /// piecewise linear second difference has its extremes.

@@ -6,8 +6,8 @@
 #include <complex>
 #include <vector>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -18,8 +18,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr Index largest_group_count = 32, node_count = 24;
-constexpr double steepest = 4.9;      // a steeper spectrum's low end would scatter without bound
-constexpr double flat_below = 0.02;   // of Q: the power law's divergence at p = 0 ends here
+constexpr double steepest = 4.9;     // a steeper spectrum's low end would scatter without bound
+constexpr double flat_below = 0.02;  // of Q: the power law's divergence at p = 0 ends here
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
@@ -104,7 +104,8 @@ Array1D SegmentResponse::scattered(double exponent) const {
 
 Array1D SegmentResponse::at(const ArrayView1D& wavevectors, double exponent) const {
     if (!(exponent >= 0.0) || exponent > steepest)
-        throw InvalidArgument(fmt::format("spectral exponent {} for the response of segments; expected 0 … {}", exponent, steepest));
+        throw InvalidArgument(
+            fmt::format("spectral exponent {} for the response of segments; expected 0 … {}", exponent, steepest));
     const Array1D table = scattered(exponent);
     const double spacing = nodes_q_[1];
     return wavevectors.unaryExpr([&](double q) {
@@ -118,7 +119,8 @@ Array1D SegmentResponse::at(const ArrayView1D& wavevectors, double exponent) con
 double SegmentResponse::fitted_exponent(const ArrayView1D& wavevectors, const ArrayView1D& segment_spectrum) const {
     std::vector<Index> used;
     for (Index j = 0; j < wavevectors.size(); ++j)
-        if (wavevectors[j] > 0.1 * band_end_ && wavevectors[j] <= band_end_ && segment_spectrum[j] > 0.0) used.push_back(j);
+        if (wavevectors[j] > 0.1 * band_end_ && wavevectors[j] <= band_end_ && segment_spectrum[j] > 0.0)
+            used.push_back(j);
     double exponent = 2.0;
     if (used.size() < 3) return exponent;
     const Array1D q = wavevectors(used), C = segment_spectrum(used);

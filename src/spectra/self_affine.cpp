@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
+#include <boost/math/tools/roots.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -21,9 +21,10 @@ void check(const SelfAffine& model) {
                         model.hurst_exponent < largest_exponent && model.short_wavevector > model.rolloff_wavevector &&
                         std::isfinite(model.short_wavevector) && std::isfinite(model.plateau);
     if (!inside)
-        throw InvalidArgument(fmt::format("self-affine model with C_0 = {} m4, q_r = {} 1/m, H = {}, q_s = {} 1/m; expected C_0 > 0, "
-                                          "0 < q_r < q_s, 0 < H < {}", model.plateau, model.rolloff_wavevector,
-                                          model.hurst_exponent, model.short_wavevector, largest_exponent));
+        throw InvalidArgument(fmt::format(
+            "self-affine model with C_0 = {} m4, q_r = {} 1/m, H = {}, q_s = {} 1/m; expected C_0 > 0, "
+            "0 < q_r < q_s, 0 < H < {}",
+            model.plateau, model.rolloff_wavevector, model.hurst_exponent, model.short_wavevector, largest_exponent));
 }
 
 /// moment/(C_0 q_r^(n+2)) with ratio = q_s/q_r: 1/(n+2) + (ratio^e − 1)/e, e = n − 2H.
@@ -36,7 +37,8 @@ double reduced_moment(double order, double hurst_exponent, double ratio) {
 /// Root of a function that changes sign between lower and upper.
 double root(const std::function<double(double)>& function, double lower, double upper) {
     std::uintmax_t rounds = 200;
-    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper, boost::math::tools::eps_tolerance<double>(50), rounds);
+    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper,
+                                                           boost::math::tools::eps_tolerance<double>(50), rounds);
     return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -59,7 +61,8 @@ Array1D profile_power_spectrum(const SelfAffine& model, const ArrayView1D& wavev
 
 double moment(const SelfAffine& model, double order) {
     check(model);
-    if (!(order > -2.0)) throw InvalidArgument(fmt::format("moment of order {} of a spectrum with a plateau; expected above -2", order));
+    if (!(order > -2.0))
+        throw InvalidArgument(fmt::format("moment of order {} of a spectrum with a plateau; expected above -2", order));
     return model.plateau * std::pow(model.rolloff_wavevector, order + 2.0) *
            reduced_moment(order, model.hurst_exponent, model.short_wavevector / model.rolloff_wavevector);
 }
@@ -68,15 +71,19 @@ double rms_height(const SelfAffine& model) { return std::sqrt(moment(model, 0.0)
 double rms_slope(const SelfAffine& model) { return std::sqrt(moment(model, 2.0) / (2.0 * pi)); }
 double rms_curvature(const SelfAffine& model) { return std::sqrt(moment(model, 4.0) / (8.0 * pi)); }
 
-SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double rms_curvature, double short_wavevector) {
+SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double rms_curvature,
+                                    double short_wavevector) {
     if (!(rms_height > 0.0 && rms_slope > 0.0 && rms_curvature > 0.0 && short_wavevector > 0.0))
-        throw InvalidArgument(fmt::format("self-affine spectrum with h_rms = {} m, slope {}, curvature {} 1/m up to {} 1/m; expected all "
-                                          "positive", rms_height, rms_slope, rms_curvature, short_wavevector));
+        throw InvalidArgument(
+            fmt::format("self-affine spectrum with h_rms = {} m, slope {}, curvature {} 1/m up to {} 1/m; expected all "
+                        "positive",
+                        rms_height, rms_slope, rms_curvature, short_wavevector));
     // two ratios free of C_0: curvature/slope gives H for any q_r, height/slope then q_r
     const double curvature_ratio = 2.0 * std::log(2.0 * rms_curvature / (rms_slope * short_wavevector));
     const double height_ratio = 2.0 * std::log(rms_height * short_wavevector / rms_slope);
     const auto curvature_excess = [&](double hurst, double ratio) {
-        return std::log(reduced_moment(4.0, hurst, ratio) / reduced_moment(2.0, hurst, ratio) / (ratio * ratio)) - curvature_ratio;
+        return std::log(reduced_moment(4.0, hurst, ratio) / reduced_moment(2.0, hurst, ratio) / (ratio * ratio)) -
+               curvature_ratio;
     };
     const auto hurst_at = [&](double ratio) {
         constexpr double lowest = 1e-9, highest = largest_exponent - 1e-9;
@@ -86,15 +93,17 @@ SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double 
     };
     const auto height_excess = [&](double log_ratio) {
         const double ratio = std::exp(log_ratio), hurst = hurst_at(ratio);
-        return std::log(reduced_moment(0.0, hurst, ratio) / reduced_moment(2.0, hurst, ratio) * ratio * ratio) - height_ratio;
+        return std::log(reduced_moment(0.0, hurst, ratio) / reduced_moment(2.0, hurst, ratio) * ratio * ratio) -
+               height_ratio;
     };
     const double narrowest = std::log(1.1), widest = std::log(1e9);
     const bool bracketed = height_excess(narrowest) * height_excess(widest) <= 0.0;
     const double log_ratio = bracketed ? root(height_excess, narrowest, widest) : narrowest;
     const double hurst = hurst_at(std::exp(log_ratio));
     if (!bracketed || std::abs(curvature_excess(hurst, std::exp(log_ratio))) > 1e-9)
-        throw InvalidArgument(fmt::format("no self-affine spectrum up to {} 1/m has h_rms = {} m, slope {} and curvature {} 1/m",
-                                          short_wavevector, rms_height, rms_slope, rms_curvature));
+        throw InvalidArgument(
+            fmt::format("no self-affine spectrum up to {} 1/m has h_rms = {} m, slope {} and curvature {} 1/m",
+                        short_wavevector, rms_height, rms_slope, rms_curvature));
     SelfAffine model;
     model.short_wavevector = short_wavevector;
     model.rolloff_wavevector = short_wavevector * std::exp(-log_ratio);

@@ -16,7 +16,8 @@
 namespace setae::spectra {
 namespace {
 
-/// n · (SE/C)² of every bin: the relative variance of one measurement, with those of the two bins on either side where few share one.
+/// n · (SE/C)² of every bin: the relative variance of one measurement, with those of the two bins on either side where
+/// few share one.
 Array1D relative_variances(const CombinedSpectrum& spectrum) {
     const Index bins = spectrum.wavevector.size();
     Array1D result = Array1D::Constant(bins, undefined);
@@ -47,9 +48,12 @@ std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) 
             ++k;
             continue;
         }
-        const double end = std::max(spectrum.wavevector[k] + 0.5 * fundamental, spectrum.wavevector[k] > 16.0 * fundamental ? spectrum.wavevector[k] * ratio : 0.0);
+        const double end = std::max(spectrum.wavevector[k] + 0.5 * fundamental,
+                                    spectrum.wavevector[k] > 16.0 * fundamental ? spectrum.wavevector[k] * ratio : 0.0);
         Index last = k;
-        while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end && in_band(spectrum.wavevector[last + 1], spectrum.q_min, q_max)) ++last;
+        while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end &&
+               in_band(spectrum.wavevector[last + 1], spectrum.q_min, q_max))
+            ++last;
         groups.push_back({k, last});
         k = last + 1;
     }
@@ -60,19 +64,28 @@ std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) 
 class ModeExpectation {
 public:
     ModeExpectation(const PowerSpectrum1D& spectrum, std::vector<ModeGroup> groups)
-        : groups_(std::move(groups)), wavevector_(spectrum.wavevector), fundamental_(2.0 * pi / spectrum.length), hann_(spectrum.window == "hann") {
+        : groups_(std::move(groups)),
+          wavevector_(spectrum.wavevector),
+          fundamental_(2.0 * pi / spectrum.length),
+          hann_(spectrum.window == "hann") {
         // modes up to n/2 of a scan; others' Nyquist wavevector is not known
         const Index modes = wavevector_.size();
-        if (std::abs(wavevector_[modes - 1] / (static_cast<double>(modes) * fundamental_) - 1.0) < 1e-6 && modes >= 4) sampling_ = 2.0 * wavevector_[modes - 1];
+        if (std::abs(wavevector_[modes - 1] / (static_cast<double>(modes) * fundamental_) - 1.0) < 1e-6 && modes >= 4)
+            sampling_ = 2.0 * wavevector_[modes - 1];
     }
 
     [[nodiscard]] Array1D operator()(const spectra::SelfAffine& model) const {
-        const SelfAffineLines lines(model, 0.4 * fundamental_, (sampling_ > 0.0 ? (aliases + 0.6) * sampling_ : 1.2 * wavevector_[wavevector_.size() - 1]) + fundamental_);
+        const SelfAffineLines lines(
+            model, 0.4 * fundamental_,
+            (sampling_ > 0.0 ? (aliases + 0.6) * sampling_ : 1.2 * wavevector_[wavevector_.size() - 1]) + fundamental_);
         Array1D result(static_cast<Index>(groups_.size()));
         for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const double first = wavevector_[groups_[g].first], last = wavevector_[groups_[g].last], middle = 0.5 * (first + last);
-            result[static_cast<Index>(g)] = groups_[g].first == groups_[g].last ? mode(lines, model, first)
-                                                                                 : (mode(lines, model, first) + 4.0 * mode(lines, model, middle) + mode(lines, model, last)) / 6.0;
+            const double first = wavevector_[groups_[g].first], last = wavevector_[groups_[g].last],
+                         middle = 0.5 * (first + last);
+            result[static_cast<Index>(g)] =
+                groups_[g].first == groups_[g].last
+                    ? mode(lines, model, first)
+                    : (mode(lines, model, first) + 4.0 * mode(lines, model, middle) + mode(lines, model, last)) / 6.0;
         }
         return result;
     }
@@ -82,7 +95,9 @@ private:
 
     [[nodiscard]] double mode(const SelfAffineLines& lines, const spectra::SelfAffine& model, double q) const {
         // |1 at k, −½ beside it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of it
-        double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) + lines(q + fundamental_))) : lines(q);
+        double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) +
+                                                               lines(q + fundamental_)))
+                           : lines(q);
         if (sampling_ == 0.0) return sum;
         for (int m = 1; m <= aliases; ++m) sum += lines(m * sampling_ - q) + lines(m * sampling_ + q);
         const double rest = (aliases + 0.5) * sampling_;
@@ -111,16 +126,22 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
     for (Index b = 0; b < variance.size(); ++b)
         if (variance[b] > 0.0) data.freedom[b] = spectrum.count[b] / variance[b];
     if (!(data.freedom > 0.0).any())
-        throw UndefinedDataError("no bin of the combined spectrum has a standard error: fit the one measurement's own spectrum, or combine at least two");
-    data.expected = [q = spectrum.wavevector](const spectra::SelfAffine& model) { return spectra::profile_power_spectrum(model, q); };
+        throw UndefinedDataError(
+            "no bin of the combined spectrum has a standard error: fit the one measurement's own spectrum, or combine at least two");
+    data.expected = [q = spectrum.wavevector](const spectra::SelfAffine& model) {
+        return spectra::profile_power_spectrum(model, q);
+    };
     return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
 }
 
 SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options) {
-    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for more gets aliases
+    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
+    // more gets aliases
     const double q_max = options.range ? spectrum.q_max : undistorted(spectrum).q_max;
     auto groups = groups_of(spectrum, q_max);
-    if (groups.empty()) throw InvalidArgument(fmt::format("{}: no wavevector lies inside its reliable band", topography::label(spectrum.metadata)));
+    if (groups.empty())
+        throw InvalidArgument(
+            fmt::format("{}: no wavevector lies inside its reliable band", topography::label(spectrum.metadata)));
     const auto count = static_cast<Index>(groups.size());
     FittedValues data{Array1D(count), Array1D(count), Array1D(count), {}};
     const double own = spectrum.window == "none" ? 1.0 : share_under_hann;
@@ -130,7 +151,8 @@ SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineF
         data.wavevector[g] = 0.5 * (spectrum.wavevector[first] + spectrum.wavevector[last]);
         data.values[g] = spectrum.C1D.segment(first, last - first + 1).mean();
         // ∫ρ² dy of lines through a self-affine surface is about 2.5/q
-        const double lines = std::clamp(data.wavevector[g] * spectrum.count[first] * spectrum.pitch / 2.5, 1.0, std::max(1.0, spectrum.count[first]));
+        const double lines = std::clamp(data.wavevector[g] * spectrum.count[first] * spectrum.pitch / 2.5, 1.0,
+                                        std::max(1.0, spectrum.count[first]));
         data.freedom[g] = data.values[g] > 0.0 ? own * modes * lines : 0.0;
         if (!(data.values[g] > 0.0)) data.values[g] = 1.0;  // left out
     }

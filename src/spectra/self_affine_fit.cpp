@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -36,12 +36,19 @@ public:
             const auto& set = data[d];
             const Index n = set.wavevector.size();
             if (set.values.size() != n || set.freedom.size() != n || !set.expected)
-                throw InvalidArgument(fmt::format("{} wavevectors with {} values and {} freedoms; expected one of each and their expectation", n, set.values.size(), set.freedom.size()));
+                throw InvalidArgument(fmt::format(
+                    "{} wavevectors with {} values and {} freedoms; expected one of each and their expectation", n,
+                    set.values.size(), set.freedom.size()));
             for (Index k = 0; k < n; ++k) {
                 const double q = set.wavevector[k];
-                if (!(set.freedom[k] > 0.0) || (options.range && (q < options.range->lower || q > options.range->upper))) continue;
-                if (!(q > 0.0 && std::isfinite(q) && set.values[k] > 0.0 && std::isfinite(set.values[k]) && std::isfinite(set.freedom[k])))
-                    throw InvalidArgument(fmt::format("value {} of the spectrum: C1D {} m3 at {} 1/m with {} degrees of freedom; expected all positive", k, set.values[k], q, set.freedom[k]));
+                if (!(set.freedom[k] > 0.0) ||
+                    (options.range && (q < options.range->lower || q > options.range->upper)))
+                    continue;
+                if (!(q > 0.0 && std::isfinite(q) && set.values[k] > 0.0 && std::isfinite(set.values[k]) &&
+                      std::isfinite(set.freedom[k])))
+                    throw InvalidArgument(fmt::format(
+                        "value {} of the spectrum: C1D {} m3 at {} 1/m with {} degrees of freedom; expected all positive",
+                        k, set.values[k], q, set.freedom[k]));
                 used_.push_back({d, k});
                 lower = std::min(lower, q);
                 upper = std::max(upper, q);
@@ -51,14 +58,21 @@ public:
         if (options.rolloff) fitted_.push_back(rolloff);
         if (options.short_cutoff) fitted_.push_back(cutoff);
         if (used_.size() < fitted_.size() + 2)
-            throw InvalidArgument(fmt::format("{} values in the range of the fit for {} parameters; expected at least {}: widen the range", used_.size(), fitted_.size(), fitted_.size() + 2));
-        std::sort(used_.begin(), used_.end(), [&](const auto& a, const auto& b) { return wavevector(a) < wavevector(b); });
+            throw InvalidArgument(fmt::format(
+                "{} values in the range of the fit for {} parameters; expected at least {}: widen the range",
+                used_.size(), fitted_.size(), fitted_.size() + 2));
+        std::sort(used_.begin(), used_.end(),
+                  [&](const auto& a, const auto& b) { return wavevector(a) < wavevector(b); });
         range_ = {lower, upper};
         reference_ = std::sqrt(lower * upper);
         const auto n = static_cast<Index>(used_.size());
         q_ = Array1D::NullaryExpr(n, [&](Index i) { return wavevector(used_[static_cast<std::size_t>(i)]); });
-        values_ = Array1D::NullaryExpr(n, [&](Index i) { return data_[used_[static_cast<std::size_t>(i)].set].values[used_[static_cast<std::size_t>(i)].index]; });
-        freedom_ = Array1D::NullaryExpr(n, [&](Index i) { return data_[used_[static_cast<std::size_t>(i)].set].freedom[used_[static_cast<std::size_t>(i)].index]; });
+        values_ = Array1D::NullaryExpr(n, [&](Index i) {
+            return data_[used_[static_cast<std::size_t>(i)].set].values[used_[static_cast<std::size_t>(i)].index];
+        });
+        freedom_ = Array1D::NullaryExpr(n, [&](Index i) {
+            return data_[used_[static_cast<std::size_t>(i)].set].freedom[used_[static_cast<std::size_t>(i)].index];
+        });
     }
 
     [[nodiscard]] spectra::SelfAffine model(const Parameters& p) const {
@@ -69,7 +83,9 @@ public:
     [[nodiscard]] Array1D expected(const Parameters& p) const {
         std::vector<Array1D> sets;
         for (const auto& set : data_) sets.push_back(set.expected(model(p)));
-        return Array1D::NullaryExpr(q_.size(), [&](Index i) { return sets[used_[static_cast<std::size_t>(i)].set][used_[static_cast<std::size_t>(i)].index]; });
+        return Array1D::NullaryExpr(q_.size(), [&](Index i) {
+            return sets[used_[static_cast<std::size_t>(i)].set][used_[static_cast<std::size_t>(i)].index];
+        });
     }
 
     [[nodiscard]] double loss(const Array1D& expected) const {
@@ -152,7 +168,8 @@ Optimum minimised(const Problem& problem, Parameters start, const std::vector<In
             damped.diagonal() += damping * information.diagonal() + VectorXd::Constant(information.rows(), 1e-9);
             const VectorXd step = damped.ldlt().solve(score);
             Parameters next = best.at;
-            for (std::size_t c = 0; c < free.size(); ++c) next[free[c]] += std::clamp(step[static_cast<Index>(c)], -1.0, 1.0);
+            for (std::size_t c = 0; c < free.size(); ++c)
+                next[free[c]] += std::clamp(step[static_cast<Index>(c)], -1.0, 1.0);
             next = problem.clamped(next);
             const Array1D there = problem.expected(next);
             const double loss = problem.loss(there);
@@ -177,8 +194,10 @@ Optimum minimised(const Problem& problem, Parameters start, const std::vector<In
 
 /// A power law through the values, least squares in logarithms.
 Parameters first_guess(const Problem& problem) {
-    const Array1D x = (problem.wavevector() / problem.reference()).log(), y = problem.values().log(), w = problem.freedom() / problem.freedom().sum();
-    const double mx = (w * x).sum(), my = (w * y).sum(), slope = (w * (x - mx) * (y - my)).sum() / std::max(1e-12, (w * (x - mx).square()).sum());
+    const Array1D x = (problem.wavevector() / problem.reference()).log(), y = problem.values().log(),
+                  w = problem.freedom() / problem.freedom().sum();
+    const double mx = (w * x).sum(), my = (w * y).sum(),
+                 slope = (w * (x - mx) * (y - my)).sum() / std::max(1e-12, (w * (x - mx).square()).sum());
     Parameters p;
     p[hurst] = std::clamp(0.5 * (-slope - 1.0), 0.1, 1.2);
     // C1D of lines is about q/3 times C_iso
@@ -209,7 +228,8 @@ Optimum best_of_starts(const Problem& problem) {
     return best;
 }
 
-/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; infinite with its sign where it never has.
+/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; infinite with its sign
+/// where it never has.
 double profile_end(const Problem& problem, const Optimum& best, Index place, double end, double rise) {
     std::vector<Index> free;
     for (const Index p : problem.fitted())
@@ -253,8 +273,10 @@ Quantity named(std::string name, std::string symbol, double value, double error,
 }
 
 /// exp of a normal estimate of a logarithm.
-Quantity from_logarithm(std::string name, std::string symbol, double logarithm, double error, std::string unit, double level) {
-    auto q = named(std::move(name), std::move(symbol), std::exp(logarithm), std::exp(logarithm) * error, std::move(unit), level);
+Quantity from_logarithm(std::string name, std::string symbol, double logarithm, double error, std::string unit,
+                        double level) {
+    auto q = named(std::move(name), std::move(symbol), std::exp(logarithm), std::exp(logarithm) * error,
+                   std::move(unit), level);
     const double reach = normal_quantile(0.5 + 0.5 * level) * error;
     if (error > 0.0) q.estimate.interval = Interval{std::exp(logarithm - reach), std::exp(logarithm + reach), level};
     return q;
@@ -262,18 +284,28 @@ Quantity from_logarithm(std::string name, std::string symbol, double logarithm, 
 
 Alert not_seen(bool longest, const Interval& interval) {
     if (longest)
-        return {"ROLLOFF_NOT_SEEN", "self-affine fit", fmt::format("the spectrum does not show where its roll-off lies: rolloff_wavelength is above {:.3g} m, no upper end is known", interval.lower),
-                "measure larger scans, or fit without a roll-off: rms height then depends on the size"};
-    return {"CUTOFF_NOT_SEEN", "self-affine fit", fmt::format("the spectrum does not show where it ends: shortest_wavelength is below {:.3g} m, no lower end is known", interval.upper),
-            "measure with a sharper instrument, or fit without a short cutoff"};
+        return {
+            "ROLLOFF_NOT_SEEN", "self-affine fit",
+            fmt::format(
+                "the spectrum does not show where its roll-off lies: rolloff_wavelength is above {:.3g} m, no upper end is known",
+                interval.lower),
+            "measure larger scans, or fit without a roll-off: rms height then depends on the size"};
+    return {
+        "CUTOFF_NOT_SEEN", "self-affine fit",
+        fmt::format(
+            "the spectrum does not show where it ends: shortest_wavelength is below {:.3g} m, no lower end is known",
+            interval.upper),
+        "measure with a sharper instrument, or fit without a short cutoff"};
 }
 
 }  // namespace
 
 SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffineFitOptions& options) {
-    if (!(options.level > 0.0 && options.level < 1.0)) throw InvalidArgument(fmt::format("level {}; expected above 0 and below 1", options.level));
+    if (!(options.level > 0.0 && options.level < 1.0))
+        throw InvalidArgument(fmt::format("level {}; expected above 0 and below 1", options.level));
     if (options.range && !(options.range->lower > 0.0 && options.range->upper > options.range->lower))
-        throw InvalidArgument(fmt::format("fit range {} … {} 1/m; expected 0 < lower < upper", options.range->lower, options.range->upper));
+        throw InvalidArgument(fmt::format("fit range {} … {} 1/m; expected 0 < lower < upper", options.range->lower,
+                                          options.range->upper));
     const Problem problem(data, options);
     const auto best = best_of_starts(problem);
     SelfAffineFit fit;
@@ -297,8 +329,13 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     const double quantile = normal_quantile(0.5 + 0.5 * options.level), rise = 0.5 * quantile * quantile * dispersion;
     std::vector<Index> known{amplitude, hurst};
     const auto scale = [&](Index place, const char* name, const char* symbol, ScaleStatus& status) {
-        Interval interval{std::exp(profile_end(problem, best, place, place == rolloff ? std::log(2.0 * pi / fit.range.upper) : problem.shortest_cutoff(), rise)),
-                          std::exp(profile_end(problem, best, place, place == rolloff ? problem.longest_rolloff() : problem.longest_cutoff(), rise)), options.level};
+        Interval interval{
+            std::exp(profile_end(problem, best, place,
+                                 place == rolloff ? std::log(2.0 * pi / fit.range.upper) : problem.shortest_cutoff(),
+                                 rise)),
+            std::exp(profile_end(problem, best, place,
+                                 place == rolloff ? problem.longest_rolloff() : problem.longest_cutoff(), rise)),
+            options.level};
         // a spectrum cannot end before the last of its values
         if (place == cutoff && std::isinf(interval.upper)) interval.upper = 2.0 * pi / fit.range.upper;
         const bool open = place == rolloff ? std::isinf(interval.upper) : interval.lower == 0.0;
@@ -314,7 +351,8 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     fit.rolloff_wavelength = named("rolloff_wavelength", "lambda_r", undefined, undefined, "m", options.level);
     fit.shortest_wavelength = named("shortest_wavelength", "lambda_s", undefined, undefined, "m", options.level);
     if (options.rolloff) fit.rolloff_wavelength = scale(rolloff, "rolloff_wavelength", "lambda_r", fit.rolloff);
-    if (options.short_cutoff) fit.shortest_wavelength = scale(cutoff, "shortest_wavelength", "lambda_s", fit.short_cutoff);
+    if (options.short_cutoff)
+        fit.shortest_wavelength = scale(cutoff, "shortest_wavelength", "lambda_s", fit.short_cutoff);
 
     const MatrixXd J = jacobian(problem, best.at, known);
     const MatrixXd information = J.transpose() * nu.matrix().asDiagonal() * J;
@@ -334,26 +372,35 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
         gradient[0] = 1.0;
         gradient[1] = -2.0 * std::log(fit.model.rolloff_wavevector / fit.reference_wavevector);
         if (fit.rolloff == ScaleStatus::found) gradient[2] = 2.0 + 2.0 * best.at[hurst];
-        fit.plateau = from_logarithm("plateau", "C_0", std::log(fit.model.plateau), fit.rolloff == ScaleStatus::found ? std::sqrt(gradient.dot(fit.covariance * gradient)) : undefined, "m4",
-                                     options.level);
+        fit.plateau = from_logarithm(
+            "plateau", "C_0", std::log(fit.model.plateau),
+            fit.rolloff == ScaleStatus::found ? std::sqrt(gradient.dot(fit.covariance * gradient)) : undefined, "m4",
+            options.level);
     }
-    for (auto* q : {&fit.hurst_exponent, &fit.amplitude, &fit.plateau, &fit.rolloff_wavelength, &fit.shortest_wavelength}) {
+    for (auto* q :
+         {&fit.hurst_exponent, &fit.amplitude, &fit.plateau, &fit.rolloff_wavelength, &fit.shortest_wavelength}) {
         q->band = fit.range;
         q->n = static_cast<int>(r.size());
     }
     if (fit.status == FitStatus::not_converged)
-        fit.alerts.push_back({"NOT_CONVERGED", "self-affine fit", fmt::format("the fit stopped after {} steps short of its optimum", fit.iterations), "narrow the range, or fit fewer parameters"});
+        fit.alerts.push_back({"NOT_CONVERGED", "self-affine fit",
+                              fmt::format("the fit stopped after {} steps short of its optimum", fit.iterations),
+                              "narrow the range, or fit fewer parameters"});
     constexpr double improbable = 1e-3;
     if (fit.probability < improbable)
-        fit.alerts.push_back({"MODEL_MISSES", "self-affine fit",
-                              fmt::format("the values scatter {:.2g} times as much about the model as their errors say (chi2 = {:.4g} for {:.0f} degrees of freedom); standard errors are widened by "
-                                          "that", std::sqrt(dispersion), fit.chi_squared, fit.degrees_of_freedom),
-                              "look at the residuals; narrow the range to where one power law holds"});
+        fit.alerts.push_back(
+            {"MODEL_MISSES", "self-affine fit",
+             fmt::format(
+                 "the values scatter {:.2g} times as much about the model as their errors say (chi2 = {:.4g} for {:.0f} degrees of freedom); standard errors are widened by "
+                 "that",
+                 std::sqrt(dispersion), fit.chi_squared, fit.degrees_of_freedom),
+             "look at the residuals; narrow the range to where one power law holds"});
     return fit;
 }
 
 ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) {
-    ModelCurve curve{wavevector, Array1D(wavevector.size()), Array1D(wavevector.size()), std::vector<bool>(static_cast<std::size_t>(wavevector.size()))};
+    ModelCurve curve{wavevector, Array1D(wavevector.size()), Array1D(wavevector.size()),
+                     std::vector<bool>(static_cast<std::size_t>(wavevector.size()))};
     const auto value = [&](const spectra::SelfAffine& model, double q) {
         return q < model.short_wavevector ? spectra::profile_power_spectrum(model, Array1D::Constant(1, q))[0] : 0.0;
     };
@@ -361,13 +408,16 @@ ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) 
     const auto moved = [&](Index parameter, double step) {
         auto model = fit.model;
         const auto& name = fit.parameters[static_cast<std::size_t>(parameter)];
-        double H = model.hurst_exponent, strength = std::log(model.plateau) + (2.0 + 2.0 * H) * std::log(model.rolloff_wavevector / fit.reference_wavevector);
+        double H = model.hurst_exponent,
+               strength = std::log(model.plateau) +
+                          (2.0 + 2.0 * H) * std::log(model.rolloff_wavevector / fit.reference_wavevector);
         if (name == names[amplitude]) strength += step;
         if (name == names[hurst]) H += step;
         if (name == names[rolloff]) model.rolloff_wavevector *= std::exp(-step);
         if (name == names[cutoff]) model.short_wavevector *= std::exp(-step);
         model.hurst_exponent = H;
-        model.plateau = std::exp(strength - (2.0 + 2.0 * H) * std::log(model.rolloff_wavevector / fit.reference_wavevector));
+        model.plateau =
+            std::exp(strength - (2.0 + 2.0 * H) * std::log(model.rolloff_wavevector / fit.reference_wavevector));
         return model;
     };
     const auto count = static_cast<Index>(fit.parameters.size());
@@ -381,9 +431,12 @@ ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) 
         const double q = wavevector[k];
         curve.C1D[k] = value(fit.model, q);
         VectorXd gradient(count);
-        for (Index p = 0; p < count; ++p) gradient[p] = (value(up[static_cast<std::size_t>(p)], q) - value(down[static_cast<std::size_t>(p)], q)) / (2.0 * step);
+        for (Index p = 0; p < count; ++p)
+            gradient[p] = (value(up[static_cast<std::size_t>(p)], q) - value(down[static_cast<std::size_t>(p)], q)) /
+                          (2.0 * step);
         curve.standard_error[k] = std::sqrt(std::max(0.0, gradient.dot(fit.covariance * gradient)));
-        curve.extrapolated[static_cast<std::size_t>(k)] = q < fit.range.lower * (1.0 - 1e-12) || q > fit.range.upper * (1.0 + 1e-12);
+        curve.extrapolated[static_cast<std::size_t>(k)] =
+            q < fit.range.lower * (1.0 - 1e-12) || q > fit.range.upper * (1.0 + 1e-12);
     }
     return curve;
 }

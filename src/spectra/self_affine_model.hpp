@@ -6,8 +6,8 @@
 
 namespace setae::spectra {
 
-/// C1D [m³] of lines through a self-affine surface, tabulated: 40 nodes a decade, ln(C1D/√(1 − (q/q_s)²)) linear in ln q between them.
-/// Within 5e-4; 0 from q_s on.
+/// C1D [m³] of lines through a self-affine surface, tabulated: 40 nodes a decade, ln(C1D/√(1 − (q/q_s)²)) linear in ln
+/// q between them. Within 5e-4; 0 from q_s on.
 class SelfAffineLines {
 public:
     SelfAffineLines(const spectra::SelfAffine& model, double lowest, double highest);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "abel_integral.hpp"
 #include "refined_curve.hpp"
@@ -41,20 +41,25 @@ private:
 
 void require(const Band& band) {
     if (!(band.lower > 0.0 && band.lower < band.upper && std::isfinite(band.upper)))
-        throw InvalidArgument(fmt::format("a spectrum from {} to {} 1/m; expected 0 < lower < upper", band.lower, band.upper));
+        throw InvalidArgument(
+            fmt::format("a spectrum from {} to {} 1/m; expected 0 < lower < upper", band.lower, band.upper));
 }
 
 }  // namespace
 
 SpectralDensity density(const SelfAffine& model) {
     if (!(model.hurst_exponent > 0.0 && model.hurst_exponent <= 1.0))
-        throw InvalidArgument(fmt::format("Hurst exponent {}; expected 0 < H <= 1: no self-affine surface has another", model.hurst_exponent));
+        throw InvalidArgument(fmt::format("Hurst exponent {}; expected 0 < H <= 1: no self-affine surface has another",
+                                          model.hurst_exponent));
     if (!(model.short_wavevector > model.rolloff_wavevector))
-        throw InvalidArgument(fmt::format("short cutoff at q_s = {} 1/m, roll-off at q_r = {} 1/m; expected q_s > q_r, that is a short "
-                                          "wavelength below the roll-off wavelength", model.short_wavevector, model.rolloff_wavevector));
-    if (!(model.rolloff_wavevector > 0.0 && model.plateau > 0.0 && std::isfinite(model.plateau * model.short_wavevector)))
-        throw InvalidArgument(fmt::format("plateau C_0 = {} m4 up to q_r = {} 1/m; expected both positive and finite", model.plateau,
-                                          model.rolloff_wavevector));
+        throw InvalidArgument(
+            fmt::format("short cutoff at q_s = {} 1/m, roll-off at q_r = {} 1/m; expected q_s > q_r, that is a short "
+                        "wavelength below the roll-off wavelength",
+                        model.short_wavevector, model.rolloff_wavevector));
+    if (!(model.rolloff_wavevector > 0.0 && model.plateau > 0.0 &&
+          std::isfinite(model.plateau * model.short_wavevector)))
+        throw InvalidArgument(fmt::format("plateau C_0 = {} m4 up to q_r = {} 1/m; expected both positive and finite",
+                                          model.plateau, model.rolloff_wavevector));
     const double exponent = -2.0 - 2.0 * model.hurst_exponent;
     return [model, exponent](double q) {
         if (q > model.short_wavevector) return 0.0;
@@ -65,15 +70,19 @@ SpectralDensity density(const SelfAffine& model) {
 
 SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
     if (wavevector.size() != spectrum.size() || wavevector.size() < 2)
-        throw InvalidArgument(fmt::format("a spectrum of {} wavevectors and {} values; expected as many of both, at least 2",
-                                          wavevector.size(), spectrum.size()));
+        throw InvalidArgument(
+            fmt::format("a spectrum of {} wavevectors and {} values; expected as many of both, at least 2",
+                        wavevector.size(), spectrum.size()));
     for (Index i = 0; i < wavevector.size(); ++i) {
         if (!(wavevector[i] > (i == 0 ? 0.0 : wavevector[i - 1])) || !std::isfinite(wavevector[i]))
-            throw InvalidArgument(fmt::format("row {} of a spectrum has q = {} 1/m after {}; expected positive wavevectors that increase",
-                                              i + 1, wavevector[i], i == 0 ? 0.0 : wavevector[i - 1]));
+            throw InvalidArgument(
+                fmt::format("row {} of a spectrum has q = {} 1/m after {}; expected positive wavevectors that increase",
+                            i + 1, wavevector[i], i == 0 ? 0.0 : wavevector[i - 1]));
         if (!(spectrum[i] >= 0.0) || !std::isfinite(spectrum[i]))
-            throw InvalidArgument(fmt::format("row {} of a spectrum (q = {} 1/m) is {}; expected a number >= 0: a power spectrum is a mean "
-                                              "square", i + 1, wavevector[i], spectrum[i]));
+            throw InvalidArgument(fmt::format(
+                "row {} of a spectrum (q = {} 1/m) is {}; expected a number >= 0: a power spectrum is a mean "
+                "square",
+                i + 1, wavevector[i], spectrum[i]));
     }
     return PowerLaws(wavevector, spectrum);
 }
@@ -82,11 +91,13 @@ SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) 
     require(band);
     const auto surface = refined_curve(C_iso, band.lower, band.upper, 2e-5);
     const Index n = surface.nodes.size();
-    if (n < 2) throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on", C_iso(band.lower), band.lower));
+    if (n < 2)
+        throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on",
+                                          C_iso(band.lower), band.lower));
     const AbelIntegral integral(surface.nodes, surface.values);
     const double cutoff = surface.nodes[n - 1], at_cutoff = surface.values[n - 1] * cutoff / pi;
-    // what is tabulated is C1D without the root it falls to zero with at the cutoff; below a thousandth of the band's begin
-    // it is constant to 1e-6
+    // what is tabulated is C1D without the root it falls to zero with at the cutoff; below a thousandth of the band's
+    // begin it is constant to 1e-6
     const auto rootless = [&](double q) {
         const double share = std::sqrt((1.0 - q / cutoff) * (1.0 + q / cutoff));
         return share > 1e-4 ? integral(q) / share : at_cutoff;

@@ -26,7 +26,8 @@ Array1D smoothed(const Array1D& wavevector, const Array1D& values) {
     for (Index k = 0; k < n; ++k) {
         while (wavevector[first] * reach < wavevector[k]) ++first;
         while (behind < n && wavevector[behind] <= wavevector[k] * reach) ++behind;
-        const Index from = std::max<Index>(0, std::min(first, k - at_least)), to = std::min(n, std::max(behind, k + at_least + 1));
+        const Index from = std::max<Index>(0, std::min(first, k - at_least)),
+                    to = std::min(n, std::max(behind, k + at_least + 1));
         result[k] = (sums[to] - sums[from]) / static_cast<double>(to - from);
     }
     return result;
@@ -34,9 +35,11 @@ Array1D smoothed(const Array1D& wavevector, const Array1D& values) {
 
 }  // namespace
 
-void correct_for_trace(PowerSpectrum1D& spectrum, const topography::TraceResponse& response, const ArrayView1D& kept_by_segments) {
+void correct_for_trace(PowerSpectrum1D& spectrum, const topography::TraceResponse& response,
+                       const ArrayView1D& kept_by_segments) {
     const auto& q = spectrum.wavevector;
-    const Array1D noise = kept_by_segments * topography::smoothing_transfer(response, q).square() * response.noise_density;
+    const Array1D noise =
+        kept_by_segments * topography::smoothing_transfer(response, q).square() * response.noise_density;
     const Array1D kept = topography::trace_transfer(response, q).square().max(topography::least_trace_power);
     spectrum.C1D = (spectrum.C1D - noise) / kept;
 
@@ -48,24 +51,33 @@ void correct_for_trace(PowerSpectrum1D& spectrum, const topography::TraceRespons
     spectrum.q_max = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
     const std::string action = "take pictures of higher magnification or less noise for shorter waves";
     if (end == 0) {
-        spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
-                                   fmt::format("the trace's noise of C1D {:.3g} m3 hides every wave: nothing is reliable", response.noise_density), action});
+        spectrum.alerts.push_back(
+            {"TRACE_NOISE", topography::label(spectrum.metadata),
+             fmt::format("the trace's noise of C1D {:.3g} m3 hides every wave: nothing is reliable",
+                         response.noise_density),
+             action});
         return;
     }
     const Index last = end - 1;
     if (response.jumps) {
-        spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
-                                   fmt::format("noise of the trace, C1D {:.3g} m3, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
-                                               "the wavelength {:.4g} m, where they take up to {:.0f} % of C1D",
-                                               response.noise_density, 2.0 * pi / std::min(q[last], nyquist), 100.0 * (1.0 - topography::least_trace_power_with_jumps)),
-                                   action});
+        spectrum.alerts.push_back(
+            {"TRACE_NOISE", topography::label(spectrum.metadata),
+             fmt::format(
+                 "noise of the trace, C1D {:.3g} m3, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
+                 "the wavelength {:.4g} m, where they take up to {:.0f} % of C1D",
+                 response.noise_density, 2.0 * pi / std::min(q[last], nyquist),
+                 100.0 * (1.0 - topography::least_trace_power_with_jumps)),
+             action});
         return;
     }
-    spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
-                               fmt::format("noise of the trace, C1D {:.3g} m3, was taken off and its blur and smoothing undone down to the wavelength {:.4g} m, where the "
-                                           "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",
-                                           response.noise_density, 2.0 * pi / std::min(q[last], nyquist), 100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
-                               action});
+    spectrum.alerts.push_back(
+        {"TRACE_NOISE", topography::label(spectrum.metadata),
+         fmt::format(
+             "noise of the trace, C1D {:.3g} m3, was taken off and its blur and smoothing undone down to the wavelength {:.4g} m, where the "
+             "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",
+             response.noise_density, 2.0 * pi / std::min(q[last], nyquist),
+             100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
+         action});
 }
 
 }  // namespace setae::spectra

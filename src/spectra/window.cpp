@@ -38,8 +38,10 @@ std::span<const double> cosine_coefficients(Window window) {
         case Window::hann: return hann;
         case Window::blackman_harris: return blackman_harris;
         default:
-            throw InvalidArgument(fmt::format("window {} is not a sum of cosines along one direction; expected none, hann "
-                                              "or blackman_harris", name(window)));
+            throw InvalidArgument(
+                fmt::format("window {} is not a sum of cosines along one direction; expected none, hann "
+                            "or blackman_harris",
+                            name(window)));
     }
 }
 
@@ -63,7 +65,8 @@ Window resolved(Window window, bool periodic) {
 Window window_from_name(const std::string& text) {
     for (const auto& [window, known] : window_names)
         if (text == known) return window;
-    throw InvalidArgument(fmt::format("'{}' is not a window; expected automatic, none, hann, blackman_harris or radial_hann", text));
+    throw InvalidArgument(
+        fmt::format("'{}' is not a window; expected automatic, none, hann, blackman_harris or radial_hann", text));
 }
 
 std::string name(Window window) {

@@ -61,11 +61,13 @@ std::vector<std::size_t> ordered_rows(const ReplicateData& data, const std::stri
     for (std::size_t i = 0; i < data.rows.size(); ++i) {
         if (data.rows[i].groups[0] != surface) continue;
         rows.push_back(i);
-        if (grouped && std::find(outer.begin(), outer.end(), data.rows[i].groups[1]) == outer.end()) outer.push_back(data.rows[i].groups[1]);
+        if (grouped && std::find(outer.begin(), outer.end(), data.rows[i].groups[1]) == outer.end())
+            outer.push_back(data.rows[i].groups[1]);
     }
     if (grouped)
         std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-            return std::find(outer.begin(), outer.end(), data.rows[a].groups[1]) < std::find(outer.begin(), outer.end(), data.rows[b].groups[1]);
+            return std::find(outer.begin(), outer.end(), data.rows[a].groups[1]) <
+                   std::find(outer.begin(), outer.end(), data.rows[b].groups[1]);
         });
     return rows;
 }
@@ -76,7 +78,8 @@ std::vector<std::string> row_labels(const ReplicateData& data, const std::vector
     const auto plain = [&](std::size_t row) {
         std::string label;
         for (std::size_t k = 1; k < data.levels.size(); ++k)
-            if (const auto& group = data.rows[row].groups[k]; !group.empty()) label += fmt::format("{}{} {}", label.empty() ? "" : " · ", data.levels[k], group);
+            if (const auto& group = data.rows[row].groups[k]; !group.empty())
+                label += fmt::format("{}{} {}", label.empty() ? "" : " · ", data.levels[k], group);
         return label.empty() ? data.rows[row].name : label;
     };
     for (const auto row : rows) ++of_label[plain(row)];
@@ -91,23 +94,44 @@ std::vector<std::string> row_labels(const ReplicateData& data, const std::vector
 /// A diamond as wide as an interval.
 Series diamond(const Interval& interval, double middle, double height, const std::string& label, Mark mark) {
     constexpr double half = 0.32;
-    return {.label = label, .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
-            .y = Array1D{{height, height + half, height, height - half, height}}, .mark = mark, .colour = 4, .dash = 0, .line_width = 0.9, .in_legend = false};
+    return {.label = label,
+            .x = Array1D{{interval.lower, middle, interval.upper, middle, interval.lower}},
+            .y = Array1D{{height, height + half, height, height - half, height}},
+            .mark = mark,
+            .colour = 4,
+            .dash = 0,
+            .line_width = 0.9,
+            .in_legend = false};
 }
 
-void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& options, const std::string& label, const Estimate& mean,
-              const std::optional<Interval>& prediction, const std::string& surface, bool hollow) {
+void add_mean(figures::Panel& panel, Lines& lines, const ForestPlotOptions& options, const std::string& label,
+              const Estimate& mean, const std::optional<Interval>& prediction, const std::string& surface,
+              bool hollow) {
     const double height = lines.add(label), value = mean.value * options.factor;
     const auto name = surface + ", " + label;
     if (prediction)
-        panel.series.push_back({.label = name + ", prediction", .x = Array1D{{prediction->lower * options.factor, prediction->upper * options.factor}},
-                                .y = Array1D::Constant(2, height), .mark = Mark::line, .colour = 4, .dash = 0, .line_width = 0.6, .in_legend = false});
+        panel.series.push_back({.label = name + ", prediction",
+                                .x = Array1D{{prediction->lower * options.factor, prediction->upper * options.factor}},
+                                .y = Array1D::Constant(2, height),
+                                .mark = Mark::line,
+                                .colour = 4,
+                                .dash = 0,
+                                .line_width = 0.6,
+                                .in_legend = false});
     if (mean.interval) {
-        const Interval drawn{mean.interval->lower * options.factor, mean.interval->upper * options.factor, mean.interval->level};
+        const Interval drawn{mean.interval->lower * options.factor, mean.interval->upper * options.factor,
+                             mean.interval->level};
         if (!hollow) panel.series.push_back(diamond(drawn, value, height, name, Mark::area));
         panel.series.push_back(diamond(drawn, value, height, hollow ? name : name + ", outline", Mark::line));
     } else
-        panel.series.push_back({.label = name, .x = single(value), .y = single(height), .mark = Mark::points, .colour = 4, .symbol = 3, .hollow = hollow, .in_legend = false});
+        panel.series.push_back({.label = name,
+                                .x = single(value),
+                                .y = single(height),
+                                .mark = Mark::points,
+                                .colour = 4,
+                                .symbol = 3,
+                                .hollow = hollow,
+                                .in_legend = false});
 }
 
 /// The prefix that puts the largest value into [1, 1000).
@@ -126,10 +150,13 @@ void choose_unit(ForestPlotOptions& options, const ReplicateData& data) {
 
 void check(const ReplicateData& data, const MixedModel& model) {
     for (const auto& surface : model.surfaces) {
-        const auto rows = std::count_if(data.rows.begin(), data.rows.end(), [&](const Replicate& row) { return row.groups.size() == data.levels.size() && row.groups[0] == surface.surface; });
+        const auto rows = std::count_if(data.rows.begin(), data.rows.end(), [&](const Replicate& row) {
+            return row.groups.size() == data.levels.size() && row.groups[0] == surface.surface;
+        });
         if (rows != surface.n + surface.excluded)
-            throw InvalidArgument(fmt::format("a forest plot of {} rows on {} with a model of {}; expected the model of the same data", rows, surface.surface,
-                                              surface.n + surface.excluded));
+            throw InvalidArgument(
+                fmt::format("a forest plot of {} rows on {} with a model of {}; expected the model of the same data",
+                            rows, surface.surface, surface.n + surface.excluded));
     }
 }
 
@@ -141,9 +168,11 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
     if (options.unit.empty()) choose_unit(options, data);
     std::vector<std::string> surfaces;
     for (const auto& row : data.rows)
-        if (std::find(surfaces.begin(), surfaces.end(), row.groups[0]) == surfaces.end()) surfaces.push_back(row.groups[0]);
+        if (std::find(surfaces.begin(), surfaces.end(), row.groups[0]) == surfaces.end())
+            surfaces.push_back(row.groups[0]);
     const auto mean_of = [&](const std::string& name) -> const SurfaceMean* {
-        const auto found = std::find_if(model.surfaces.begin(), model.surfaces.end(), [&](const SurfaceMean& s) { return s.surface == name; });
+        const auto found = std::find_if(model.surfaces.begin(), model.surfaces.end(),
+                                        [&](const SurfaceMean& s) { return s.surface == name; });
         return found == model.surfaces.end() ? nullptr : &*found;
     };
     // a heading and a mean for each surface, a second mean where rows are excluded
@@ -174,7 +203,8 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 const auto& row = data.rows[rows[i]];
                 const double height = counted.add(labels[i]);
-                const auto exclusion = std::find_if(data.exclusions.begin(), data.exclusions.end(), [&](const Exclusion& e) { return e.row == rows[i]; });
+                const auto exclusion = std::find_if(data.exclusions.begin(), data.exclusions.end(),
+                                                    [&](const Exclusion& e) { return e.row == rows[i]; });
                 if ((exclusion != data.exclusions.end()) != excluded) continue;
                 const double half = std::isnan(row.standard_error) ? 0.0 : reach * row.standard_error;
                 x.push_back(row.value * options.factor);
@@ -183,18 +213,33 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
                 right.push_back((row.value + half) * options.factor);
                 see(left.back());
                 see(right.back());
-                names.push_back(row.name + (excluded ? (row.name.empty() ? "excluded: " : ", excluded: ") + exclusion->reason : ""));
+                names.push_back(row.name + (excluded
+                                                ? (row.name.empty() ? "excluded: " : ", excluded: ") + exclusion->reason
+                                                : ""));
                 if (excluded) reasons.push_back({exclusion->reason, left.back(), right.back(), height});
             }
             if (excluded) lines = counted;
             if (x.empty()) continue;
-            const auto array = [](const std::vector<double>& values) { return Array1D(Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()))); };
-            panel.series.push_back({.label = name + (excluded ? ", excluded" : ""), .x = array(x), .y = array(y), .mark = Mark::points, .colour = colour_of(place),
-                                    .symbol = 0, .hollow = excluded, .left = array(left), .right = array(right), .in_legend = false, .names = names});
+            const auto array = [](const std::vector<double>& values) {
+                return Array1D(Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())));
+            };
+            panel.series.push_back({.label = name + (excluded ? ", excluded" : ""),
+                                    .x = array(x),
+                                    .y = array(y),
+                                    .mark = Mark::points,
+                                    .colour = colour_of(place),
+                                    .symbol = 0,
+                                    .hollow = excluded,
+                                    .left = array(left),
+                                    .right = array(right),
+                                    .in_legend = false,
+                                    .names = names});
         }
         if (const auto* surface = mean_of(name)) {
             add_mean(panel, lines, options, "mean", surface->mean, surface->prediction, name, false);
-            if (surface->with_excluded) add_mean(panel, lines, options, "mean with excluded", *surface->with_excluded, std::nullopt, name, true);
+            if (surface->with_excluded)
+                add_mean(panel, lines, options, "mean with excluded", *surface->with_excluded, std::nullopt, name,
+                         true);
         }
     }
     panel.y.tick_labels = lines.labels();
@@ -212,11 +257,15 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
     // the reason stands where there is more room
     for (const auto& reason : reasons) {
         const bool right = to - reason.to >= reason.from - from;
-        panel.notes.push_back({.text = shortened(reason.text, 44), .x = right ? reason.to : reason.from, .y = reason.height,
+        panel.notes.push_back({.text = shortened(reason.text, 44),
+                               .x = right ? reason.to : reason.from,
+                               .y = reason.height,
                                .side = right ? figures::Note::Side::right : figures::Note::Side::left});
     }
     constexpr double line_mm = 4.2, margins_mm = 14.0;
-    return {.panels = {panel}, .width_mm = options.width_mm, .height_mm = std::clamp(line_mm * static_cast<double>(count) + margins_mm, 40.0, 500.0)};
+    return {.panels = {panel},
+            .width_mm = options.width_mm,
+            .height_mm = std::clamp(line_mm * static_cast<double>(count) + margins_mm, 40.0, 500.0)};
 }
 
 }  // namespace setae::statistics

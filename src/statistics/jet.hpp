@@ -10,7 +10,9 @@ namespace setae::statistics {
 /// A number with its first and second derivatives by up to `most` variables, carried through + − · / ln.
 struct Jet {
     static constexpr std::size_t most = 5;
-    static constexpr std::size_t at(std::size_t i, std::size_t j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
+    static constexpr std::size_t at(std::size_t i, std::size_t j) {
+        return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
+    }
 
     double value = 0.0;
     std::array<double, most> first{};
@@ -39,7 +41,8 @@ inline Jet operator*(const Jet& a, const Jet& b) {
         product.first[i] = a.value * b.first[i] + b.value * a.first[i];
         for (std::size_t j = 0; j <= i; ++j) {
             const auto ij = Jet::at(i, j);
-            product.second[ij] = a.value * b.second[ij] + b.value * a.second[ij] + a.first[i] * b.first[j] + a.first[j] * b.first[i];
+            product.second[ij] =
+                a.value * b.second[ij] + b.value * a.second[ij] + a.first[i] * b.first[j] + a.first[j] * b.first[i];
         }
     }
     return product;
@@ -50,7 +53,8 @@ inline Jet chained(const Jet& a, double f, double slope, double curvature) {
     Jet result{.value = f};
     for (std::size_t i = 0; i < Jet::most; ++i) {
         result.first[i] = slope * a.first[i];
-        for (std::size_t j = 0; j <= i; ++j) result.second[Jet::at(i, j)] = slope * a.second[Jet::at(i, j)] + curvature * a.first[i] * a.first[j];
+        for (std::size_t j = 0; j <= i; ++j)
+            result.second[Jet::at(i, j)] = slope * a.second[Jet::at(i, j)] + curvature * a.first[i] * a.first[j];
     }
     return result;
 }

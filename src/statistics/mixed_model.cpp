@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
+#include <boost/math/distributions/students_t.hpp>
 
 #include "jet.hpp"
 #include "nested_design.hpp"
@@ -22,24 +22,33 @@ namespace {
 void check(const ReplicateData& data) {
     if (data.rows.empty()) throw InvalidArgument("no replicates; expected at least one row");
     if (data.levels.empty() || data.levels.size() > Jet::most)
-        throw InvalidArgument(fmt::format("{} levels of replicates; expected 1 to {}, the surface first", data.levels.size(), Jet::most));
+        throw InvalidArgument(
+            fmt::format("{} levels of replicates; expected 1 to {}, the surface first", data.levels.size(), Jet::most));
     for (std::size_t i = 0; i < data.rows.size(); ++i) {
         const auto& row = data.rows[i];
         const auto where = row.name.empty() ? fmt::format("row {}", i) : fmt::format("row {} ({})", i, row.name);
-        if (!std::isfinite(row.value)) throw InvalidArgument(fmt::format("{}: value {}; expected a number", where, row.value));
+        if (!std::isfinite(row.value))
+            throw InvalidArgument(fmt::format("{}: value {}; expected a number", where, row.value));
         if (row.standard_error < 0.0 || std::isinf(row.standard_error))
-            throw InvalidArgument(fmt::format("{}: standard error {}; expected a number >= 0, or none", where, row.standard_error));
+            throw InvalidArgument(
+                fmt::format("{}: standard error {}; expected a number >= 0, or none", where, row.standard_error));
         if (row.groups.size() != data.levels.size())
-            throw InvalidArgument(fmt::format("{}: {} labels; expected {}, one for each of {}", where, row.groups.size(), data.levels.size(), fmt::join(data.levels, ", ")));
+            throw InvalidArgument(fmt::format("{}: {} labels; expected {}, one for each of {}", where,
+                                              row.groups.size(), data.levels.size(), fmt::join(data.levels, ", ")));
         for (std::size_t k = 0; k < data.levels.size(); ++k)
             if (row.groups[k].empty() && (k == 0 || !level_missing(data, k)))
-                throw InvalidArgument(fmt::format("{}: no {}, which other rows name; name it or leave the row out", where, data.levels[k]));
+                throw InvalidArgument(fmt::format("{}: no {}, which other rows name; name it or leave the row out",
+                                                  where, data.levels[k]));
     }
     std::set<std::size_t> seen;
     for (const auto& exclusion : data.exclusions) {
-        if (exclusion.row >= data.rows.size()) throw InvalidArgument(fmt::format("row {} is excluded; there are {}, the first is 0", exclusion.row, data.rows.size()));
-        if (exclusion.reason.empty()) throw InvalidArgument(fmt::format("row {} is excluded without a reason; give one", exclusion.row));
-        if (!seen.insert(exclusion.row).second) throw InvalidArgument(fmt::format("row {} is excluded twice", exclusion.row));
+        if (exclusion.row >= data.rows.size())
+            throw InvalidArgument(
+                fmt::format("row {} is excluded; there are {}, the first is 0", exclusion.row, data.rows.size()));
+        if (exclusion.reason.empty())
+            throw InvalidArgument(fmt::format("row {} is excluded without a reason; give one", exclusion.row));
+        if (!seen.insert(exclusion.row).second)
+            throw InvalidArgument(fmt::format("row {} is excluded twice", exclusion.row));
     }
 }
 
@@ -70,7 +79,8 @@ struct Fitted {
     }
 
     [[nodiscard]] std::size_t place(const std::string& surface) const {
-        return static_cast<std::size_t>(std::find(design.surfaces.begin(), design.surfaces.end(), surface) - design.surfaces.begin());
+        return static_cast<std::size_t>(std::find(design.surfaces.begin(), design.surfaces.end(), surface) -
+                                        design.surfaces.begin());
     }
 };
 
@@ -88,17 +98,21 @@ Estimate with_freedom(Estimate estimate, double degrees_of_freedom, double level
     return estimate;
 }
 
-/// The mean of a surface; where no variance between replicates is known, of one row its own, of several the weighted one.
+/// The mean of a surface; where no variance between replicates is known, of one row its own, of several the weighted
+/// one.
 Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
     const auto place = fit.place(surface);
     if (fit.information) {
         const auto& mean = fit.information->means[place];
-        return with_freedom({mean.value, std::sqrt(mean.variance), "mixed model"}, fit.degrees_of_freedom(mean.variance, mean.gradient), level);
+        return with_freedom({mean.value, std::sqrt(mean.variance), "mixed model"},
+                            fit.degrees_of_freedom(mean.variance, mean.gradient), level);
     }
     // one row a surface, or rows all alike
-    const auto at = std::find(fit.design.surface.begin(), fit.design.surface.end(), static_cast<int>(place)) - fit.design.surface.begin();
+    const auto at = std::find(fit.design.surface.begin(), fit.design.surface.end(), static_cast<int>(place)) -
+                    fit.design.surface.begin();
     const double error = std::sqrt(fit.design.known_variance[at]);
-    return with_freedom({fit.design.value[at], error > 0.0 ? error : undefined, fit.design.levels.empty() ? "single measurement" : "mixed model"},
+    return with_freedom({fit.design.value[at], error > 0.0 ? error : undefined,
+                         fit.design.levels.empty() ? "single measurement" : "mixed model"},
                         std::numeric_limits<double>::infinity(), level);
 }
 
@@ -106,7 +120,9 @@ std::optional<Interval> prediction_of(const Fitted& fit, const std::string& surf
     if (!fit.information) return std::nullopt;
     const auto& mean = fit.information->means[fit.place(surface)];
     const double variance = mean.variance + fit.maximum.variances.sum();
-    const double reach = student_t_quantile(0.5 * (1.0 + level), fit.degrees_of_freedom(variance, mean.gradient + 1.0)) * std::sqrt(variance);
+    const double reach =
+        student_t_quantile(0.5 * (1.0 + level), fit.degrees_of_freedom(variance, mean.gradient + 1.0)) *
+        std::sqrt(variance);
     return Interval{mean.value - reach, mean.value + reach, level};
 }
 
@@ -120,21 +136,26 @@ std::optional<Heterogeneity> heterogeneity_of(const ReplicateData& data, const R
         weighted += weight * data.rows[i].value;
     }
     Heterogeneity result{.degrees_of_freedom = static_cast<int>(rows.size()) - 1};
-    for (const auto i : rows) result.Q += std::pow((data.rows[i].value - weighted / weights) / data.rows[i].standard_error, 2);
+    for (const auto i : rows)
+        result.Q += std::pow((data.rows[i].value - weighted / weights) / data.rows[i].standard_error, 2);
     result.probability = chi_squared_exceedance(result.Q, result.degrees_of_freedom);
     if (result.Q > result.degrees_of_freedom) result.I2 = 1.0 - result.degrees_of_freedom / result.Q;
     return result;
 }
 
 VarianceFit variance_fit(const ReplicateData& data, const Fitted& fit) {
-    VarianceFit result{.surfaces = fit.design.surfaces, .not_estimable = fit.design.not_estimable, .log_likelihood = fit.maximum.log_likelihood,
-                       .n = static_cast<int>(fit.design.size()), .converged = fit.maximum.converged};
+    VarianceFit result{.surfaces = fit.design.surfaces,
+                       .not_estimable = fit.design.not_estimable,
+                       .log_likelihood = fit.maximum.log_likelihood,
+                       .n = static_cast<int>(fit.design.size()),
+                       .converged = fit.maximum.converged};
     for (std::size_t k = 0; k < fit.design.levels.size(); ++k) {
         const auto& level = fit.design.levels[k];
         const auto place = static_cast<Index>(k);
         const double variance = fit.maximum.variances[place];
         result.components.push_back({level.includes.front(), level.includes, variance,
-                                     fit.information ? std::sqrt(fit.information->covariance(place, place)) : undefined, level.degrees_of_freedom, variance == 0.0});
+                                     fit.information ? std::sqrt(fit.information->covariance(place, place)) : undefined,
+                                     level.degrees_of_freedom, variance == 0.0});
     }
     double sum = 0.0, known = 0.0;
     for (const auto row : fit.design.rows)
@@ -152,7 +173,9 @@ public:
     Fits(const ReplicateData& data, const Rows& rows, Pooling pooling) {
         std::vector<std::string> surfaces;
         for (const auto i : rows)
-            if (const auto& name = data.rows[i].groups[0]; std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end()) surfaces.push_back(name);
+            if (const auto& name = data.rows[i].groups[0];
+                std::find(surfaces.begin(), surfaces.end(), name) == surfaces.end())
+                surfaces.push_back(name);
         if (pooling == Pooling::surfaces) {
             fits_.push_back(fitted(data, rows));
             return;
@@ -187,13 +210,16 @@ OuterGroups outer_groups(const ReplicateData& data, const Rows& rows) {
     for (std::size_t level = 1; level < data.levels.size(); ++level) {
         OuterGroups found{.level = level};
         for (const auto i : rows)
-            if (const auto& label = data.rows[i].groups[level]; std::find(found.labels.begin(), found.labels.end(), label) == found.labels.end()) found.labels.push_back(label);
+            if (const auto& label = data.rows[i].groups[level];
+                std::find(found.labels.begin(), found.labels.end(), label) == found.labels.end())
+                found.labels.push_back(label);
         if (found.labels.size() > 1) return found;
     }
     return {.level = data.levels.size()};
 }
 
-std::vector<Influence> influence_of(const ReplicateData& data, const Rows& used, const Rows& own, const Estimate& mean, const MixedModelOptions& options) {
+std::vector<Influence> influence_of(const ReplicateData& data, const Rows& used, const Rows& own, const Estimate& mean,
+                                    const MixedModelOptions& options) {
     std::vector<Influence> result;
     const auto outer = outer_groups(data, own);
     const auto& surface = data.rows[own.front()].groups[0];
@@ -211,10 +237,13 @@ std::vector<Influence> influence_of(const ReplicateData& data, const Rows& used,
     };
     if (outer.level < data.levels.size())
         for (const auto& label : outer.labels)
-            add(data.levels[outer.level], label, [&](std::size_t i) { return data.rows[i].groups[0] == surface && data.rows[i].groups[outer.level] == label; });
+            add(data.levels[outer.level], label, [&](std::size_t i) {
+                return data.rows[i].groups[0] == surface && data.rows[i].groups[outer.level] == label;
+            });
     else if (own.size() > 1)
         for (const auto row : own)
-            add("repeat", data.rows[row].name.empty() ? fmt::format("row {}", row) : data.rows[row].name, [&](std::size_t i) { return i == row; });
+            add("repeat", data.rows[row].name.empty() ? fmt::format("row {}", row) : data.rows[row].name,
+                [&](std::size_t i) { return i == row; });
     return result;
 }
 
@@ -223,7 +252,9 @@ std::vector<int> group_counts(const ReplicateData& data, const Rows& rows) {
     std::vector<int> counts;
     for (std::size_t level = 1; level < data.levels.size(); ++level) {
         std::set<std::vector<std::string>> groups;
-        for (const auto i : rows) groups.insert({data.rows[i].groups.begin(), data.rows[i].groups.begin() + static_cast<std::ptrdiff_t>(level) + 1});
+        for (const auto i : rows)
+            groups.insert(
+                {data.rows[i].groups.begin(), data.rows[i].groups.begin() + static_cast<std::ptrdiff_t>(level) + 1});
         counts.push_back(level_missing(data, level) ? 0 : static_cast<int>(groups.size()));
     }
     return counts;
@@ -231,15 +262,20 @@ std::vector<int> group_counts(const ReplicateData& data, const Rows& rows) {
 
 std::vector<std::string> notes_of(const ReplicateData& data, const Fitted& fit, const Rows& own) {
     std::vector<std::string> notes;
-    const auto without = std::count_if(own.begin(), own.end(), [&](std::size_t i) { return std::isnan(data.rows[i].standard_error); });
+    const auto without =
+        std::count_if(own.begin(), own.end(), [&](std::size_t i) { return std::isnan(data.rows[i].standard_error); });
     if (own.size() == 1)
-        notes.push_back(fit.information ? "one measurement: replicates are missing, its variances are those of the other surfaces"
-                        : without == 0  ? "one measurement: replicates are missing, its error is that of its own fit alone"
-                                        : "one measurement without a standard error: replicates are missing, nothing is known of its error");
+        notes.push_back(
+            fit.information ? "one measurement: replicates are missing, its variances are those of the other surfaces"
+            : without == 0
+                ? "one measurement: replicates are missing, its error is that of its own fit alone"
+                : "one measurement without a standard error: replicates are missing, nothing is known of its error");
     else if (!fit.information)
         notes.emplace_back("all values are the same and have no standard error: nothing is known of the mean's error");
     else if (without > 0)
-        notes.push_back(fmt::format("{} of {} rows have no standard error: their fits' errors are part of the variance of repeats", without, own.size()));
+        notes.push_back(
+            fmt::format("{} of {} rows have no standard error: their fits' errors are part of the variance of repeats",
+                        without, own.size()));
     return notes;
 }
 
@@ -250,7 +286,8 @@ SurfaceDifference difference_of(const Fits& fits, const SurfaceMean& later, cons
         const auto& a = fit->information->means[fit->place(later.surface)];
         const auto& b = fit->information->means[fit->place(earlier.surface)];
         const double variance = a.variance + b.variance;
-        result.difference = with_freedom({a.value - b.value, std::sqrt(variance), "mixed model"}, fit->degrees_of_freedom(variance, a.gradient + b.gradient), level);
+        result.difference = with_freedom({a.value - b.value, std::sqrt(variance), "mixed model"},
+                                         fit->degrees_of_freedom(variance, a.gradient + b.gradient), level);
     } else {
         auto plain = [](Estimate estimate) {
             estimate.interval.reset();
@@ -262,7 +299,8 @@ SurfaceDifference difference_of(const Fits& fits, const SurfaceMean& later, cons
     if (result.difference.uncertain()) {
         const double t = std::abs(result.difference.value) / result.difference.standard_error;
         result.probability = result.difference.degrees_of_freedom
-                                 ? 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t(*result.difference.degrees_of_freedom), t))
+                                 ? 2.0 * boost::math::cdf(boost::math::complement(
+                                             boost::math::students_t(*result.difference.degrees_of_freedom), t))
                                  : 2.0 * normal_probability(-t);
     }
     return result;
@@ -275,10 +313,12 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
     std::set<std::size_t> excluded;
     for (const auto& exclusion : data.exclusions) excluded.insert(exclusion.row);
     const auto used = rows_that(data, [&](std::size_t i) { return !excluded.contains(i); });
-    if (used.empty()) throw UndefinedDataError(fmt::format("all {} rows are excluded; a mean needs one", data.rows.size()));
+    if (used.empty())
+        throw UndefinedDataError(fmt::format("all {} rows are excluded; a mean needs one", data.rows.size()));
     const Fits fits(data, used, options.pooling);
     std::optional<Fits> with_excluded;
-    if (!excluded.empty()) with_excluded.emplace(data, rows_that(data, [](std::size_t) { return true; }), options.pooling);
+    if (!excluded.empty())
+        with_excluded.emplace(data, rows_that(data, [](std::size_t) { return true; }), options.pooling);
 
     MixedModel model{.levels = data.levels, .pooling = options.pooling};
     for (const auto& fit : fits.all()) model.fits.push_back(variance_fit(data, fit));
@@ -295,16 +335,23 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
             continue;
         }
         const auto* fit = fits.of(name);
-        SurfaceMean surface{.surface = name, .mean = mean_of(*fit, name, options.level), .prediction = prediction_of(*fit, name, options.level),
-                            .heterogeneity = heterogeneity_of(data, own), .groups = group_counts(data, own), .n = static_cast<int>(own.size()),
-                            .excluded = static_cast<int>(on_it.size() - own.size()), .notes = notes_of(data, *fit, own)};
+        SurfaceMean surface{.surface = name,
+                            .mean = mean_of(*fit, name, options.level),
+                            .prediction = prediction_of(*fit, name, options.level),
+                            .heterogeneity = heterogeneity_of(data, own),
+                            .groups = group_counts(data, own),
+                            .n = static_cast<int>(own.size()),
+                            .excluded = static_cast<int>(on_it.size() - own.size()),
+                            .notes = notes_of(data, *fit, own)};
         if (surface.excluded > 0) surface.with_excluded = mean_of(*with_excluded->of(name), name, options.level);
-        if (options.influence && own.size() > 1) surface.influence = influence_of(data, used, own, surface.mean, options);
+        if (options.influence && own.size() > 1)
+            surface.influence = influence_of(data, used, own, surface.mean, options);
         model.surfaces.push_back(std::move(surface));
     }
     for (std::size_t later = 1; later < model.surfaces.size(); ++later)
         for (std::size_t earlier = 0; earlier < later; ++earlier)
-            model.differences.push_back(difference_of(fits, model.surfaces[later], model.surfaces[earlier], options.level));
+            model.differences.push_back(
+                difference_of(fits, model.surfaces[later], model.surfaces[earlier], options.level));
     return model;
 }
 

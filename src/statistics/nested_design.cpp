@@ -14,7 +14,8 @@ namespace {
 /// Numbers of the groups down to each level, in order of first appearance within the group above.
 using Path = std::vector<int>;
 
-std::vector<Path> paths_of(const ReplicateData& data, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& levels) {
+std::vector<Path> paths_of(const ReplicateData& data, const std::vector<std::size_t>& rows,
+                           const std::vector<std::size_t>& levels) {
     std::vector<Path> paths;
     std::map<std::pair<Path, std::string>, int> numbers;
     std::map<Path, int> members;
@@ -35,14 +36,20 @@ std::vector<Path> paths_of(const ReplicateData& data, const std::vector<std::siz
 std::vector<int> groups_at(const std::vector<Path>& ordered, std::size_t depth) {
     std::vector<int> group;
     for (std::size_t i = 0; i < ordered.size(); ++i)
-        group.push_back(i == 0 ? 0 : group.back() + (std::equal(ordered[i].begin(), ordered[i].begin() + static_cast<std::ptrdiff_t>(depth), ordered[i - 1].begin()) ? 0 : 1));
+        group.push_back(i == 0 ? 0
+                               : group.back() + (std::equal(ordered[i].begin(),
+                                                            ordered[i].begin() + static_cast<std::ptrdiff_t>(depth),
+                                                            ordered[i - 1].begin())
+                                                     ? 0
+                                                     : 1));
     return group;
 }
 
 }  // namespace
 
 bool level_missing(const ReplicateData& data, std::size_t level) {
-    return std::all_of(data.rows.begin(), data.rows.end(), [&](const Replicate& row) { return row.groups[level].empty(); });
+    return std::all_of(data.rows.begin(), data.rows.end(),
+                       [&](const Replicate& row) { return row.groups[level].empty(); });
 }
 
 NestedDesign nested_design(const ReplicateData& data, const std::vector<std::size_t>& rows) {
@@ -77,18 +84,18 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
     }
     design.surface = groups_at(ordered, 1);
     for (std::size_t i = 0; i < ordered.size(); ++i)
-        if (i == 0 || design.surface[i] != design.surface[i - 1]) design.surfaces.push_back(data.rows[design.rows[i]].groups[0]);
+        if (i == 0 || design.surface[i] != design.surface[i - 1])
+            design.surfaces.push_back(data.rows[design.rows[i]].groups[0]);
 
     int above = static_cast<int>(design.surfaces.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
         auto group = groups_at(ordered, k + 2);
         const int groups = group.back() + 1;
-        if (groups > above)
-            design.levels.push_back({{names[k]}, std::move(group), groups, groups - above});
-        else if (!design.levels.empty())
-            design.levels.back().includes.push_back(names[k]);
+        if (groups > above) design.levels.push_back({{names[k]}, std::move(group), groups, groups - above});
+        else if (!design.levels.empty()) design.levels.back().includes.push_back(names[k]);
         else
-            design.not_estimable.push_back(fmt::format("one {} a surface: what another would give is not in the standard error", names[k]));
+            design.not_estimable.push_back(
+                fmt::format("one {} a surface: what another would give is not in the standard error", names[k]));
         above = groups;
     }
     return design;

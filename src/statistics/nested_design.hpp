@@ -18,14 +18,14 @@ struct DesignLevel {
     int degrees_of_freedom = 0;
 };
 
-/// Rows in the order of their groups, so that every group's rows are neighbours, with the levels whose variances can be told.
-/// The last level, where there is any, has one row a group.
+/// Rows in the order of their groups, so that every group's rows are neighbours, with the levels whose variances can be
+/// told. The last level, where there is any, has one row a group.
 struct NestedDesign {
     std::vector<std::string> surfaces;
     std::vector<std::size_t> rows;  ///< of the data
     std::vector<int> surface;       ///< of each row of the design, rising
     Array1D value;
-    Array1D known_variance;         ///< 0 where no standard error is known
+    Array1D known_variance;  ///< 0 where no standard error is known
     std::vector<DesignLevel> levels;
     std::vector<std::string> not_estimable;
 

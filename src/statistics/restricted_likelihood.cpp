@@ -69,7 +69,7 @@ struct Scaled {
     NestedDesign design;
     Array1D value;  ///< deviations
     double scale = 1.0;
-    double offset = 0.0;  ///< ln L_R of the design less that of the scaled one
+    double offset = 0.0;          ///< ln L_R of the design less that of the scaled one
     bool without_errors = false;  ///< some row has no variance of its own
 };
 
@@ -108,7 +108,8 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
     const auto m = static_cast<Index>(free.size());
     const auto value_at = [&](const Array1D& at) {
         std::vector<Jet> theta(scaled.design.levels.size());
-        for (std::size_t i = 0; i < free.size(); ++i) theta[free[i]] = exponential_of_variable(at[static_cast<Index>(i)], i);
+        for (std::size_t i = 0; i < free.size(); ++i)
+            theta[free[i]] = exponential_of_variable(at[static_cast<Index>(i)], i);
         return log_likelihood(scaled.design, scaled.value, theta);
     };
     Jet here = value_at(x);
@@ -119,7 +120,8 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
         Eigen::VectorXd gradient(m);
         for (Index i = 0; i < m; ++i) {
             gradient[i] = here.first[static_cast<std::size_t>(i)];
-            for (Index j = 0; j < m; ++j) hessian(i, j) = here.second[Jet::at(static_cast<std::size_t>(i), static_cast<std::size_t>(j))];
+            for (Index j = 0; j < m; ++j)
+                hessian(i, j) = here.second[Jet::at(static_cast<std::size_t>(i), static_cast<std::size_t>(j))];
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
         const Eigen::VectorXd along = solver.eigenvectors().transpose() * gradient;
@@ -183,7 +185,8 @@ LikelihoodMaximum maximise_restricted_likelihood(const NestedDesign& design) {
             at_an_end = top.x.size() > 0 && top.x.minCoeff() < nearly_zero;
             best.variances.setZero();
             for (std::size_t i = 0; i < free.size(); ++i)
-                best.variances[static_cast<Index>(free[i])] = std::exp(top.x[static_cast<Index>(i)]) * scaled.scale * scaled.scale;
+                best.variances[static_cast<Index>(free[i])] =
+                    std::exp(top.x[static_cast<Index>(i)]) * scaled.scale * scaled.scale;
             best.log_likelihood = top.log_likelihood + scaled.offset;
             best.converged = top.converged;
         }
@@ -218,7 +221,8 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
         while (last < n && design.surface[last] == design.surface[first]) ++last;
         const auto size = static_cast<Index>(last - first);
         std::vector<Eigen::MatrixXd> indicators;  // Z of each level
-        Eigen::MatrixXd V = (design.known_variance.segment(static_cast<Index>(first), size) / unit).matrix().asDiagonal();
+        Eigen::MatrixXd V =
+            (design.known_variance.segment(static_cast<Index>(first), size) / unit).matrix().asDiagonal();
         for (Index k = 0; k < levels; ++k) {
             const auto& group = design.levels[static_cast<std::size_t>(k)].group;
             Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(size, group[last - 1] - group[first] + 1);
@@ -233,13 +237,15 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
         const double weight = column.sum();
         const Eigen::VectorXd value = design.value.segment(static_cast<Index>(first), size).matrix();
         const double centre = value.mean();
-        GeneralizedMean mean{centre + column.dot((value.array() - centre).matrix()) / weight, unit / weight, Array1D::Zero(levels)};
+        GeneralizedMean mean{centre + column.dot((value.array() - centre).matrix()) / weight, unit / weight,
+                             Array1D::Zero(levels)};
         const Eigen::MatrixXd P = inverse - column * column.transpose() / weight;
         for (Index j = 0; j < levels; ++j) {
             const auto& Zj = indicators[static_cast<std::size_t>(j)];
             mean.gradient[j] = (Zj.transpose() * column).squaredNorm() / (weight * weight);
             const Eigen::MatrixXd rows = Zj.transpose() * P;
-            for (Index k = 0; k <= j; ++k) information(j, k) += 0.5 * (rows * indicators[static_cast<std::size_t>(k)]).squaredNorm();
+            for (Index k = 0; k <= j; ++k)
+                information(j, k) += 0.5 * (rows * indicators[static_cast<std::size_t>(k)]).squaredNorm();
         }
         result.means.push_back(std::move(mean));
         first = last;

@@ -19,7 +19,8 @@ struct LikelihoodMaximum {
 /// ln L_R of a design at given variances, one a level.
 [[nodiscard]] double log_restricted_likelihood(const NestedDesign& design, const Array1D& variances);
 
-/// The global maximum over variances >= 0: every set of levels at 0, the others by Newton steps in ln θ from several starts.
+/// The global maximum over variances >= 0: every set of levels at 0, the others by Newton steps in ln θ from several
+/// starts.
 [[nodiscard]] LikelihoodMaximum maximise_restricted_likelihood(const NestedDesign& design);
 
 /// A surface's mean at given variances.

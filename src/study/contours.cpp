@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "surfaces/foil_alert.hpp"
+#include "setae/bytes/digest.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/formats/profile_file.hpp"
 #include "setae/imaging/contour_overlay.hpp"
 #include "setae/imaging/contour_profile.hpp"
-#include "setae/bytes/digest.hpp"
-#include "setae/formats/profile_file.hpp"
-#include "setae/bytes/source.hpp"
+#include "surfaces/foil_alert.hpp"
 
 namespace setae::study {
 namespace {
@@ -28,7 +28,8 @@ double mean_square(const topography::Profile& profile) {
     return sum / profile.size();
 }
 
-ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPicture& picture, const ContourOptions& options) {
+ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPicture& picture,
+                          const ContourOptions& options) {
     ContourProfile profile;
     profile.curve = imaging::traced_curve(segment, picture.calibration.pixel_size);
     auto& metadata = profile.curve.metadata;
@@ -38,26 +39,34 @@ ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPi
     metadata.instrument.name = picture.micrograph.instrument;
     metadata.acquisition_time = picture.micrograph.acquisition_time;
     if (options.foil_thickness) {
-        if (!(*options.foil_thickness > 0)) throw InvalidArgument(fmt::format("foil thickness {} m, expected more than 0", *options.foil_thickness));
+        if (!(*options.foil_thickness > 0))
+            throw InvalidArgument(fmt::format("foil thickness {} m, expected more than 0", *options.foil_thickness));
         metadata.attributes["foil_thickness"] = fmt::format("{} m", *options.foil_thickness);
     }
-    profile.levelled = topography::levelled(profile.curve, options.shape == ContourShape::cut ? topography::Reentrance::cut : topography::Reentrance::envelope);
+    profile.levelled =
+        topography::levelled(profile.curve, options.shape == ContourShape::cut ? topography::Reentrance::cut
+                                                                               : topography::Reentrance::envelope);
     profile.statistics = topography::parametric_statistics(profile.curve);
     const auto& errors = profile.levelled.profile.standard_error;
     profile.rms_error = errors.size() > 0 ? std::sqrt(errors.square().mean()) : 0.0;
-    profile.rms_height = std::sqrt(std::max(0.0, mean_square(profile.levelled.profile) - profile.rms_error * profile.rms_error));
+    profile.rms_height =
+        std::sqrt(std::max(0.0, mean_square(profile.levelled.profile) - profile.rms_error * profile.rms_error));
     return profile;
 }
 
 Alert foil_alert(const std::string& subject, const std::optional<double>& thickness) {
     if (thickness) return foil_projection_alert(subject, *thickness);
-    return {"FOIL_THICKNESS", subject, "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
-            "give --foil-thickness; docs/tem-projection.md says how much is hidden"};
+    return {
+        "FOIL_THICKNESS", subject,
+        "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
+        "give --foil-thickness; docs/tem-projection.md says how much is hidden"};
 }
 
 void take(std::vector<Alert>& alerts, std::vector<Alert> more, const std::string& subject) {
     for (auto& alert : more) {
-        alert.subject = alert.subject.empty() || alert.subject == "picture" ? subject : alert.subject.starts_with("segment") ? subject + ", " + alert.subject : alert.subject;
+        alert.subject = alert.subject.empty() || alert.subject == "picture" ? subject
+                        : alert.subject.starts_with("segment")              ? subject + ", " + alert.subject
+                                                                            : alert.subject;
         alerts.push_back(std::move(alert));
     }
 }
@@ -96,13 +105,15 @@ TracedPicture trace_picture(const std::string& path, const ContourOptions& optio
         }
         auto trace_options = options.trace;
         if (options.hide_annotations)
-            for (const auto& region : imaging::annotations(picture.micrograph.pixels)) trace_options.hidden.push_back(region);
+            for (const auto& region : imaging::annotations(picture.micrograph.pixels))
+                trace_options.hidden.push_back(region);
         picture.hidden = trace_options.hidden;
         picture.trace = imaging::trace_contour(picture.micrograph.pixels, trace_options);
         take(picture.alerts, picture.trace.alerts, path);
         for (std::size_t i = 0; i < picture.trace.segments.size(); ++i) {
             picture.profiles.push_back(profile_of(picture.trace.segments[i], picture, options));
-            take(picture.alerts, picture.profiles.back().levelled.alerts, picture.trace.segments.size() > 1 ? fmt::format("{}, segment {}", path, i + 1) : path);
+            take(picture.alerts, picture.profiles.back().levelled.alerts,
+                 picture.trace.segments.size() > 1 ? fmt::format("{}, segment {}", path, i + 1) : path);
         }
     } catch (const InvalidArgument& error) {
         throw InvalidArgument(named(path, error));
@@ -114,7 +125,9 @@ TracedPicture trace_picture(const std::string& path, const ContourOptions& optio
 }
 
 std::string overlay_of(const TracedPicture& picture, const ContourOptions& options) {
-    return imaging::overlay_png(picture.micrograph.pixels, picture.trace, {.hidden = picture.hidden, .calibration = picture.calibration, .anchors = options.trace.anchors});
+    return imaging::overlay_png(
+        picture.micrograph.pixels, picture.trace,
+        {.hidden = picture.hidden, .calibration = picture.calibration, .anchors = options.trace.anchors});
 }
 
 std::string profile_text(const TracedPicture& picture, std::size_t segment, ContourShape shape) {
@@ -123,8 +136,11 @@ std::string profile_text(const TracedPicture& picture, std::size_t segment, Cont
 }
 
 tables::TidyTable contour_table() {
-    return {"", {"file", "segment", "state", "pixel_x [m]", "pixel_y [m]", "length [m]", "points", "Rq [m]", "rms_error [m]", "noise_density [m3]", "blur [m]", "contrast_to_noise", "rotation [rad]",
-                 "tortuosity", "reentrant_share", "reentrant_stretches", "alerts or failure"}, {}};
+    return {"",
+            {"file", "segment", "state", "pixel_x [m]", "pixel_y [m]", "length [m]", "points", "Rq [m]",
+             "rms_error [m]", "noise_density [m3]", "blur [m]", "contrast_to_noise", "rotation [rad]", "tortuosity",
+             "reentrant_share", "reentrant_stretches", "alerts or failure"},
+            {}};
 }
 
 void add_rows(tables::TidyTable& table, const TracedPicture& picture) {
@@ -134,9 +150,12 @@ void add_rows(tables::TidyTable& table, const TracedPicture& picture) {
     for (std::size_t i = 0; i < picture.profiles.size(); ++i) {
         const auto& p = picture.profiles[i];
         const auto& response = p.levelled.profile.response;
-        table.rows.push_back({picture.micrograph.file, static_cast<double>(i + 1), picture.trace.binary ? std::string("binary") : std::string("traced"), picture.calibration.pixel_size.x,
-                              picture.calibration.pixel_size.y, p.statistics.length, static_cast<double>(p.levelled.profile.positions.size()), p.rms_height, p.rms_error,
-                              response ? response->noise_density : none, response ? response->blur : none, picture.trace.segments[i].contrast_to_noise, p.levelled.rotation, p.statistics.tortuosity,
+        table.rows.push_back({picture.micrograph.file, static_cast<double>(i + 1),
+                              picture.trace.binary ? std::string("binary") : std::string("traced"),
+                              picture.calibration.pixel_size.x, picture.calibration.pixel_size.y, p.statistics.length,
+                              static_cast<double>(p.levelled.profile.positions.size()), p.rms_height, p.rms_error,
+                              response ? response->noise_density : none, response ? response->blur : none,
+                              picture.trace.segments[i].contrast_to_noise, p.levelled.rotation, p.statistics.tortuosity,
                               p.levelled.reentrant_share, static_cast<double>(p.levelled.reentrant.size()), codes});
     }
 }

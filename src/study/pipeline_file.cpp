@@ -10,10 +10,10 @@
 #include <toml++/toml.h>
 #include <yaml-cpp/yaml.h>
 
-#include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
 #include "setae/bytes/toml_reader.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/processing/step_text.hpp"
 
 namespace setae::study {
@@ -41,13 +41,17 @@ class Builder {
 public:
     explicit Builder(std::string path) : path_(std::move(path)) {}
 
-    [[noreturn]] void fail(std::uint64_t line, const std::string& what) const { throw FormatError(path_, {.line = line}, what); }
+    [[noreturn]] void fail(std::uint64_t line, const std::string& what) const {
+        throw FormatError(path_, {.line = line}, what);
+    }
 
     /// A key beside the list of steps.
     [[noreturn]] void refuse_key(const Item& item) const {
         const std::vector<std::string> known{list_key};
         const auto nearest = nearest_match(item.key, known);
-        fail(item.line, fmt::format("unknown key '{}'{}", item.key, nearest.empty() ? fmt::format("; expected {}", list_key) : fmt::format("; did you mean '{}'?", nearest)));
+        fail(item.line, fmt::format("unknown key '{}'{}", item.key,
+                                    nearest.empty() ? fmt::format("; expected {}", list_key)
+                                                    : fmt::format("; did you mean '{}'?", nearest)));
     }
 
     /// "despike threshold=5".
@@ -58,13 +62,17 @@ public:
 
     /// The keys of one step, whose table begins on `line`.
     void add_step(const std::vector<Item>& items, std::uint64_t line) {
-        const auto named = std::find_if(items.begin(), items.end(), [](const Item& item) { return item.key == name_key; });
-        if (named == items.end()) fail(line, fmt::format("a step without a name; expected a key '{}', such as {}: level_plane", name_key, name_key));
+        const auto named =
+            std::find_if(items.begin(), items.end(), [](const Item& item) { return item.key == name_key; });
+        if (named == items.end())
+            fail(line, fmt::format("a step without a name; expected a key '{}', such as {}: level_plane", name_key,
+                                   name_key));
         Entry entry;
         guarded(named->line, [&] { entry.step = processing::step_named(named->value); });
         std::set<std::string> seen;
         for (const auto& item : items) {
-            if (!seen.insert(item.key).second) fail(item.line, fmt::format("key '{}' stands twice in a step", item.key));
+            if (!seen.insert(item.key).second)
+                fail(item.line, fmt::format("key '{}' stands twice in a step", item.key));
             if (item.key == name_key) continue;
             if (item.key == switch_key) entry.on = flag(item);
             else guarded(item.line, [&] { processing::set_parameter(entry.step, {item.key, item.value}); });
@@ -86,7 +94,8 @@ private:
     }
 
     [[nodiscard]] bool flag(const Item& item) const {
-        if (item.value != "true" && item.value != "false") fail(item.line, fmt::format("{}: '{}'; expected true or false", item.key, item.value));
+        if (item.value != "true" && item.value != "false")
+            fail(item.line, fmt::format("{}: '{}'; expected true or false", item.key, item.value));
         return item.value == "true";
     }
 
@@ -94,7 +103,9 @@ private:
     void resolve_file(processing::Step& step) const {
         for (const auto& parameter : processing::changed_parameters(step))
             if (parameter.name == file_parameter && !fs::path(parameter.value).is_absolute())
-                processing::set_parameter(step, {file_parameter, (fs::path(path_).parent_path() / parameter.value).lexically_normal().string()});
+                processing::set_parameter(
+                    step,
+                    {file_parameter, (fs::path(path_).parent_path() / parameter.value).lexically_normal().string()});
     }
 
     std::string path_;
@@ -128,17 +139,21 @@ Pipeline from_yaml(const std::string& text, const std::string& path) {
         if (!entry.first.IsScalar()) builder.fail(line_of(entry.first), "a key that is no text");
         if (entry.first.Scalar() != list_key) builder.refuse_key({entry.first.Scalar(), "", line_of(entry.first)});
         if (entry.second.IsNull()) continue;
-        if (!entry.second.IsSequence()) builder.fail(line_of(entry.second), fmt::format("{}: expected a list, a dash before each step", list_key));
+        if (!entry.second.IsSequence())
+            builder.fail(line_of(entry.second), fmt::format("{}: expected a list, a dash before each step", list_key));
         for (const auto& step : entry.second) {
             if (step.IsScalar()) {
                 builder.add_line({"", step.Scalar(), line_of(step)});
                 continue;
             }
-            if (!step.IsMap()) builder.fail(line_of(step), fmt::format("expected a step: a key '{}' and its parameters, or one text", name_key));
+            if (!step.IsMap())
+                builder.fail(line_of(step),
+                             fmt::format("expected a step: a key '{}' and its parameters, or one text", name_key));
             std::vector<Item> items;
             for (const auto& pair : step) {
                 if (!pair.first.IsScalar()) builder.fail(line_of(pair.first), "a key that is no text");
-                items.push_back({pair.first.Scalar(), value_of(pair.second, pair.first.Scalar(), builder), line_of(pair.first)});
+                items.push_back(
+                    {pair.first.Scalar(), value_of(pair.second, pair.first.Scalar(), builder), line_of(pair.first)});
             }
             builder.add_step(items, line_of(step));
         }
@@ -177,9 +192,13 @@ Pipeline from_toml(const std::string& path) {
                 continue;
             }
             const auto* table = step.as_table();
-            if (!table) builder.fail(line_of(step), fmt::format("expected a step: a key '{}' and its parameters, or one text", name_key));
+            if (!table)
+                builder.fail(line_of(step),
+                             fmt::format("expected a step: a key '{}' and its parameters, or one text", name_key));
             std::vector<Item> items;
-            for (const auto& [name, value] : *table) items.push_back({std::string(name.str()), value_of(value, std::string(name.str()), builder), name.source().begin.line});
+            for (const auto& [name, value] : *table)
+                items.push_back({std::string(name.str()), value_of(value, std::string(name.str()), builder),
+                                 name.source().begin.line});
             builder.add_step(items, line_of(step));
         }
     }
@@ -209,7 +228,8 @@ Ending ending_of(const std::string& path) {
     const auto ending = fs::path(path).extension().string();
     if (ending == ".yml" || ending == ".yaml") return Ending::yaml;
     if (ending == ".toml") return Ending::toml;
-    throw InvalidArgument(fmt::format("{}: cannot tell the format of a pipeline from the name; expected an ending .yml, .yaml or .toml", path));
+    throw InvalidArgument(fmt::format(
+        "{}: cannot tell the format of a pipeline from the name; expected an ending .yml, .yaml or .toml", path));
 }
 
 }  // namespace
@@ -217,7 +237,9 @@ Ending ending_of(const std::string& path) {
 Pipeline read_pipeline(const std::string& path) {
     const auto ending = ending_of(path);
     const auto text = bytes::read_file(path);
-    if (text.size() > longest_file) throw FormatError(path, {}, fmt::format("{} bytes are no pipeline; expected at most {}", text.size(), longest_file));
+    if (text.size() > longest_file)
+        throw FormatError(path, {},
+                          fmt::format("{} bytes are no pipeline; expected at most {}", text.size(), longest_file));
     return ending == Ending::yaml ? from_yaml(text, path) : from_toml(path);
 }
 
@@ -225,7 +247,8 @@ std::string pipeline_yaml(const Pipeline& pipeline) {
     std::string text = pipeline.entries.empty() ? "steps: []\n" : "steps:\n";
     for (const auto& entry : pipeline.entries) {
         text += fmt::format("  - {}: {}\n", name_key, processing::name(entry.step));
-        for (const auto& parameter : processing::changed_parameters(entry.step)) text += fmt::format("    {}: {}\n", parameter.name, written(parameter.value));
+        for (const auto& parameter : processing::changed_parameters(entry.step))
+            text += fmt::format("    {}: {}\n", parameter.name, written(parameter.value));
         if (!entry.on) text += fmt::format("    {}: false\n", switch_key);
     }
     return text;
@@ -234,8 +257,10 @@ std::string pipeline_yaml(const Pipeline& pipeline) {
 std::string pipeline_toml(const Pipeline& pipeline) {
     std::string text = pipeline.entries.empty() ? "steps = []\n" : "";
     for (const auto& entry : pipeline.entries) {
-        text += fmt::format("{}[[{}]]\n{} = {}\n", text.empty() ? "" : "\n", list_key, name_key, quoted(processing::name(entry.step)));
-        for (const auto& parameter : processing::changed_parameters(entry.step)) text += fmt::format("{} = {}\n", parameter.name, written(parameter.value));
+        text += fmt::format("{}[[{}]]\n{} = {}\n", text.empty() ? "" : "\n", list_key, name_key,
+                            quoted(processing::name(entry.step)));
+        for (const auto& parameter : processing::changed_parameters(entry.step))
+            text += fmt::format("{} = {}\n", parameter.name, written(parameter.value));
         if (!entry.on) text += fmt::format("{} = false\n", switch_key);
     }
     return text;
@@ -247,21 +272,27 @@ void write_pipeline(const std::string& path, const Pipeline& pipeline) {
     for (auto& entry : beside.entries)
         for (const auto& parameter : processing::changed_parameters(entry.step))
             if (parameter.name == file_parameter && !fs::path(parameter.value).is_absolute())
-                processing::set_parameter(entry.step, {file_parameter, fs::path(parameter.value).lexically_proximate(fs::path(path).parent_path()).string()});
+                processing::set_parameter(
+                    entry.step, {file_parameter,
+                                 fs::path(parameter.value).lexically_proximate(fs::path(path).parent_path()).string()});
     bytes::write_whole_file(path, ending == Ending::yaml ? pipeline_yaml(beside) : pipeline_toml(beside));
 }
 
 processing::LoadMeasurement measurement_loader(formats::ReadOptions options) {
-    return [options = std::move(options)](const std::string& file, const std::string& channel) -> topography::Measurement {
-        std::vector<std::string> names;
-        for (const auto& candidate : formats::open(file, options)) {
-            if (channel.empty() ? candidate.info.is_height : candidate.info.name == channel) return candidate.read();
-            names.push_back(candidate.info.name);
-        }
-        if (channel.empty()) throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", file, names.size()));
-        const auto nearest = nearest_match(channel, names);
-        throw InvalidArgument(fmt::format("{}: no channel '{}'{}", file, channel, nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
-    };
+    return
+        [options = std::move(options)](const std::string& file, const std::string& channel) -> topography::Measurement {
+            std::vector<std::string> names;
+            for (const auto& candidate : formats::open(file, options)) {
+                if (channel.empty() ? candidate.info.is_height : candidate.info.name == channel)
+                    return candidate.read();
+                names.push_back(candidate.info.name);
+            }
+            if (channel.empty())
+                throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", file, names.size()));
+            const auto nearest = nearest_match(channel, names);
+            throw InvalidArgument(fmt::format("{}: no channel '{}'{}", file, channel,
+                                              nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+        };
 }
 
 std::vector<std::string> step_lines(const Pipeline& pipeline) {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "setae/bytes/digest.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 extern const char* const setae_source_digest;  // cmake/source_digest.cmake

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/toml_reader.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/toml_reader.hpp"
 #include "setae/tables/text_table.hpp"
 
 namespace setae::study {
@@ -38,7 +38,8 @@ std::vector<std::string> names_of(const std::string& quantity) {
 }
 
 std::vector<std::string> error_names(const std::string& value) {
-    return {value + " standard_error", value + "_standard_error", value + "_se", value + " se", value + " stderr", "standard_error " + value, "standard_error of " + value};
+    return {value + " standard_error", value + "_standard_error",   value + "_se", value + " se", value + " stderr",
+            "standard_error " + value, "standard_error of " + value};
 }
 
 /// Columns of one table.
@@ -50,7 +51,9 @@ struct Places {
     std::string unit;  ///< SI
 };
 
-[[noreturn]] void fail(const tables::TextTable& table, const std::string& what) { throw FormatError(table.path, {}, what + "; it has " + table.names()); }
+[[noreturn]] void fail(const tables::TextTable& table, const std::string& what) {
+    throw FormatError(table.path, {}, what + "; it has " + table.names());
+}
 
 std::size_t required(const tables::TextTable& table, const std::string& name, const std::string& remedy) {
     const auto place = table.find({name});
@@ -58,7 +61,8 @@ std::size_t required(const tables::TextTable& table, const std::string& name, co
     return *place;
 }
 
-Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted, const std::vector<std::string>& levels) {
+Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted,
+                 const std::vector<std::string>& levels) {
     Places places;
     if (!wanted.value_column.empty()) places.value = required(table, wanted.value_column, "");
     else if (const auto found = table.find(names_of(wanted.quantity))) places.value = *found;
@@ -73,17 +77,22 @@ Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted,
     }
     places.method = table.find({"method"});
     places.branch = table.find({"branch"});
-    if (std::find(levels.begin(), levels.end(), "elastomer") == levels.end()) places.elastomer = table.find({"elastomer"});
+    if (std::find(levels.begin(), levels.end(), "elastomer") == levels.end())
+        places.elastomer = table.find({"elastomer"});
     places.primary = table.find({"primary"});
     if (table.find({"contact"})) places.cycle = table.find({"cycle"});
     places.reason = table.find({"reason"});
     places.file = table.find({"file"});
     const auto& unit = value.unit.empty() ? wanted.unit : value.unit;
-    if (unit.empty()) throw FormatError(table.path, {}, fmt::format("column '{}' has no unit; write it as \"{} [mJ/m2]\" or give --unit", value.name, value.name));
+    if (unit.empty())
+        throw FormatError(
+            table.path, {},
+            fmt::format("column '{}' has no unit; write it as \"{} [mJ/m2]\" or give --unit", value.name, value.name));
     const auto parsed = parse_unit(unit);
     places.factor = places.error_factor = parsed.factor;
     places.unit = si_unit(parsed.dimension);
-    if (places.error && !table.columns[*places.error].unit.empty()) places.error_factor = unit_factor(table.columns[*places.error].unit, parsed.dimension);
+    if (places.error && !table.columns[*places.error].unit.empty())
+        places.error_factor = unit_factor(table.columns[*places.error].unit, parsed.dimension);
     return places;
 }
 
@@ -101,7 +110,12 @@ std::vector<std::string> levels_of(const std::vector<tables::TextTable>& tables,
     if (!wanted.group_by.empty()) return wanted.group_by;
     std::vector<std::string> levels;
     for (const char* name : {"surface", "lens", "spot"}) {
-        const auto has = [&](const tables::TextTable& table) { return table.find(std::string(name) == "lens" ? std::vector<std::string>{"lens", "hemisphere"} : std::vector<std::string>{name}).has_value(); };
+        const auto has = [&](const tables::TextTable& table) {
+            return table
+                .find(std::string(name) == "lens" ? std::vector<std::string>{"lens", "hemisphere"}
+                                                  : std::vector<std::string>{name})
+                .has_value();
+        };
         if (std::all_of(tables.begin(), tables.end(), has)) levels.emplace_back(name);
         else if (levels.empty()) break;
     }
@@ -120,15 +134,19 @@ struct Candidate {
         return std::all_of(rule.conditions.begin(), rule.conditions.end(), [&](const auto& condition) {
             if (condition.first == "line") return std::to_string(row->line) == condition.second;
             const auto column = table->find({condition.first});
-            if (!column) fail(*table, fmt::format("no column '{}', which the exclusion '{}' names", condition.first, rule.where));
+            if (!column)
+                fail(*table,
+                     fmt::format("no column '{}', which the exclusion '{}' names", condition.first, rule.where));
             const auto& cell = row->cells[*column];
-            return cell == condition.second || (condition.first == "file" && fs::path(cell).filename() == condition.second);
+            return cell == condition.second ||
+                   (condition.first == "file" && fs::path(cell).filename() == condition.second);
         });
     }
 };
 
 /// Rows of one method and branch.
-std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables, const std::vector<Places>& places, const ReplicateColumns& wanted) {
+std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables, const std::vector<Places>& places,
+                                   const ReplicateColumns& wanted) {
     std::vector<Candidate> rows;
     for (std::size_t t = 0; t < tables.size(); ++t)
         for (const auto& row : tables[t].rows) rows.push_back({&tables[t], &row, &places[t]});
@@ -136,7 +154,8 @@ std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables,
     const auto kinds = [&](Column column) {
         std::set<std::string> seen;
         for (const auto& row : rows)
-            if (row.places->*column && !row.row->cells[row.places->value].empty()) seen.insert(row.row->cells[*(row.places->*column)]);
+            if (row.places->*column && !row.row->cells[row.places->value].empty())
+                seen.insert(row.row->cells[*(row.places->*column)]);
         return seen;
     };
     const bool by_primary = wanted.method.empty() || wanted.method == "primary";
@@ -145,33 +164,47 @@ std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables,
         std::string wanted;
         const char* what;
     };
-    const std::vector<Choice> choices{{&Places::elastomer, wanted.elastomer, "elastomer"}, {&Places::branch, wanted.branch, "branch"}, {&Places::method, by_primary ? "" : wanted.method, "method"}};
+    const std::vector<Choice> choices{{&Places::elastomer, wanted.elastomer, "elastomer"},
+                                      {&Places::branch, wanted.branch, "branch"},
+                                      {&Places::method, by_primary ? "" : wanted.method, "method"}};
     for (const auto& choice : choices) {
         if (choice.wanted.empty()) continue;
         const auto seen = kinds(choice.column);
-        std::erase_if(rows, [&](const Candidate& row) { return row.places->*choice.column && row.row->cells[*(row.places->*choice.column)] != choice.wanted; });
-        if (rows.empty()) throw UndefinedDataError(fmt::format("no row of {} '{}'; there are {}", choice.what, choice.wanted, fmt::join(seen, ", ")));
+        std::erase_if(rows, [&](const Candidate& row) {
+            return row.places->*choice.column && row.row->cells[*(row.places->*choice.column)] != choice.wanted;
+        });
+        if (rows.empty())
+            throw UndefinedDataError(
+                fmt::format("no row of {} '{}'; there are {}", choice.what, choice.wanted, fmt::join(seen, ", ")));
     }
-    const bool named_primary = by_primary && std::all_of(places.begin(), places.end(), [](const Places& p) { return p.primary.has_value(); });
+    const bool named_primary =
+        by_primary && std::all_of(places.begin(), places.end(), [](const Places& p) { return p.primary.has_value(); });
     if (named_primary)  // a row without method says why a branch has no fit
         std::erase_if(rows, [](const Candidate& row) {
-            return row.row->cells[*row.places->primary] != "yes" && !(row.places->method && row.row->cells[*row.places->method].empty());
+            return row.row->cells[*row.places->primary] != "yes" &&
+                   !(row.places->method && row.row->cells[*row.places->method].empty());
         });
     for (const auto& choice : choices) {
         if (!choice.wanted.empty() || (named_primary && choice.column == &Places::method)) continue;
         if (const auto seen = kinds(choice.column); seen.size() > 1)
-            throw InvalidArgument(fmt::format("several kinds of '{}': {}; the same loop would count more than once, choose one by --{}", choice.what, fmt::join(seen, ", "), choice.what));
+            throw InvalidArgument(
+                fmt::format("several kinds of '{}': {}; the same loop would count more than once, choose one by --{}",
+                            choice.what, fmt::join(seen, ", "), choice.what));
     }
     // a contact's whole loop and its cycles are the same energy twice
-    const auto whole = [](const Candidate& row) { return row.places->cycle && !row.places->branch && row.row->cells[*row.places->cycle].empty(); };
+    const auto whole = [](const Candidate& row) {
+        return row.places->cycle && !row.places->branch && row.row->cells[*row.places->cycle].empty();
+    };
     if (std::any_of(rows.begin(), rows.end(), whole))
         std::erase_if(rows, [&](const Candidate& row) { return row.places->cycle && !whole(row); });
     return rows;
 }
 
 void require_complete(const ExclusionRule& rule) {
-    if (rule.reason.empty()) throw InvalidArgument(fmt::format("exclusion '{}' without a reason; add reason=…", rule.where));
-    if (rule.conditions.empty()) throw InvalidArgument(fmt::format("exclusion '{}' names no row; expected such as file=loop.csv", rule.where));
+    if (rule.reason.empty())
+        throw InvalidArgument(fmt::format("exclusion '{}' without a reason; add reason=…", rule.where));
+    if (rule.conditions.empty())
+        throw InvalidArgument(fmt::format("exclusion '{}' names no row; expected such as file=loop.csv", rule.where));
 }
 
 }  // namespace
@@ -184,8 +217,11 @@ ExclusionRule parse_exclusion(const std::string& text) {
         at = end + 1;
         if (part.empty()) continue;
         const auto equals = part.find('=');
-        if (equals == std::string::npos) throw InvalidArgument(fmt::format("exclusion '{}': '{}' has no '='; expected \"file=loop.csv;reason=why\"", text, part));
-        const auto key = std::string(trimmed(part.substr(0, equals))), value = std::string(trimmed(part.substr(equals + 1)));
+        if (equals == std::string::npos)
+            throw InvalidArgument(
+                fmt::format("exclusion '{}': '{}' has no '='; expected \"file=loop.csv;reason=why\"", text, part));
+        const auto key = std::string(trimmed(part.substr(0, equals))),
+                   value = std::string(trimmed(part.substr(equals + 1)));
         if (key == "reason") rule.reason = value;
         else rule.conditions[key] = value;
     }
@@ -209,12 +245,14 @@ std::vector<ExclusionRule> read_exclusions(const std::string& path) {
         reader.each_table("exclude", [&](bytes::TomlReader entry) {
             ExclusionRule rule{.where = path};
             for (const auto& key : entry.keys()) {
-                const auto value = entry.is_number(key.c_str()) ? std::to_string(*entry.integer(key.c_str())) : entry.required_text(key.c_str());
+                const auto value = entry.is_number(key.c_str()) ? std::to_string(*entry.integer(key.c_str()))
+                                                                : entry.required_text(key.c_str());
                 if (key == "reason") rule.reason = value;
                 else rule.conditions[key] = value;
             }
             if (rule.reason.empty()) entry.fail("reason", "an exclusion without a reason");
-            if (rule.conditions.empty()) entry.fail("file", "an exclusion that names no row; expected such as file = \"loop.csv\"");
+            if (rule.conditions.empty())
+                entry.fail("file", "an exclusion that names no row; expected such as file = \"loop.csv\"");
             rules.push_back(std::move(rule));
         });
         reader.finish();
@@ -234,7 +272,8 @@ std::vector<ExclusionRule> read_exclusions(const std::string& path) {
     return rules;
 }
 
-ReplicateTables read_replicates(const std::vector<std::string>& paths, const ReplicateColumns& columns, const std::vector<ExclusionRule>& exclusions) {
+ReplicateTables read_replicates(const std::vector<std::string>& paths, const ReplicateColumns& columns,
+                                const std::vector<ExclusionRule>& exclusions) {
     if (paths.empty()) throw InvalidArgument("no table; expected CSV files with a row for each fit");
     std::vector<tables::TextTable> tables;
     for (const auto& path : paths) tables.push_back(tables::read_text_table(path));
@@ -246,7 +285,9 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
     for (const auto& table : tables) {
         places.push_back(places_of(table, columns, data.levels));
         if (places.back().unit != places.front().unit)
-            throw FormatError(table.path, {}, fmt::format("'{}' in {}; in {} it is in {}", data.quantity, places.back().unit, tables.front().path, places.front().unit));
+            throw FormatError(table.path, {},
+                              fmt::format("'{}' in {}; in {} it is in {}", data.quantity, places.back().unit,
+                                          tables.front().path, places.front().unit));
     }
     data.unit = places.front().unit;
     std::vector<int> met(exclusions.size());
@@ -254,7 +295,9 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
     // a level that no row names is missing as a whole; the surface never is
     std::vector<bool> named(data.levels.size());
     for (std::size_t level = 0; level < data.levels.size(); ++level)
-        named[level] = level == 0 || std::any_of(chosen.begin(), chosen.end(), [&](const Candidate& row) { return !row.row->cells[row.places->groups[level]].empty(); });
+        named[level] = level == 0 || std::any_of(chosen.begin(), chosen.end(), [&](const Candidate& row) {
+                           return !row.row->cells[row.places->groups[level]].empty();
+                       });
     for (const auto& row : chosen) {
         const auto bad = [&](const std::string& reason) { result.bad_rows.push_back({row.place(), reason}); };
         const auto& cells = row.row->cells;
@@ -265,11 +308,16 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
         for (std::size_t i = 0; i < exclusions.size(); ++i) {
             if (!row.meets(exclusions[i])) continue;
             ++met[i];
-            if (excluded) throw InvalidArgument(fmt::format("{} is excluded twice: '{}' and '{}'; keep one", row.place(), excluded->where, exclusions[i].where));
+            if (excluded)
+                throw InvalidArgument(fmt::format("{} is excluded twice: '{}' and '{}'; keep one", row.place(),
+                                                  excluded->where, exclusions[i].where));
             excluded = &exclusions[i];
         }
         if (!std::isfinite(replicate.value)) {
-            bad(cells[at.value].empty() ? fmt::format("no {}{}", data.quantity, at.reason && !cells[*at.reason].empty() ? ": " + cells[*at.reason] : "") : fmt::format("{} is '{}'; expected a number", data.quantity, cells[at.value]));
+            bad(cells[at.value].empty()
+                    ? fmt::format("no {}{}", data.quantity,
+                                  at.reason && !cells[*at.reason].empty() ? ": " + cells[*at.reason] : "")
+                    : fmt::format("{} is '{}'; expected a number", data.quantity, cells[at.value]));
             continue;
         }
         if (at.error) {
@@ -292,10 +340,14 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
         if (excluded) data.exclusions.push_back({data.rows.size() - 1, excluded->reason});
     }
     if (data.rows.empty())
-        throw UndefinedDataError(fmt::format("{}: no row with a number in '{}'{}", paths.front(), data.quantity,
-                                             result.bad_rows.empty() ? "" : "; " + result.bad_rows.front().place + ": " + result.bad_rows.front().reason));
+        throw UndefinedDataError(fmt::format(
+            "{}: no row with a number in '{}'{}", paths.front(), data.quantity,
+            result.bad_rows.empty() ? ""
+                                    : "; " + result.bad_rows.front().place + ": " + result.bad_rows.front().reason));
     for (std::size_t i = 0; i < exclusions.size(); ++i)
-        if (met[i] == 0) throw InvalidArgument(fmt::format("no row meets the exclusion '{}'; check its columns and texts", exclusions[i].where));
+        if (met[i] == 0)
+            throw InvalidArgument(
+                fmt::format("no row meets the exclusion '{}'; check its columns and texts", exclusions[i].where));
     return result;
 }
 

@@ -44,7 +44,8 @@ void Run::expect(std::size_t steps, double work) {
 }
 
 void Run::say(const std::string& stage, const std::string& item, bool begins, bool cached) const {
-    if (options_.progress) options_.progress({stage, item, begins, cached, done_, total_, work_done_ / work_, work_computed_ / work_});
+    if (options_.progress)
+        options_.progress({stage, item, begins, cached, done_, total_, work_done_ / work_, work_computed_ / work_});
 }
 
 void Run::step_begins(const std::string& stage, const std::string& item) {
@@ -70,10 +71,13 @@ bool wants_likelihood(const AnalysisOptions& options, std::ptrdiff_t measurement
 
 double surface_work(const AnalysisOptions& options, std::size_t measurements) {
     constexpr double share_of_a_fit = 8.0;
-    return wants_likelihood(options, static_cast<std::ptrdiff_t>(measurements)) ? share_of_a_fit * static_cast<double>(measurements) : 1.0;
+    return wants_likelihood(options, static_cast<std::ptrdiff_t>(measurements))
+               ? share_of_a_fit * static_cast<double>(measurements)
+               : 1.0;
 }
 
-std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options) {
+std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
+                            const AnalysisOptions& options) {
     cache::KeyBuilder key("measurement");
     // what analyse_measurement() looks at
     AnalysisOptions relevant;
@@ -97,7 +101,9 @@ std::string surface_key(const Run& run, const SurfaceInput& input, const Analysi
 
 std::string experiment_key(const Run& run, const ExperimentInput& input, const loops::LensAndCounterBody& bodies) {
     cache::KeyBuilder key("experiment");
-    key.add("input", bytes_of<LoopSource>(input)).add("bodies", bytes_of(bodies)).add("options", bytes_of(input.options));
+    key.add("input", bytes_of<LoopSource>(input))
+        .add("bodies", bytes_of(bodies))
+        .add("options", bytes_of(input.options));
     return add_content(key, run, input.files()) ? key.key() : std::string();
 }
 

@@ -60,9 +60,12 @@ private:
 inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] double surface_work(const AnalysisOptions& options, std::size_t measurements);
 
-/// Keys of results, from the content of their files and all settings they depend on; empty where a file's content is unknown.
-[[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal, const AnalysisOptions& options);
+/// Keys of results, from the content of their files and all settings they depend on; empty where a file's content is
+/// unknown.
+[[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
+                                          const AnalysisOptions& options);
 [[nodiscard]] std::string surface_key(const Run& run, const SurfaceInput& input, const AnalysisOptions& options);
-[[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input, const loops::LensAndCounterBody& bodies);
+[[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input,
+                                         const loops::LensAndCounterBody& bodies);
 
 }  // namespace setae::study

@@ -33,7 +33,8 @@ double memory_of(const SurfaceInput& surface) {
     return sum;
 }
 
-/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go into each.
+/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go
+/// into each.
 std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
     constexpr double most_memory = 2e9;  // [bytes]
     std::vector<double> memory;
@@ -46,11 +47,10 @@ std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parall
     }
     std::vector<SurfaceResult> results(study.surfaces.size());
     const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
-    parallel::for_each_index(results.size(), {std::max(1, at_once)},
-                             [&](std::size_t i) {
-                                 run.stop_if_cancelled();
-                                 results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside);
-                             });
+    parallel::for_each_index(results.size(), {std::max(1, at_once)}, [&](std::size_t i) {
+        run.stop_if_cancelled();
+        results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside);
+    });
     return results;
 }
 
@@ -58,7 +58,9 @@ std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parall
 loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& study) {
     const auto& elastomer = *study.elastomer(input.elastomer);
     const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
-    if (!radius) throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'", input.file, elastomer.name));
+    if (!radius)
+        throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'",
+                                          input.file, elastomer.name));
     loops::LensAndCounterBody bodies;
     bodies.radius = *radius;
     bodies.lens_poisson_ratio = elastomer.poisson_ratio;
@@ -84,7 +86,8 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
             run.keep(key, *result.analysis);
         }
         result.alerts = result.analysis->alerts;
-        if (study.loop_models.any()) result.models = loop_models(*result.analysis, bodies, input.options, study.loop_models);
+        if (study.loop_models.any())
+            result.models = loop_models(*result.analysis, bodies, input.options, study.loop_models);
     } catch (const Error& error) {
         result.error = error.what();
     }
@@ -106,7 +109,8 @@ Outcome<loops::GlobalFit> share(const StudyResult& result, const std::string& el
     const auto& options = result.study.loop_models;
     try {
         for (const auto& e : result.experiments)
-            if (e.analysis && e.input.elastomer == elastomer && !e.input.excluded() && (options.branch == loops::LoopBranch::loading || e.analysis->unloading))
+            if (e.analysis && e.input.elastomer == elastomer && !e.input.excluded() &&
+                (options.branch == loops::LoopBranch::loading || e.analysis->unloading))
                 loops.push_back(branch_to_share(e.input.file, *e.analysis, e.bodies, e.input.options, options));
         return {shared_fit(loops, options)};
     } catch (const Error& error) {
@@ -119,29 +123,36 @@ void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
     if (!(elastomer.youngs_modulus.value > 0.0)) {
         std::vector<Estimate> from_loops;
         for (const auto& e : result.experiments)
-            if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name) from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
+            if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name)
+                from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
         if (from_loops.empty()) return;
         elastomer.youngs_modulus = mean_of(from_loops);
         elastomer.modulus_from_loops = true;
     }
     const contact::ElasticSolid rough{result.study.counter_youngs_modulus, result.study.counter_poisson_ratio};
-    const auto against_rough = [&](double modulus) { return contact::contact_modulus({modulus, elastomer.input.poisson_ratio}, rough); };
+    const auto against_rough = [&](double modulus) {
+        return contact::contact_modulus({modulus, elastomer.input.poisson_ratio}, rough);
+    };
     const auto& E = elastomer.youngs_modulus;
     elastomer.contact_modulus.value = against_rough(E.value);
     // linear propagation by a central difference over the ± itself
     elastomer.contact_modulus.method = "delta";
     if (E.uncertain())
-        elastomer.contact_modulus.standard_error = 0.5 * (against_rough(E.value + E.standard_error) - against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
+        elastomer.contact_modulus.standard_error =
+            0.5 * (against_rough(E.value + E.standard_error) -
+                   against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
 }
 
 void check_plausibility(ElastomerResult& elastomer) {
     if (!elastomer.input.crosslink_molar_mass || !(elastomer.youngs_modulus.value > 0.0)) return;
-    elastomer.network_modulus = loops::rubber_modulus(elastomer.input.density, elastomer.input.temperature, *elastomer.input.crosslink_molar_mass);
+    elastomer.network_modulus = loops::rubber_modulus(elastomer.input.density, elastomer.input.temperature,
+                                                      *elastomer.input.crosslink_molar_mass);
     const double ratio = elastomer.youngs_modulus.value / *elastomer.network_modulus;
     constexpr double largest_ratio = 30.0;  // entanglements raise E of lightly linked networks, E = 3G alone gives 3
     if (ratio > 1.0 / largest_ratio && ratio < largest_ratio) return;
     elastomer.alerts.push_back({"MODULUS_IMPLAUSIBLE", elastomer.input.name,
-                                fmt::format("E = {:.3g} Pa is {:.2g} times rho R T/M_c = {:.3g} Pa", elastomer.youngs_modulus.value, ratio, *elastomer.network_modulus),
+                                fmt::format("E = {:.3g} Pa is {:.2g} times rho R T/M_c = {:.3g} Pa",
+                                            elastomer.youngs_modulus.value, ratio, *elastomer.network_modulus),
                                 "check the unit of the modulus and of the molar mass between crosslinks"});
 }
 
@@ -175,7 +186,8 @@ int StudyResult::failures() const {
 
 int StudyResult::successes() const {
     const auto fine = [](const auto& item) { return !item.failed(); };
-    return static_cast<int>(std::count_if(surfaces.begin(), surfaces.end(), fine) + std::count_if(experiments.begin(), experiments.end(), fine));
+    return static_cast<int>(std::count_if(surfaces.begin(), surfaces.end(), fine) +
+                            std::count_if(experiments.begin(), experiments.end(), fine));
 }
 
 const SurfaceResult& StudyResult::surface(const std::string& name) const {
@@ -198,7 +210,8 @@ StudyResult run_study(Study study, const RunOptions& options) {
     Run run(options, result.inputs);
     expect_steps(inputs, run);
     if (inputs.surfaces.empty() && inputs.experiments.empty())
-        result.alerts.push_back({"EMPTY_STUDY", inputs.title, "the study names no surface and no experiment: there is nothing to conclude from",
+        result.alerts.push_back({"EMPTY_STUDY", inputs.title,
+                                 "the study names no surface and no experiment: there is nothing to conclude from",
                                  "add [surfaces.NAME] or [[experiments]], see docs/study.md"});
     result.surfaces = analyse_surfaces(inputs, run, options.threads);
     result.experiments.resize(inputs.experiments.size());
@@ -214,7 +227,8 @@ StudyResult run_study(Study study, const RunOptions& options) {
         check_plausibility(elastomer);
         result.elastomers.push_back(std::move(elastomer));
     }
-    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
+    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                                         [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
     if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
     return related(std::move(result));
 }

@@ -15,8 +15,8 @@
 
 #include "setae/study/study_result.hpp"
 
-// Results as bytes, exactly, for the cache. Every function takes its type apart by a structured binding: a field added to
-// a type does not compile here until it is kept, too.
+// Results as bytes, exactly, for the cache. Every function takes its type apart by a structured binding: a field added
+// to a type does not compile here until it is kept, too.
 
 namespace Eigen {
 
@@ -48,11 +48,11 @@ void load(Archive& archive, MatrixXd& m) {
 }  // namespace Eigen
 
 // the fields of a type, all of them, in their order
-#define SETAE_KEEP(Type, ...)                   \
-    template <class Archive>                    \
+#define SETAE_KEEP(Type, ...)                    \
+    template <class Archive>                     \
     void serialize(Archive& archive, Type& of) { \
-        auto& [__VA_ARGS__] = of;               \
-        archive(__VA_ARGS__);                   \
+        auto& [__VA_ARGS__] = of;                \
+        archive(__VA_ARGS__);                    \
     }
 
 namespace setae {
@@ -80,7 +80,8 @@ SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, att
 
 namespace setae::spectra {
 
-SETAE_KEEP(PowerSpectrum1D, wavevector, C1D, standard_error, count, q_min, q_max, length, pitch, window, alerts, metadata)
+SETAE_KEEP(PowerSpectrum1D, wavevector, C1D, standard_error, count, q_min, q_max, length, pitch, window, alerts,
+           metadata)
 SETAE_KEEP(LogGrid, bins_per_decade)
 SETAE_KEEP(CombinedSpectrum, wavevector, C1D, standard_error, count, instrument_count, q_min, q_max, grid, alerts)
 
@@ -88,8 +89,10 @@ SETAE_KEEP(CombinedSpectrum, wavevector, C1D, standard_error, count, instrument_
 
 namespace setae::roughness {
 
-SETAE_KEEP(RealSpaceParameters, rms_height, rms_height_of_lines, rms_slope_x, rms_slope_y, rms_slope, rms_curvature, mean_height, defined)
-SETAE_KEEP(DirectionalSlope, angle, rms, rms_standard_error, skewness, skewness_standard_error, excess_kurtosis, excess_kurtosis_standard_error, blocks)
+SETAE_KEEP(RealSpaceParameters, rms_height, rms_height_of_lines, rms_slope_x, rms_slope_y, rms_slope, rms_curvature,
+           mean_height, defined)
+SETAE_KEEP(DirectionalSlope, angle, rms, rms_standard_error, skewness, skewness_standard_error, excess_kurtosis,
+           excess_kurtosis_standard_error, blocks)
 SETAE_KEEP(SlopeDistribution, directions, slope, density, gaussian_p_value, isotropy_ratio, isotropy_p_value, alerts)
 SETAE_KEEP(TriangulatedArea, area_ratio, rms_slope, cells)
 SETAE_KEEP(WavelengthLimits, longest, shortest)
@@ -127,7 +130,8 @@ void serialize(Archive& archive, Outcome<T>& of) {
 }
 
 SETAE_KEEP(Loop, time, force, displacement, contact_radius)
-SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height, layer_thickness)
+SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height,
+           layer_thickness)
 SETAE_KEEP(IndexRange, first, last)
 SETAE_KEEP(TimeRange, first, last)
 SETAE_KEEP(ContactEdits, jump_in, loading, hold, unloading, pull_off, cuts)
@@ -135,39 +139,50 @@ SETAE_KEEP(IgnoredSamples, range, reason)
 SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
 SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
 SETAE_KEEP(ContactPointChoice, mode, estimator, value)
-SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter, relative_residual, contact_point_share, loop_sampling_share,
-           stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
-SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift, extrapolate_force_drift, displacement_drift_rate, leave_pinned_out,
-           contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free, interaction_range, limits)
-SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance, force_scatter, force_slope, force_slope_standard_error)
+SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter,
+           relative_residual, contact_point_share, loop_sampling_share, stiffness_ratio, pinned_modulus_ratio,
+           frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift,
+           extrapolate_force_drift, displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
+           machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
+           interaction_range, limits)
+SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance,
+           force_scatter, force_slope, force_slope_standard_error)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
 SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
 SETAE_KEEP(RunsTest, runs, above, below, p_value)
-SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point, covariance, correlation, correlated_samples, n,
-           residuals, residual_unit, depth_residuals, rms_residual, relative_residual, chi2_reduced, runs)
-SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual, n)
+SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point,
+           covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals, rms_residual,
+           relative_residual, chi2_reduced, runs)
+SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual,
+           n)
 SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, standard_error, systematic, radius_measured)
 SETAE_KEEP(FitRange, name, first, last, n, force_first, force_last)
 SETAE_KEEP(RangeSensitivity, dropped, fit)
-SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint, pointwise, energy_release_rate, sensitivity,
-           effective_variance_first)
+SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint,
+           pointwise, energy_release_rate, sensitivity, effective_variance_first)
 SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
-SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual, radius_measured)
+SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual,
+           radius_measured)
 SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)
 SETAE_KEEP(LoopEnergy, energy, without_drift, standard_error, opening, half_width)
-SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss, tabor_parameter, applicable_model)
+SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss,
+           tabor_parameter, applicable_model)
 SETAE_KEEP(ContactPointEstimate, method, contact_point, fit)
-SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom, work_by_contact_point, modulus_by_contact_point)
+SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom,
+           work_by_contact_point, modulus_by_contact_point)
 SETAE_KEEP(WorkEntry, range, energy, standard_error)
-SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact, recovered_share, ideal_fixed_grips, ideal_this_machine,
-           machine_stiffness, largest_contact_area, true_area_ratio, loss_per_apparent_area, loss_per_true_area)
+SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact,
+           recovered_share, ideal_fixed_grips, ideal_this_machine, machine_stiffness, largest_contact_area,
+           true_area_ratio, loss_per_apparent_area, loss_per_true_area)
 SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)
-SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger, compliance)
+SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger,
+           compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
-SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger, compliance, further_contacts, cycles,
-           faults, alerts)
+SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context,
+           contact_points, ledger, compliance, further_contacts, cycles, faults, alerts)
 
 }  // namespace setae::loops
 
@@ -175,17 +190,22 @@ namespace setae::study {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
-SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size, pipeline, steps)
+SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size, pipeline,
+           steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)
-SETAE_KEEP(AnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile, bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
+SETAE_KEEP(AnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
+           bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
-SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height, bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
+SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height,
+           bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
 SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
 SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)
-SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement, tips, rounds, converged)
-SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted, alerts)
+SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
+           tips, rounds, converged)
+SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted,
+           alerts)
 
 /// The bytes of a value: equal values, equal bytes.
 template <class T>
@@ -196,7 +216,8 @@ template <class T>
     return std::move(stream).str();
 }
 
-/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where they are cut short.
+/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where they are cut
+/// short.
 template <class T>
 [[nodiscard]] std::optional<T> value_of(std::string bytes) {
     std::istringstream stream(std::move(bytes), std::ios::binary);

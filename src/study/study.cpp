@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "experiments/loop_options.hpp"
+#include "setae/bytes/toml_reader.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/toml_reader.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::study {
@@ -43,7 +43,11 @@ MeasurementInput read_measurement(TomlReader reader, const std::string& study_pa
         if (*channel < 0) reader.fail("channel", "expected a number from 0");
         input.channel = static_cast<std::size_t>(*channel);
     }
-    input.instrument = reader.choice<std::string>("instrument", {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}}).value_or("");
+    input.instrument =
+        reader
+            .choice<std::string>("instrument",
+                                 {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}})
+            .value_or("");
     input.tip_radius = reader.uncertain("tip_radius", dimension::length);
     input.resolution = reader.quantity("resolution", dimension::length);
     if (const auto trend = reader.text("trend")) {
@@ -65,12 +69,15 @@ SurfaceInput read_surface(const std::string& name, TomlReader reader, const std:
     SurfaceInput surface;
     surface.name = name;
     surface.description = reader.text("description").value_or("");
-    reader.each_table("measurements", [&](TomlReader inner) { surface.measurements.push_back(read_measurement(std::move(inner), study_path)); });
+    reader.each_table("measurements", [&](TomlReader inner) {
+        surface.measurements.push_back(read_measurement(std::move(inner), study_path));
+    });
     surface.power_spectrum = file_beside(reader, "power_spectrum", study_path);
     MeasurementInput of_all;
     read_pipeline_of(reader, of_all, study_path);
     for (auto& measurement : surface.measurements)
-        if (!measurement.pipeline) std::tie(measurement.pipeline, measurement.steps) = std::tie(of_all.pipeline, of_all.steps);
+        if (!measurement.pipeline)
+            std::tie(measurement.pipeline, measurement.steps) = std::tie(of_all.pipeline, of_all.steps);
     reader.table("moments", [&](TomlReader inner) {
         PublishedMoments moments;
         moments.rms_height = inner.required_uncertain("rms_height", dimension::length);
@@ -81,9 +88,15 @@ SurfaceInput read_surface(const std::string& name, TomlReader reader, const std:
         surface.moments = moments;
     });
     reader.finish();
-    const int sources = static_cast<int>(!surface.measurements.empty()) + static_cast<int>(surface.power_spectrum.has_value()) +
+    const int sources = static_cast<int>(!surface.measurements.empty()) +
+                        static_cast<int>(surface.power_spectrum.has_value()) +
                         static_cast<int>(surface.moments.has_value());
-    if (sources != 1) reader.fail("measurements", fmt::format("surface '{}' has {} sources of roughness, expected exactly one of measurements, power_spectrum, moments", name, sources));
+    if (sources != 1)
+        reader.fail(
+            "measurements",
+            fmt::format(
+                "surface '{}' has {} sources of roughness, expected exactly one of measurements, power_spectrum, moments",
+                name, sources));
     return surface;
 }
 
@@ -91,7 +104,9 @@ adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
     const auto ratios = reader.quantities("area_ratio", dimension::none);
     const auto energies = reader.quantities("surface_energy", dimension::surface_energy);
     reader.finish();
-    const auto as_array = [](const std::vector<double>& values) -> Array1D { return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())); };
+    const auto as_array = [](const std::vector<double>& values) -> Array1D {
+        return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
+    };
     adhesion::SurfaceEnergyLaw law{as_array(ratios), as_array(energies)};
     try {
         law.validate();
@@ -107,7 +122,8 @@ ElastomerInput read_elastomer(const std::string& name, TomlReader reader) {
     elastomer.youngs_modulus = reader.uncertain("youngs_modulus", dimension::pressure).value_or(Estimate{});
     elastomer.poisson_ratio = reader.number("poisson_ratio").value_or(elastomer.poisson_ratio);
     elastomer.surface_energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
-    reader.table("surface_energy_law", [&](TomlReader inner) { elastomer.surface_energy_law = read_surface_energy_law(std::move(inner)); });
+    reader.table("surface_energy_law",
+                 [&](TomlReader inner) { elastomer.surface_energy_law = read_surface_energy_law(std::move(inner)); });
     elastomer.sphere_radius = reader.quantity("sphere_radius", dimension::length);
     elastomer.sphere_height = reader.quantity("sphere_height", dimension::length);
     elastomer.crosslink_molar_mass = reader.quantity("crosslink_molar_mass", dimension::molar_mass);
@@ -129,7 +145,8 @@ CameraInput read_camera(TomlReader reader, const std::string& study_path) {
     return camera;
 }
 
-ExperimentInput read_experiment(TomlReader reader, const std::string& study_path, const loops::AnalysisOptions& defaults) {
+ExperimentInput read_experiment(TomlReader reader, const std::string& study_path,
+                                const loops::AnalysisOptions& defaults) {
     ExperimentInput experiment;
     experiment.file = beside(study_path, reader.required_text("file"));
     experiment.mapping = file_beside(reader, "mapping", study_path);
@@ -151,7 +168,8 @@ ExperimentInput read_experiment(TomlReader reader, const std::string& study_path
     experiment.lens = reader.text("lens").value_or("");
     experiment.spot = reader.text("spot").value_or("");
     if (const auto reason = reader.text("exclude")) {
-        if (trimmed(*reason).empty()) reader.fail("exclude", "an exclusion without a reason; write why the loop is left out");
+        if (trimmed(*reason).empty())
+            reader.fail("exclude", "an exclusion without a reason; write why the loop is left out");
         experiment.exclusion = *reason;
     }
     reader.finish();
@@ -171,10 +189,12 @@ public:
         for (const auto& name : elastomers_)
             if (!study_.elastomer(name)) reader.fail("elastomers", fmt::format("'{}' is not declared", name));
         using Field = std::optional<Estimate> PublishedPair::*;
-        const std::vector<std::pair<const char*, Field>> fields{
-            {"approach", &PublishedPair::approach}, {"pull_off", &PublishedPair::pull_off}, {"retraction", &PublishedPair::retraction}};
+        const std::vector<std::pair<const char*, Field>> fields{{"approach", &PublishedPair::approach},
+                                                                {"pull_off", &PublishedPair::pull_off},
+                                                                {"retraction", &PublishedPair::retraction}};
         for (const auto& [key, field] : fields)
-            reader.table(key, [&, member = field](TomlReader rows) { read_rows(rows, dimension::surface_energy, member); });
+            reader.table(key,
+                         [&, member = field](TomlReader rows) { read_rows(rows, dimension::surface_energy, member); });
         reader.table("loss", [&](TomlReader rows) { read_rows(rows, dimension::energy, &PublishedPair::loss); });
         reader.table("contact_radius", [&](TomlReader rows) {
             for (const auto& surface : rows.keys())
@@ -213,7 +233,9 @@ private:
     }
 
     void require_length(const TomlReader& rows, const char* key, std::size_t length) const {
-        if (length != elastomers_.size()) rows.fail(key, fmt::format("{} values, expected {}, one for each entry of published.elastomers", length, elastomers_.size()));
+        if (length != elastomers_.size())
+            rows.fail(key, fmt::format("{} values, expected {}, one for each entry of published.elastomers", length,
+                                       elastomers_.size()));
     }
 
     PublishedPair& pair(const std::string& surface, const std::string& elastomer) {
@@ -229,17 +251,25 @@ private:
 
 AnalysisOptions read_analysis(TomlReader reader) {
     AnalysisOptions options;
-    options.spectrum = reader.choice<SpectrumMethod>("spectrum", {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}});
+    options.spectrum = reader.choice<SpectrumMethod>(
+        "spectrum", {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}});
     options.limits.longest = reader.quantity("longest_wavelength", dimension::length);
     options.limits.shortest = reader.quantity("shortest_wavelength", dimension::length);
-    options.conversion = reader.choice<roughness::Conversion>("conversion", {{"exact", roughness::Conversion::exact}, {"eq11", roughness::Conversion::eq11}}).value_or(options.conversion);
-    options.contours = reader.choice<spectra::ContourTreatment>("contours", {{"sinc_corrected", spectra::ContourTreatment::sinc_corrected},
-                                                                             {"segments", spectra::ContourTreatment::segments}})
+    options.conversion = reader
+                             .choice<roughness::Conversion>("conversion", {{"exact", roughness::Conversion::exact},
+                                                                           {"eq11", roughness::Conversion::eq11}})
+                             .value_or(options.conversion);
+    options.contours = reader
+                           .choice<spectra::ContourTreatment>(
+                               "contours", {{"sinc_corrected", spectra::ContourTreatment::sinc_corrected},
+                                            {"segments", spectra::ContourTreatment::segments}})
                            .value_or(options.contours);
-    options.weighting = reader.choice<spectra::Weighting>("weighting", {{"equal", spectra::Weighting::equal},
-                                                                        {"per_instrument", spectra::Weighting::per_instrument},
-                                                                        {"inverse_variance", spectra::Weighting::inverse_variance}})
-                            .value_or(options.weighting);
+    options.weighting =
+        reader
+            .choice<spectra::Weighting>("weighting", {{"equal", spectra::Weighting::equal},
+                                                      {"per_instrument", spectra::Weighting::per_instrument},
+                                                      {"inverse_variance", spectra::Weighting::inverse_variance}})
+            .value_or(options.weighting);
     if (const auto window = reader.text("window")) {
         try {
             options.window = spectra::window_from_name(*window);
@@ -249,7 +279,8 @@ AnalysisOptions read_analysis(TomlReader reader) {
     }
     options.tip_percentile = reader.number("tip_percentile").value_or(options.tip_percentile);
     if (const auto resamples = reader.integer("bootstrap_resamples")) {
-        if (*resamples < 0 || *resamples > 1'000'000) reader.fail("bootstrap_resamples", "expected a number from 0 to 1000000");
+        if (*resamples < 0 || *resamples > 1'000'000)
+            reader.fail("bootstrap_resamples", "expected a number from 0 to 1000000");
         options.bootstrap_resamples = static_cast<int>(*resamples);
     }
     if (const auto seed = reader.integer("seed")) options.seed = static_cast<std::uint64_t>(*seed);
@@ -261,19 +292,24 @@ AnalysisOptions read_analysis(TomlReader reader) {
 std::vector<ReportedValue> read_reported(const std::string& fit, TomlReader reader) {
     const auto source = reader.text("source").value_or("");
     std::vector<ReportedValue> values;
-    if (const auto work = reader.uncertain("work_of_adhesion", dimension::surface_energy)) values.push_back({fit, "work_of_adhesion", *work, source});
-    if (const auto r_squared = reader.uncertain("r_squared", dimension::none)) values.push_back({fit, "r_squared", *r_squared, source});
+    if (const auto work = reader.uncertain("work_of_adhesion", dimension::surface_energy))
+        values.push_back({fit, "work_of_adhesion", *work, source});
+    if (const auto r_squared = reader.uncertain("r_squared", dimension::none))
+        values.push_back({fit, "r_squared", *r_squared, source});
     reader.finish();
     return values;
 }
 
 void require_declared_names(const Study& study) {
     const auto complain = [&](const ExperimentInput& experiment, const char* kind, const std::string& name) {
-        throw FormatError(study.path, {}, fmt::format("experiment {} names the {} '{}', which is not declared", experiment.file, kind, name));
+        throw FormatError(
+            study.path, {},
+            fmt::format("experiment {} names the {} '{}', which is not declared", experiment.file, kind, name));
     };
     for (const auto& experiment : study.experiments) {
         if (!study.elastomer(experiment.elastomer)) complain(experiment, "elastomer", experiment.elastomer);
-        if (!experiment.reference && !study.surface(experiment.surface)) complain(experiment, "surface", experiment.surface);
+        if (!experiment.reference && !study.surface(experiment.surface))
+            complain(experiment, "surface", experiment.surface);
     }
 }
 
@@ -285,8 +321,11 @@ void require_complete_labels(const Study& study) {
             for (const auto& e : study.experiments)
                 if (!e.reference && e.elastomer == elastomer.name) ((e.*label).empty() ? without : with) = &e;
             if (with && without)
-                throw FormatError(study.path, {}, fmt::format("experiment {} names no {}, experiment {} with the same elastomer does; name it for all or for none",
-                                                              without->file, key, with->file));
+                throw FormatError(
+                    study.path, {},
+                    fmt::format(
+                        "experiment {} names no {}, experiment {} with the same elastomer does; name it for all or for none",
+                        without->file, key, with->file));
         }
     };
     require("lens", &ExperimentInput::lens);
@@ -296,7 +335,8 @@ void require_complete_labels(const Study& study) {
 }  // namespace
 
 const ElastomerInput* Study::elastomer(const std::string& name) const {
-    const auto found = std::find_if(elastomers.begin(), elastomers.end(), [&](const auto& e) { return e.name == name; });
+    const auto found =
+        std::find_if(elastomers.begin(), elastomers.end(), [&](const auto& e) { return e.name == name; });
     return found == elastomers.end() ? nullptr : &*found;
 }
 
@@ -320,15 +360,21 @@ Study read_study(const std::string& path) {
         inner.finish();
     });
     study.work_of_adhesion = reader.uncertain("work_of_adhesion", dimension::surface_energy);
-    reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) { study.surfaces.push_back(read_surface(name, std::move(inner), path)); });
-    reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) { study.elastomers.push_back(read_elastomer(name, std::move(inner))); });
+    reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) {
+        study.surfaces.push_back(read_surface(name, std::move(inner), path));
+    });
+    reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
+        study.elastomers.push_back(read_elastomer(name, std::move(inner)));
+    });
     loops::AnalysisOptions loop_options;
     reader.table("loops", [&](TomlReader inner) {
         loop_options = read_loop_options(inner, loop_options);
         study.loop_models = read_loop_models(inner, study.loop_models);
         inner.finish();
     });
-    reader.each_table("experiments", [&](TomlReader inner) { study.experiments.push_back(read_experiment(std::move(inner), path, loop_options)); });
+    reader.each_table("experiments", [&](TomlReader inner) {
+        study.experiments.push_back(read_experiment(std::move(inner), path, loop_options));
+    });
     reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
     reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {
         const auto values = read_reported(fit, std::move(inner));
@@ -336,7 +382,8 @@ Study read_study(const std::string& path) {
     });
     reader.finish();
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
-        throw FormatError(path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");
+        throw FormatError(
+            path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");
     require_declared_names(study);
     require_complete_labels(study);
     return study;

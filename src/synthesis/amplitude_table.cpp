@@ -17,7 +17,8 @@ namespace {
 constexpr int place_bits = 45;
 
 double number_at(std::uint64_t cell, double place) {
-    const double lower = std::bit_cast<double>(cell << place_bits), upper = std::bit_cast<double>((cell + 1) << place_bits);
+    const double lower = std::bit_cast<double>(cell << place_bits),
+                 upper = std::bit_cast<double>((cell + 1) << place_bits);
     return lower + place * (upper - lower);
 }
 
@@ -53,7 +54,8 @@ double AmplitudeTable::operator()(double squared_wavevector) const {
 double AmplitudeTable::exact(double squared_wavevector) const {
     const double wavevector = std::sqrt(squared_wavevector), power = density_(wavevector);
     if (!(power >= 0.0) || std::isinf(power))
-        throw InvalidArgument(fmt::format("the power spectrum is {} at {} 1/m; expected a finite number >= 0", power, wavevector));
+        throw InvalidArgument(
+            fmt::format("the power spectrum is {} at {} 1/m; expected a finite number >= 0", power, wavevector));
     return std::sqrt(power);
 }
 

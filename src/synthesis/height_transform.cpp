@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
+#include <boost/math/tools/roots.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -30,7 +30,8 @@ double normal_mean(const Function& function, double step) {
 template <class Function>
 double root(const Function& function, double lower, double upper) {
     std::uintmax_t rounds = 200;
-    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper, boost::math::tools::eps_tolerance<double>(50), rounds);
+    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper,
+                                                           boost::math::tools::eps_tolerance<double>(50), rounds);
     return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -46,11 +47,13 @@ struct Unbounded {
     static Moments moments(double shift, double delta) {
         const double less = std::expm1(1.0 / (delta * delta)), w = 1.0 + less;
         const double variance = 0.5 * less * (w * std::cosh(2.0 * shift) + 1.0);
-        const double third = 0.25 * std::sqrt(w) * less * less * (w * (w + 2.0) * std::sinh(3.0 * shift) + 3.0 * std::sinh(shift));
+        const double third =
+            0.25 * std::sqrt(w) * less * less * (w * (w + 2.0) * std::sinh(3.0 * shift) + 3.0 * std::sinh(shift));
         const double fourth = 0.125 * less * less *
                               (w * w * (w * w * w * w + 2.0 * w * w * w + 3.0 * w * w - 3.0) * std::cosh(4.0 * shift) +
                                4.0 * w * w * (w + 2.0) * std::cosh(2.0 * shift) + 3.0 * (2.0 * w + 1.0));
-        return {std::sqrt(w) * std::sinh(shift), variance, third / std::pow(variance, 1.5), fourth / (variance * variance)};
+        return {std::sqrt(w) * std::sinh(shift), variance, third / std::pow(variance, 1.5),
+                fourth / (variance * variance)};
     }
 };
 
@@ -61,7 +64,9 @@ struct Bounded {
         constexpr double step = 0.05;
         const auto y = [&](double z) { return value(z, shift, delta); };
         const double mean = normal_mean(y, step);
-        const auto central = [&](int power) { return normal_mean([&](double z) { return std::pow(y(z) - mean, power); }, step); };
+        const auto central = [&](int power) {
+            return normal_mean([&](double z) { return std::pow(y(z) - mean, power); }, step);
+        };
         const double variance = central(2);
         return {mean, variance, central(3) / std::pow(variance, 1.5), central(4) / (variance * variance)};
     }
@@ -87,9 +92,12 @@ HeightTransform curve(const HeightShape& shape, double longest_delta) {
     const double limit = kurtosis_at<Family>(shape.skewness, smallest_delta);
     const bool above = Family::moments(0.0, 1.0).kurtosis > 3.0;
     if (above ? shape.kurtosis > limit : shape.kurtosis < limit)
-        throw InvalidArgument(fmt::format("kurtosis {} with skewness {}; expected {} {:.4g}, where Johnson's curves with δ >= ½ end",
-                                          shape.kurtosis, shape.skewness, above ? "at most" : "at least", limit));
-    const auto excess = [&](double log_delta) { return kurtosis_at<Family>(shape.skewness, std::exp(log_delta)) - shape.kurtosis; };
+        throw InvalidArgument(
+            fmt::format("kurtosis {} with skewness {}; expected {} {:.4g}, where Johnson's curves with δ >= ½ end",
+                        shape.kurtosis, shape.skewness, above ? "at most" : "at least", limit));
+    const auto excess = [&](double log_delta) {
+        return kurtosis_at<Family>(shape.skewness, std::exp(log_delta)) - shape.kurtosis;
+    };
     const double delta = std::exp(root(excess, std::log(smallest_delta), std::log(longest_delta)));
     const double shift = shift_for<Family>(shape.skewness, delta);
     const auto moments = Family::moments(shift, delta);
@@ -119,8 +127,9 @@ HeightTransform positive_lognormal(double skewness) {
 HeightTransform johnson_heights(const HeightShape& shape) {
     constexpr double largest_skewness = 4.0, tolerance = 1e-6;
     if (!(std::abs(shape.skewness) <= largest_skewness) || !std::isfinite(shape.kurtosis))
-        throw InvalidArgument(fmt::format("heights of skewness {} and kurtosis {}; expected |skewness| <= {} and a finite kurtosis",
-                                          shape.skewness, shape.kurtosis, largest_skewness));
+        throw InvalidArgument(
+            fmt::format("heights of skewness {} and kurtosis {}; expected |skewness| <= {} and a finite kurtosis",
+                        shape.skewness, shape.kurtosis, largest_skewness));
     if (shape.skewness < 0.0) return mirrored(johnson_heights({-shape.skewness, shape.kurtosis}));
     const double between = lognormal_kurtosis(shape.skewness);
     if (std::abs(shape.kurtosis - between) <= tolerance * between) return lognormal_heights(shape.skewness);
@@ -131,7 +140,8 @@ HeightTransform johnson_heights(const HeightShape& shape) {
 }
 
 HeightTransform lognormal_heights(double skewness) {
-    if (!std::isfinite(skewness)) throw InvalidArgument(fmt::format("heights of skewness {}; expected a finite number", skewness));
+    if (!std::isfinite(skewness))
+        throw InvalidArgument(fmt::format("heights of skewness {}; expected a finite number", skewness));
     if (std::abs(skewness) < 1e-9) return [](double z) { return z; };
     return skewness > 0.0 ? positive_lognormal(skewness) : mirrored(positive_lognormal(-skewness));
 }
@@ -139,7 +149,9 @@ HeightTransform lognormal_heights(double skewness) {
 HeightShape shape_of(const HeightTransform& transform) {
     constexpr double step = 0.01;
     const double mean = normal_mean(transform, step);
-    const auto central = [&](int power) { return normal_mean([&](double z) { return std::pow(transform(z) - mean, power); }, step); };
+    const auto central = [&](int power) {
+        return normal_mean([&](double z) { return std::pow(transform(z) - mean, power); }, step);
+    };
     const double variance = central(2);
     return {central(3) / std::pow(variance, 1.5), central(4) / (variance * variance)};
 }
@@ -154,15 +166,17 @@ TransformCorrelation::TransformCorrelation(const HeightTransform& transform) : w
         const double share = transform(z) * std::exp(-0.5 * z * z) * step / std::sqrt(2.0 * pi);
         double before = 0.0, here = 1.0;
         for (Index n = 0; n < terms; ++n) {
-            const double next = (z * here - std::sqrt(static_cast<double>(n)) * before) / std::sqrt(static_cast<double>(n + 1));
+            const double next =
+                (z * here - std::sqrt(static_cast<double>(n)) * before) / std::sqrt(static_cast<double>(n + 1));
             before = here;
             here = next;
             weights_[n] += share * here;
         }
     }
     if (!weights_.isFinite().all() || !(weights_[0] > 0.0))
-        throw InvalidArgument(fmt::format("a transform of heights with ⟨g(z) z⟩ = {}; expected one that increases and is finite for |z| <= {}",
-                                          weights_[0], end_of_normal));
+        throw InvalidArgument(fmt::format(
+            "a transform of heights with ⟨g(z) z⟩ = {}; expected one that increases and is finite for |z| <= {}",
+            weights_[0], end_of_normal));
     weights_ = weights_.square();
     weights_ /= weights_.sum();
 }

@@ -21,7 +21,8 @@ constexpr Index highest_mode = PeriodicPatch::highest_mode;
 
 /// Slopes of the patches' axes: quadratic irrationals with small continued fractions, which whole numbers approximate
 /// worst, so that a line along x, y or a diagonal comes back to a place of a patch as late as can be.
-constexpr std::array<double, 4> slopes = {0.6180339887498949, 0.41421356237309503, 0.3027756377319946, 0.7320508075688772};
+constexpr std::array<double, 4> slopes = {0.6180339887498949, 0.41421356237309503, 0.3027756377319946,
+                                          0.7320508075688772};
 
 struct Octave {
     double cosine = 1.0, sine = 0.0;  ///< of the patch's first axis
@@ -42,7 +43,8 @@ public:
                 double sum = 0.0;
                 for (int a = 0; a < samples; ++a)
                     for (int b = 0; b < samples; ++b) {
-                        const double x = static_cast<double>(k) + (a + 0.5) / samples - 0.5, y = static_cast<double>(m) + (b + 0.5) / samples - 0.5;
+                        const double x = static_cast<double>(k) + (a + 0.5) / samples - 0.5,
+                                     y = static_cast<double>(m) + (b + 0.5) / samples - 0.5;
                         const double q = spacing * std::sqrt(x * x + y * y);
                         if (q > band.lower && q <= band.upper) sum += checked(C_iso(q), q);
                     }
@@ -75,7 +77,8 @@ void for_half_plane(const Body& body) {
 /// exp(iφ) of a mode from its own pair of numbers.
 std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
     const auto block = static_cast<std::uint64_t>(k * (2 * highest_mode + 1) + m + highest_mode);
-    const double real = numerics::normal_number(key, 2 * block), imaginary = numerics::normal_number(key, 2 * block + 1);
+    const double real = numerics::normal_number(key, 2 * block),
+                 imaginary = numerics::normal_number(key, 2 * block + 1);
     return std::complex<double>(real, imaginary) / std::sqrt(real * real + imaginary * imaginary);
 }
 
@@ -88,8 +91,8 @@ struct MadeOctave {
     Moments moments;
 };
 
-/// The octave that ends at q = 2^exponent rad/m. Its numbers belong to that exponent, so that other limits of wavelengths
-/// leave it as it is; the last one also takes all longer wavelengths.
+/// The octave that ends at q = 2^exponent rad/m. Its numbers belong to that exponent, so that other limits of
+/// wavelengths leave it as it is; the last one also takes all longer wavelengths.
 MadeOctave make_octave(const spectra::SpectralDensity& C_iso, numerics::RandomKey key, int exponent, const Band& band) {
     const double spacing = std::ldexp(1.0, exponent) / static_cast<double>(highest_mode);
     const CellPowers powers(C_iso, spacing, band);
@@ -104,16 +107,18 @@ MadeOctave make_octave(const spectra::SpectralDensity& C_iso, numerics::RandomKe
     const auto turn = static_cast<std::size_t>(exponent + 4096) % (2 * slopes.size());
     const double slope = (turn < slopes.size() ? 1.0 : -1.0) * slopes[turn % slopes.size()];
     const double length = std::sqrt(1.0 + slope * slope);
-    made.octave.emplace(Octave{1.0 / length, slope / length, 2.0 * pi / spacing,
-                               PeriodicPatch([&](Index k, Index m) { return std::sqrt(powers(k, m)) * phase(own, k, m); })});
+    made.octave.emplace(Octave{1.0 / length, slope / length, 2.0 * pi / spacing, PeriodicPatch([&](Index k, Index m) {
+                                   return std::sqrt(powers(k, m)) * phase(own, k, m);
+                               })});
     return made;
 }
 
 void require_wavelengths(const MultiscaleOptions& options) {
     if (!(options.shortest_wavelength > 0.0 && options.longest_wavelength > options.shortest_wavelength &&
           std::isfinite(options.longest_wavelength)))
-        throw InvalidArgument(fmt::format("a surface with wavelengths from {} m to {} m; expected 0 < shortest < longest",
-                                          options.shortest_wavelength, options.longest_wavelength));
+        throw InvalidArgument(
+            fmt::format("a surface with wavelengths from {} m to {} m; expected 0 < shortest < longest",
+                        options.shortest_wavelength, options.longest_wavelength));
 }
 
 void require_points(Index nx, Index ny, double step) {
@@ -150,22 +155,26 @@ struct MultiscaleSurface::Octaves {
         parallel::for_each_index(blocks, threads, [&](std::size_t block) {
             const Index first = static_cast<Index>(block) * points_at_once, n = std::min(points_at_once, count - first);
             std::array<double, points_at_once> x, y;
-            for (Index i = 0; i < n; ++i) place(first + i, x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]);
+            for (Index i = 0; i < n; ++i)
+                place(first + i, x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]);
             heights_at(x.data(), y.data(), heights + first, n);
         });
     }
 };
 
-MultiscaleSurface::MultiscaleSurface(const spectra::SpectralDensity& C_iso, const MultiscaleOptions& options) : threads_(options.threads) {
+MultiscaleSurface::MultiscaleSurface(const spectra::SpectralDensity& C_iso, const MultiscaleOptions& options)
+    : threads_(options.threads) {
     require_wavelengths(options);
     const Band band{2.0 * pi / options.longest_wavelength, 2.0 * pi / options.shortest_wavelength};
     const int highest = static_cast<int>(std::ceil(std::log2(band.upper)));
     // the last patch has a period of at least the longest wavelength: its mode 1 is no longer one
-    const int lowest = std::min(highest, static_cast<int>(std::floor(std::log2(band.lower * static_cast<double>(highest_mode)))));
+    const int lowest =
+        std::min(highest, static_cast<int>(std::floor(std::log2(band.lower * static_cast<double>(highest_mode)))));
     std::vector<MadeOctave> made(static_cast<std::size_t>(highest - lowest + 1));
     parallel::for_each_index(made.size(), threads_, [&](std::size_t index) {
         const int exponent = lowest + static_cast<int>(index);
-        const Band own{exponent == lowest ? band.lower : std::ldexp(1.0, exponent - 1), std::min(band.upper, std::ldexp(1.0, exponent))};
+        const Band own{exponent == lowest ? band.lower : std::ldexp(1.0, exponent - 1),
+                       std::min(band.upper, std::ldexp(1.0, exponent))};
         made[index] = make_octave(C_iso, options.key, exponent, own);
     });
     auto octaves = std::make_unique<Octaves>();
@@ -175,8 +184,9 @@ MultiscaleSurface::MultiscaleSurface(const spectra::SpectralDensity& C_iso, cons
         if (one.octave) octaves->octaves.push_back(std::move(*one.octave));
     }
     if (octaves->octaves.empty())
-        throw InvalidArgument(fmt::format("C_iso is zero at all wavelengths from {} m to {} m; expected some power between them",
-                                          options.shortest_wavelength, options.longest_wavelength));
+        throw InvalidArgument(
+            fmt::format("C_iso is zero at all wavelengths from {} m to {} m; expected some power between them",
+                        options.shortest_wavelength, options.longest_wavelength));
     octaves_ = std::move(octaves);
 }
 
@@ -186,8 +196,9 @@ MultiscaleSurface& MultiscaleSurface::operator=(MultiscaleSurface&&) noexcept = 
 
 topography::HeightMap MultiscaleSurface::window(const Window& window) const {
     require_points(window.nx, window.ny, window.pixel_size);
-    topography::HeightMap map{Array2D(window.nx, window.ny),
-                              {static_cast<double>(window.nx) * window.pixel_size, static_cast<double>(window.ny) * window.pixel_size}};
+    topography::HeightMap map{
+        Array2D(window.nx, window.ny),
+        {static_cast<double>(window.nx) * window.pixel_size, static_cast<double>(window.ny) * window.pixel_size}};
     octaves_->fill(map.heights.data(), map.heights.size(), threads_, [&](Index i, double& x, double& y) {
         x = window.x + static_cast<double>(i / window.ny) * window.pixel_size;
         y = window.y + static_cast<double>(i % window.ny) * window.pixel_size;
@@ -208,7 +219,9 @@ topography::LineScan MultiscaleSurface::line(const LinePath& path) const {
 
 Array1D MultiscaleSurface::heights_at(const ArrayView1D& x, const ArrayView1D& y) const {
     if (x.size() != y.size() || !x.isFinite().all() || !y.isFinite().all())
-        throw InvalidArgument(fmt::format("{} positions x and {} positions y of a surface; expected as many of both, all finite", x.size(), y.size()));
+        throw InvalidArgument(
+            fmt::format("{} positions x and {} positions y of a surface; expected as many of both, all finite",
+                        x.size(), y.size()));
     Array1D heights(x.size());
     octaves_->fill(heights.data(), x.size(), threads_, [&](Index i, double& at_x, double& at_y) {
         at_x = x[i];

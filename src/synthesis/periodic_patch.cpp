@@ -82,9 +82,11 @@ PeriodicPatch::PeriodicPatch(const Modes& modes) : values_(static_cast<std::size
     static_assert(width == kernel_width);
     std::array<double, highest_mode + 1> correction{};
     for (Index k = 0; k <= highest_mode; ++k)
-        correction[static_cast<std::size_t>(k)] = 1.0 / kernel_transform(static_cast<double>(k) / static_cast<double>(points));
+        correction[static_cast<std::size_t>(k)] =
+            1.0 / kernel_transform(static_cast<double>(k) / static_cast<double>(points));
     const auto corrected = [&](Index k, Index m) {
-        return modes(k, m) * (correction[static_cast<std::size_t>(k)] * correction[static_cast<std::size_t>(std::abs(m))]);
+        return modes(k, m) *
+               (correction[static_cast<std::size_t>(k)] * correction[static_cast<std::size_t>(std::abs(m))]);
     };
     const auto wrapped = [](Index k) { return static_cast<std::size_t>(k < 0 ? k + points : k); };
 
@@ -101,10 +103,12 @@ PeriodicPatch::PeriodicPatch(const Modes& modes) : values_(static_cast<std::size
     for (Index j = 0; j < stride; ++j) {
         std::fill(column.begin(), column.end(), Complex{});
         const Index v = (j - 3 + points) % points;
-        for (Index k = 0; k <= highest_mode; ++k) column[static_cast<std::size_t>(k)] = lines[static_cast<std::size_t>(k * points + v)];
+        for (Index k = 0; k <= highest_mode; ++k)
+            column[static_cast<std::size_t>(k)] = lines[static_cast<std::size_t>(k * points + v)];
         transform.apply(column.data());
         for (Index i = 0; i < stride; ++i)
-            values_[static_cast<std::size_t>(i * stride + j)] = column[static_cast<std::size_t>((i - 3 + points) % points)].real();
+            values_[static_cast<std::size_t>(i * stride + j)] =
+                column[static_cast<std::size_t>((i - 3 + points) % points)].real();
     }
 }
 
@@ -118,7 +122,8 @@ void PeriodicPatch::add_at(const double* u, const double* v, double* sums, Index
         const double* corner = values_.data() + row.first * stride + column.first;
         std::array<double, kernel_width> across{};
         for (std::size_t r = 0; r < kernel_width; ++r)
-            for (std::size_t c = 0; c < kernel_width; ++c) across[c] += along_u[r] * corner[static_cast<Index>(r) * stride + static_cast<Index>(c)];
+            for (std::size_t c = 0; c < kernel_width; ++c)
+                across[c] += along_u[r] * corner[static_cast<Index>(r) * stride + static_cast<Index>(c)];
         double sum = 0.0;
         for (std::size_t c = 0; c < kernel_width; ++c) sum += across[c] * along_v[c];
         sums[i] += sum;

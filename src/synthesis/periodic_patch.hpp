@@ -15,9 +15,9 @@ namespace setae::synthesis {
 ///
 ///   f(u, v) = 2 Re Σ c(k, m) exp(2πi (ku + mv)),  half plane k > 0, or k = 0 and m > 0
 ///
-/// Held on a grid of twice as many points as needed and interpolated by 8 × 8 of them with the kernel exp(β(√(1−z²) − 1)),
-/// whose transform is taken out of the modes beforehand: error below 2e-7 of the rms.
-/// Source: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479, type 2.
+/// Held on a grid of twice as many points as needed and interpolated by 8 × 8 of them with the kernel exp(β(√(1−z²) −
+/// 1)), whose transform is taken out of the modes beforehand: error below 2e-7 of the rms. Source: Barnett, Magland, af
+/// Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479, type 2.
 class PeriodicPatch {
 public:
     static constexpr Index highest_mode = 128;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "setae/synthesis/rms_height.hpp"
 #include "setae/core/summation.hpp"
 #include "setae/fourier/inverse_map_transform.hpp"
+#include "setae/synthesis/rms_height.hpp"
 #include "setae/synthesis/surface_modes.hpp"
 
 namespace setae::synthesis {
@@ -23,11 +23,14 @@ double rms(const Array2D& heights, parallel::Threads threads) {
 
 }  // namespace
 
-topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
+topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
+                                     const SurfaceOptions& options) {
     if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const SurfaceModes modes(C_iso, grid, options);
-    topography::HeightMap map{.heights = Array2D(grid.nx, grid.ny), .size = {grid.size_x, grid.size_y}, .periodic = true};
-    fourier::inverse_transform_map([&](Index ky, fourier::Complex* line) { modes.line(ky, line); }, map.heights, options.threads);
+    topography::HeightMap map{
+        .heights = Array2D(grid.nx, grid.ny), .size = {grid.size_x, grid.size_y}, .periodic = true};
+    fourier::inverse_transform_map([&](Index ky, fourier::Complex* line) { modes.line(ky, line); }, map.heights,
+                                   options.threads);
     if (!options.exact_rms_height) return map;
     const double factor = scale_to(*options.exact_rms_height, rms(map.heights, options.threads));
     parallel::for_each_index(static_cast<std::size_t>(grid.nx), options.threads,
@@ -35,7 +38,8 @@ topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, cons
     return map;
 }
 
-ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options) {
+ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
+                                     const SurfaceOptions& options) {
     const SurfaceModes modes(C_iso, grid, options);
     Array1D height(grid.ny / 2 + 1), slope(grid.ny / 2 + 1);
     parallel::for_each_index(static_cast<std::size_t>(height.size()), options.threads, [&](std::size_t line) {

@@ -16,8 +16,9 @@ void require_rms_height(double rms_height) {
 
 double scale_to(double wanted, double found) {
     if (!(found > 0.0))
-        throw InvalidArgument("an rms height is asked for, but the power spectrum is zero at every mode of the grid; expected power "
-                              "between 2π/size and π/pixel size");
+        throw InvalidArgument(
+            "an rms height is asked for, but the power spectrum is zero at every mode of the grid; expected power "
+            "between 2π/size and π/pixel size");
     return wanted / found;
 }
 

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "setae/numerics/random_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/numerics/random_blocks.hpp"
 
 namespace setae::synthesis {
 namespace {
@@ -21,14 +21,16 @@ void check(const SurfaceGrid& grid) {
     const bool points = grid.nx >= 2 && grid.ny >= 2 && grid.nx < most_points && grid.ny < most_points;
     const bool extent = grid.size_x > 0.0 && grid.size_y > 0.0 && std::isfinite(grid.size_x * grid.size_y);
     if (!points || !extent)
-        throw InvalidArgument(fmt::format("a surface of {} x {} points over {} m x {} m; expected at least 2 x 2 points and positive sizes",
-                                          grid.nx, grid.ny, grid.size_x, grid.size_y));
+        throw InvalidArgument(fmt::format(
+            "a surface of {} x {} points over {} m x {} m; expected at least 2 x 2 points and positive sizes", grid.nx,
+            grid.ny, grid.size_x, grid.size_y));
 }
 
 void check(const spectra::Anisotropy& anisotropy) {
     if (!(anisotropy.stretch > 0.0) || !std::isfinite(anisotropy.stretch) || !std::isfinite(anisotropy.angle))
-        throw InvalidArgument(fmt::format("features stretched {} times along {} rad; expected a positive factor and an angle",
-                                          anisotropy.stretch, anisotropy.angle));
+        throw InvalidArgument(
+            fmt::format("features stretched {} times along {} rad; expected a positive factor and an angle",
+                        anisotropy.stretch, anisotropy.angle));
 }
 
 struct QuadraticForm {
@@ -48,7 +50,8 @@ QuadraticForm stretched_form(const SurfaceGrid& grid, const spectra::Anisotropy&
 }
 
 /// Range of the stretched q² over all modes but the mean.
-AmplitudeTable table_for(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const spectra::Anisotropy& anisotropy) {
+AmplitudeTable table_for(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
+                         const spectra::Anisotropy& anisotropy) {
     (void)stretched_form(grid, anisotropy);
     const double unit_x = 2.0 * pi / grid.size_x, unit_y = 2.0 * pi / grid.size_y;
     const double half_x = 0.5 * static_cast<double>(grid.nx), half_y = 0.5 * static_cast<double>(grid.ny);
@@ -66,8 +69,12 @@ std::uint64_t block_of(Index kx, Index ky) {
 
 }  // namespace
 
-SurfaceModes::SurfaceModes(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options)
-    : grid_(grid), key_(options.key), amplitudes_(options.amplitudes), table_(table_for(C_iso, grid, options.anisotropy)) {
+SurfaceModes::SurfaceModes(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
+                           const SurfaceOptions& options)
+    : grid_(grid),
+      key_(options.key),
+      amplitudes_(options.amplitudes),
+      table_(table_for(C_iso, grid, options.anisotropy)) {
     const auto form = stretched_form(grid, options.anisotropy);
     xx_ = form.xx;
     xy_ = form.xy;
@@ -102,14 +109,16 @@ void SurfaceModes::line(Index ky, std::complex<double>* modes) const {
     for (Index k = 1; k < (nx + 1) / 2; ++k) modes[nx - k] = std::conj(modes[k]);
     // a mode that is its own conjugate is real: one normal number of variance 1, or a sign
     const auto make_real = [&](Index k) {
-        modes[k] = amplitudes_ == Amplitudes::gaussian ? std::sqrt(2.0) * modes[k].real() : std::copysign(amplitude(k, ky), modes[k].real());
+        modes[k] = amplitudes_ == Amplitudes::gaussian ? std::sqrt(2.0) * modes[k].real()
+                                                       : std::copysign(amplitude(k, ky), modes[k].real());
     };
     make_real(0);
     if (nx % 2 == 0) make_real(nx / 2);
 }
 
 SurfaceModes::LineSums SurfaceModes::sums(Index ky) const {
-    const double unit_x = 2.0 * pi / grid_.size_x, unit_y = 2.0 * pi / grid_.size_y, members = is_own_pair(ky) ? 1.0 : 2.0;
+    const double unit_x = 2.0 * pi / grid_.size_x, unit_y = 2.0 * pi / grid_.size_y,
+                 members = is_own_pair(ky) ? 1.0 : 2.0;
     const double y_square = std::pow(unit_y * static_cast<double>(ky), 2.0);
     Array1D height(grid_.nx), slope(grid_.nx);
     for (Index k = 0; k < grid_.nx; ++k) {

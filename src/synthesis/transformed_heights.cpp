@@ -18,12 +18,13 @@ using HalfSpectrum = Eigen::Array<fourier::Complex, Eigen::Dynamic, Eigen::Dynam
 
 HalfSpectrum half_spectrum(const Array2D& map, parallel::Threads threads) {
     HalfSpectrum spectrum(map.cols() / 2 + 1, map.rows());
-    fourier::transform_map(map.rows(), map.cols(), [&](Index i, double* line) { std::copy_n(map.row(i).data(), map.cols(), line); },
-                           [&](const fourier::SpectrumBlock& block) {
-                               for (Index m = 0; m < block.lines; ++m)
-                                   std::copy_n(block.line(m), block.modes, spectrum.row(block.first + m).data());
-                           },
-                           threads);
+    fourier::transform_map(
+        map.rows(), map.cols(), [&](Index i, double* line) { std::copy_n(map.row(i).data(), map.cols(), line); },
+        [&](const fourier::SpectrumBlock& block) {
+            for (Index m = 0; m < block.lines; ++m)
+                std::copy_n(block.line(m), block.modes, spectrum.row(block.first + m).data());
+        },
+        threads);
     return spectrum;
 }
 
@@ -39,7 +40,8 @@ double mean_square(const Array2D& map) {
 /// TransformCorrelation::parent as cubics between nodes whose values and slopes are exact: to 1e-13, a map at a time.
 class ParentTable {
 public:
-    explicit ParentTable(const TransformCorrelation& correlation) : lowest_(correlation.transformed(-1.0)), values_(nodes), slopes_(nodes) {
+    explicit ParentTable(const TransformCorrelation& correlation)
+        : lowest_(correlation.transformed(-1.0)), values_(nodes), slopes_(nodes) {
         for (Index i = 0; i < nodes; ++i) {
             values_[i] = correlation.parent(i == nodes - 1 ? 1.0 : lowest_ + step() * static_cast<double>(i));
             slopes_[i] = step() / correlation.slope(values_[i]);
@@ -50,7 +52,8 @@ public:
         const double place = std::clamp((transformed - lowest_) / step(), 0.0, static_cast<double>(nodes - 1));
         const Index i = std::min(static_cast<Index>(place), nodes - 2);
         const double t = place - static_cast<double>(i), rest = 1.0 - t;
-        return rest * rest * ((1.0 + 2.0 * t) * values_[i] + t * slopes_[i]) + t * t * ((3.0 - 2.0 * t) * values_[i + 1] - rest * slopes_[i + 1]);
+        return rest * rest * ((1.0 + 2.0 * t) * values_[i] + t * slopes_[i]) +
+               t * t * ((3.0 - 2.0 * t) * values_[i + 1] - rest * slopes_[i + 1]);
     }
 
 private:
@@ -72,7 +75,9 @@ Array2D expected_powers(const spectra::SpectralDensity& C_iso, const SurfaceGrid
 /// Autocorrelation of the powers of modes, mean square 1.
 Array2D autocorrelation(const Array2D& powers, const SurfaceGrid& grid, parallel::Threads threads) {
     Array2D correlation(grid.nx, grid.ny);
-    fourier::inverse_transform_map([&](Index m, fourier::Complex* modes) { std::copy_n(powers.row(m).data(), grid.nx, modes); }, correlation, threads);
+    fourier::inverse_transform_map(
+        [&](Index m, fourier::Complex* modes) { std::copy_n(powers.row(m).data(), grid.nx, modes); }, correlation,
+        threads);
     return correlation / double(correlation(0, 0));
 }
 
@@ -112,7 +117,8 @@ void subtract_mean(Array2D& heights) {
 
 }  // namespace
 
-topography::HeightMap transformed_heights(const topography::HeightMap& map, const HeightTransform& transform, double gaussian_rms_height) {
+topography::HeightMap transformed_heights(const topography::HeightMap& map, const HeightTransform& transform,
+                                          double gaussian_rms_height) {
     if (!(gaussian_rms_height > 0.0) || !std::isfinite(gaussian_rms_height))
         throw InvalidArgument(fmt::format("Gaussian heights of rms {} m; expected positive", gaussian_rms_height));
     auto result = map;
@@ -123,8 +129,8 @@ topography::HeightMap transformed_heights(const topography::HeightMap& map, cons
     return result;
 }
 
-NonGaussianSurface non_gaussian_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const HeightTransform& transform,
-                                        const SurfaceOptions& options) {
+NonGaussianSurface non_gaussian_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
+                                        const HeightTransform& transform, const SurfaceOptions& options) {
     const TransformCorrelation correlation(transform);
     const auto powers = expected_powers(C_iso, grid, options);
     double variance = 0.0;
@@ -147,7 +153,8 @@ NonGaussianSurface non_gaussian_surface(const spectra::SpectralDensity& C_iso, c
     const double rms = std::sqrt(variance);
     map.heights *= rms;
     NonGaussianSurface result{transformed_heights(map, transform, rms), parent.dropped_share};
-    if (options.exact_rms_height) result.map.heights *= *options.exact_rms_height / std::sqrt(mean_square(result.map.heights));
+    if (options.exact_rms_height)
+        result.map.heights *= *options.exact_rms_height / std::sqrt(mean_square(result.map.heights));
     return result;
 }
 

@@ -25,14 +25,18 @@ std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view
     return doubtful;
 }
 
-void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line, const Layout& layout, const std::string& name) {
+void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line,
+                               const Layout& layout, const std::string& name) {
     if (layout.dialect.separator != ',' || header.empty()) return;
     std::vector<std::string_view> cells;
     split_cells(header.back(), ',', cells);
     if (cells.size() < 2 || 2 * cells.size() != layout.columns || first_row.find('.') != std::string_view::npos) return;
-    throw FormatError(name, {.line = line},
-                      fmt::format("{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
-                                  "export with semicolons or tabs, or with decimal points", layout.columns, cells.size()));
+    throw FormatError(
+        name, {.line = line},
+        fmt::format(
+            "{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
+            "export with semicolons or tabs, or with decimal points",
+            layout.columns, cells.size()));
 }
 
 }  // namespace setae::tables

@@ -5,9 +5,9 @@
 #include <array>
 #include <map>
 
+#include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::tables {
 namespace {
@@ -97,7 +97,8 @@ Score score(const std::vector<std::string_view>& lines, const Dialect& dialect) 
     }
     Score best;
     for (const auto& [columns, rows] : counts)
-        if (rows > best.rows || (rows == best.rows && columns > best.columns)) best = {rows, columns, std::min(filled, columns)};
+        if (rows > best.rows || (rows == best.rows && columns > best.columns))
+            best = {rows, columns, std::min(filled, columns)};
     return best;
 }
 
@@ -107,8 +108,19 @@ bool better(const Score& a, const Score& b) {
     return weight(a) > weight(b);
 }
 
-constexpr std::array<Dialect, 13> dialects{{{'\t', '.'}, {';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','},
-                                            {'\t', '.', true}, {';', '.', true}, {' ', '.', true}, {'\t', ',', true}, {';', ',', true}, {' ', ',', true}}};
+constexpr std::array<Dialect, 13> dialects{{{'\t', '.'},
+                                            {';', '.'},
+                                            {',', '.'},
+                                            {' ', '.'},
+                                            {'\t', ','},
+                                            {';', ','},
+                                            {' ', ','},
+                                            {'\t', '.', true},
+                                            {';', '.', true},
+                                            {' ', '.', true},
+                                            {'\t', ',', true},
+                                            {';', ',', true},
+                                            {' ', ',', true}}};
 
 bool allowed(const Dialect& dialect, const TableOptions& options) {
     return (!options.separator || *options.separator == dialect.separator) &&
@@ -172,8 +184,10 @@ std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>
     for (const auto& dialect : dialects) {
         if (!allowed(dialect, options)) continue;
         auto candidate = score_with_words(lines, dialect);
-        // words hold blanks and commas themselves: among equals the separator tried first, and its decimal sign that gives more numbers
-        const bool more_numbers = candidate.numeric > best.numeric && (best.rows == 0 || dialect.separator == layout.dialect.separator);
+        // words hold blanks and commas themselves: among equals the separator tried first, and its decimal sign that
+        // gives more numbers
+        const bool more_numbers =
+            candidate.numeric > best.numeric && (best.rows == 0 || dialect.separator == layout.dialect.separator);
         if (candidate.rows < best.rows || (candidate.rows == best.rows && !more_numbers)) continue;
         best = std::move(candidate);
         layout.dialect = dialect;
@@ -223,11 +237,11 @@ std::vector<std::string> header_cells(std::string_view line, char separator, std
         std::vector<std::string> named;
         for (auto cell : cells) {
             if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-            const bool unit_of_previous = candidate == ' ' && !named.empty() && (cell.starts_with('[') || cell.starts_with('('));
+            const bool unit_of_previous =
+                candidate == ' ' && !named.empty() && (cell.starts_with('[') || cell.starts_with('('));
             if (unit_of_previous && named.back().back() != ']' && named.back().back() != ')')
                 named.back() += " " + std::string(cell);
-            else
-                named.emplace_back(cell);
+            else named.emplace_back(cell);
         }
         while (named.size() > least && named.back().empty()) named.pop_back();
         if (named.size() >= least && named.size() <= most && !named.front().empty()) return named;

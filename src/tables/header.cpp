@@ -53,13 +53,14 @@ std::optional<HeaderCell> with_word(std::string_view cell, std::string_view word
 bool is_plain_unit(std::string_view text) {
     if (text == "min" || text == "h" || text == "A") return false;
     const auto unit = try_parse_unit(text);
-    return unit && (unit->dimension == dimension::length || unit->dimension == dimension::force || unit->dimension == dimension::area ||
-                    unit->dimension == dimension::time);
+    return unit && (unit->dimension == dimension::length || unit->dimension == dimension::force ||
+                    unit->dimension == dimension::area || unit->dimension == dimension::time);
 }
 
 std::optional<HeaderCell> with_trailing_unit(std::string_view cell) {
     const auto at = cell.rfind(' ');
-    if (at == std::string_view::npos || cell.size() - at < 3 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;
+    if (at == std::string_view::npos || cell.size() - at < 3 || !is_plain_unit(cell.substr(at + 1)))
+        return std::nullopt;
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
@@ -71,7 +72,8 @@ std::optional<HeaderCell> with_underscore(std::string_view cell) {
     return HeaderCell{std::string(without_underscore(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
-/// Units of a row that holds nothing else: each cell in brackets, or each a unit below a row of names, or each a length.
+/// Units of a row that holds nothing else: each cell in brackets, or each a unit below a row of names, or each a
+/// length.
 std::vector<std::string> unit_row(const std::vector<std::string>& cells, bool below_names) {
     std::vector<std::string> units;
     bool all_bracketed = true, all_units = true, all_lengths = true, any_unit = false;
@@ -85,7 +87,8 @@ std::vector<std::string> unit_row(const std::vector<std::string>& cells, bool be
         all_lengths &= is_length(unit);
         units.emplace_back(cell == "-" ? std::string_view("1") : unit);
     }
-    return any_unit && (all_bracketed || (all_units && below_names) || all_lengths) ? units : std::vector<std::string>{};
+    return any_unit && (all_bracketed || (all_units && below_names) || all_lengths) ? units
+                                                                                    : std::vector<std::string>{};
 }
 
 std::vector<HeaderCell> name_row(const std::vector<std::string>& cells) {
@@ -116,19 +119,22 @@ HeaderCell parse_header_cell(std::string_view cell) {
     return {std::string(cell), {}};
 }
 
-std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator, std::size_t least, std::size_t most) {
+std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator, std::size_t least,
+                                     std::size_t most) {
     auto line = header.rbegin();
     std::vector<std::string> last;
     for (; line != header.rend() && last.empty(); ++line) last = header_cells(*line, separator, least, most);
     if (last.empty()) return {};
-    const auto above = line == header.rend() ? std::vector<std::string>{} : header_cells(*line, separator, last.size(), last.size());
+    const auto above =
+        line == header.rend() ? std::vector<std::string>{} : header_cells(*line, separator, last.size(), last.size());
     const auto units = unit_row(last, !above.empty());
     if (units.empty()) return name_row(last);
     auto names = above.empty() ? std::vector<HeaderCell>(units.size()) : name_row(above);
     for (std::size_t i = 0; i < units.size(); ++i) {
         if (!names[i].unit.empty() && names[i].unit != units[i])
-            throw InvalidArgument(fmt::format("mixed units: column '{}' is in {} by its name and in {} by the row of units; correct one of them",
-                                              names[i].name, names[i].unit, units[i].empty() ? "no unit" : units[i]));
+            throw InvalidArgument(fmt::format(
+                "mixed units: column '{}' is in {} by its name and in {} by the row of units; correct one of them",
+                names[i].name, names[i].unit, units[i].empty() ? "no unit" : units[i]));
         names[i].unit = units[i];
     }
     return names;

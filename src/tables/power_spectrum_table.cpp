@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/source.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::tables {
 namespace {
@@ -44,7 +44,10 @@ Table read_power_spectrum_table(const std::string& path) {
     const bool any_unit = std::any_of(columns.begin(), columns.end(), [](const auto& c) { return !c.unit.empty(); });
     if (!any_unit) {
         if (columns.size() != 2)
-            throw FormatError(path, {}, fmt::format("{} columns without units; write them in the header, as 'q [1/m]', 'C1D [m3]'", columns.size()));
+            throw FormatError(
+                path, {},
+                fmt::format("{} columns without units; write them in the header, as 'q [1/m]', 'C1D [m3]'",
+                            columns.size()));
         columns[0].unit = "1/m";
         columns[1].unit = "m3";
         table.metadata["units"] = "assumed SI";

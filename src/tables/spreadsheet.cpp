@@ -8,11 +8,11 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/archive.hpp"
-#include "setae/tables/header.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/tables/workbook.hpp"
 
 namespace setae::tables {
@@ -62,8 +62,11 @@ std::optional<Place> find_table(const SheetRows& rows) {
         const bool number = std::find(numeric.begin(), numeric.end(), column) != numeric.end();
         std::size_t words = 0, numbers = 0;
         for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row)
-            if (const auto cell = row->second.find(column); cell != row->second.end()) ++(is_number(cell->second) ? numbers : words);
-        const auto header = rows.lower_bound(place.first_row) == rows.begin() ? rows.end() : std::prev(rows.lower_bound(place.first_row));
+            if (const auto cell = row->second.find(column); cell != row->second.end())
+                ++(is_number(cell->second) ? numbers : words);
+        const auto header = rows.lower_bound(place.first_row) == rows.begin()
+                                ? rows.end()
+                                : std::prev(rows.lower_bound(place.first_row));
         const bool named = header != rows.end() && header->second.contains(column);
         if (!number && !named) continue;  // remarks beside the table
         place.columns.push_back(column);
@@ -98,9 +101,12 @@ RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet,
             const auto cell = row->second.find(place.columns[k]);
             double value = undefined;
             if (cell != row->second.end() && !bytes::parse_cell(cell->second, '.', value)) {
-                const auto where = fmt::format("'{:.40}' in cell {}", cell->second, cell_name(row->first, place.columns[k]));
+                const auto where =
+                    fmt::format("'{:.40}' in cell {}", cell->second, cell_name(row->first, place.columns[k]));
                 if (!place.text[k])
-                    throw FormatError(source.name, {}, fmt::format("sheet '{}': {} is no number, expected one as in the cells above", sheet.name, where));
+                    throw FormatError(source.name, {},
+                                      fmt::format("sheet '{}': {} is no number, expected one as in the cells above",
+                                                  sheet.name, where));
                 if (table.columns[k].text.empty()) table.columns[k].text = where;
             }
             values[k].push_back(place.text[k] ? undefined : value);
@@ -126,7 +132,8 @@ std::string listed(const std::vector<Sheet>& sheets) {
 
 /// Why a sheet has no table.
 std::string without_table(const SheetRows& rows, const Sheet& sheet) {
-    return fmt::format("sheet '{}' {}; expected columns of numbers below their names", sheet.name, rows.empty() ? "is empty" : "has no two rows of numbers");
+    return fmt::format("sheet '{}' {}; expected columns of numbers below their names", sheet.name,
+                       rows.empty() ? "is empty" : "has no two rows of numbers");
 }
 
 }  // namespace
@@ -151,14 +158,13 @@ RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std
         if (sheet && candidate.name != *sheet) continue;
         const auto rows = book.rows(candidate);
         const auto place = find_table(rows);
-        if (!place)
-            empty += (empty.empty() ? "" : "; ") + without_table(rows, candidate);
-        else if (table)
-            others += (others.empty() ? "" : ", ") + candidate.name;
-        else
-            table = table_of(rows, *place, candidate, workbook);
+        if (!place) empty += (empty.empty() ? "" : "; ") + without_table(rows, candidate);
+        else if (table) others += (others.empty() ? "" : ", ") + candidate.name;
+        else table = table_of(rows, *place, candidate, workbook);
     }
-    if (!table && empty.empty()) throw FormatError(workbook.name, {}, fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
+    if (!table && empty.empty())
+        throw FormatError(workbook.name, {},
+                          fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
     if (!table) throw FormatError(workbook.name, {}, empty);
     if (!others.empty()) table->metadata["other_sheets"] = others;
     return std::move(*table);

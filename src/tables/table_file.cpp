@@ -8,26 +8,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/tables/commas.hpp"
-#include "setae/tables/header.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/tables/spreadsheet.hpp"
-#include "setae/bytes/whole_file.hpp"
+#include "setae/tables/commas.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/header.hpp"
+#include "setae/tables/spreadsheet.hpp"
 #include "setae/tables/text_numbers.hpp"
 
 namespace setae::tables {
 namespace {
 
 /// Index of the first line numbers may stand in.
-std::size_t after_header_end(const std::vector<std::string_view>& lines, const TableOptions& options, const std::string& name) {
+std::size_t after_header_end(const std::vector<std::string_view>& lines, const TableOptions& options,
+                             const std::string& name) {
     if (!options.header_end) return 0;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (trimmed(lines[i]) == *options.header_end) return i + 1;
-    throw FormatError(name, {.line = lines.size()},
-                      fmt::format("no line '{}' that ends the header; check header_end of the mapping", *options.header_end));
+    throw FormatError(
+        name, {.line = lines.size()},
+        fmt::format("no line '{}' that ends the header; check header_end of the mapping", *options.header_end));
 }
 
 bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
@@ -41,7 +43,8 @@ struct Numbers {
 
 /// Calls `take` with line number, from 0, and cells of every row.
 template <class Take>
-void for_each_row(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name, const Take& take) {
+void for_each_row(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name,
+                  const Take& take) {
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
@@ -49,15 +52,17 @@ void for_each_row(const std::vector<std::string_view>& lines, const Layout& layo
         split_cells(lines[i], layout.dialect.separator, cells);
         while (cells.size() > layout.columns && cells.back().empty()) cells.pop_back();
         if (cells.size() != layout.columns)
-            throw FormatError(name, {.line = i + 1},
-                              fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
-                                          cells.size(), layout.columns));
+            throw FormatError(
+                name, {.line = i + 1},
+                fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
+                            cells.size(), layout.columns));
         take(i, cells);
     }
 }
 
 /// Rows of numbers among which columns of words stand.
-Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
+Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const Layout& layout,
+                              const std::string& name) {
     const auto columns = layout.columns;
     Numbers numbers{{}, std::vector<bool>(columns, false), std::vector<std::string>(columns)};
     std::vector<double> values;
@@ -66,24 +71,30 @@ Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const 
         for (std::size_t k = 0; k < columns; ++k) {
             double value = undefined;
             if (layout.text[k]) {
-                if (numbers.words[k].empty() && !cells[k].empty()) numbers.words[k] = fmt::format("'{:.40}' on line {}", cells[k], i + 1);
+                if (numbers.words[k].empty() && !cells[k].empty())
+                    numbers.words[k] = fmt::format("'{:.40}' on line {}", cells[k], i + 1);
             } else if (!parse_cell(cells[k], layout.dialect, value))
                 throw FormatError(name, {.line = i + 1},
-                                  fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
+                                  fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above",
+                                              cells[k], k + 1));
             values.push_back(value);
             if (!cells[k].empty()) numbers.has_text[k] = true;
         }
     });
     using Rows = Eigen::Map<const Array2D>;
-    numbers.values = Rows(values.data(), static_cast<Index>(values.size() / columns), static_cast<Index>(columns)).transpose();
+    numbers.values =
+        Rows(values.data(), static_cast<Index>(values.size() / columns), static_cast<Index>(columns)).transpose();
     return numbers;
 }
 
 /// Rows of numbers alone, on all cores.
-Numbers parse_rows(const std::string& text, const std::vector<std::string_view>& lines, const Layout& layout, const std::string& name) {
+Numbers parse_rows(const std::string& text, const std::vector<std::string_view>& lines, const Layout& layout,
+                   const std::string& name) {
     const auto columns = layout.columns;
     TextStart start;
-    start.source = {name, text.size(), {}, [&text](std::uint64_t offset, std::uint64_t count, char* target) { std::memcpy(target, text.data() + offset, count); }};
+    start.source = {name, text.size(), {}, [&text](std::uint64_t offset, std::uint64_t count, char* target) {
+                        std::memcpy(target, text.data() + offset, count);
+                    }};
     start.layout = layout;
     start.begin = static_cast<std::uint64_t>(lines[layout.first_row].data() - text.data());
     start.line = layout.first_row;
@@ -115,12 +126,16 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 /// Refuses commas that may begin decimals or group thousands: "1,234" with no cell that decides.
-void require_decided_commas(const std::vector<std::string_view>& lines, const Layout& layout, const TableOptions& options, const std::string& name) {
+void require_decided_commas(const std::vector<std::string_view>& lines, const Layout& layout,
+                            const TableOptions& options, const std::string& name) {
     if (options.decimal_point) return;
     if (const auto doubtful = undecided_commas(lines, layout))
-        throw FormatError(name, {.line = doubtful->line},
-                          fmt::format("'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
-                                      "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping", doubtful->cell));
+        throw FormatError(
+            name, {.line = doubtful->line},
+            fmt::format(
+                "'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
+                "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping",
+                doubtful->cell));
 }
 
 /// "# key: value" lines.
@@ -148,7 +163,9 @@ std::vector<HeaderCell> names_of(const RawTable& table, std::size_t least, std::
 
 RawTable read_raw_table(const bytes::Source& source, const TableOptions& options) {
     if (is_spreadsheet(source)) return read_spreadsheet(source, options.sheet);
-    if (options.sheet) throw FormatError(source.name, {.offset = 0}, fmt::format("is no workbook, but its sheet '{}' was asked for", *options.sheet));
+    if (options.sheet)
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("is no workbook, but its sheet '{}' was asked for", *options.sheet));
     if (source.size == 0) throw FormatError(source.name, {.offset = 0}, "the file is empty; expected rows of numbers");
     const auto text = bytes::decoded(source.all(), options.encoding);
     auto lines = bytes::split_lines(text);
@@ -156,17 +173,21 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
     const std::vector<std::string_view> body(lines.begin() + static_cast<std::ptrdiff_t>(begin), lines.end());
     auto layout = find_layout(body, options);
     if (!layout) layout = find_layout_with_words(body, options);
-    if (!layout) throw FormatError(source.name, {.line = begin + 1}, "no row of numbers; expected columns of numbers below a header");
+    if (!layout)
+        throw FormatError(source.name, {.line = begin + 1},
+                          "no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
     require_decided_commas(lines, *layout, options, source.name);
-    const auto numbers = layout->text.empty() ? parse_rows(text, lines, *layout, source.name) : parse_rows_with_words(lines, *layout, source.name);
+    const auto numbers = layout->text.empty() ? parse_rows(text, lines, *layout, source.name)
+                                              : parse_rows_with_words(lines, *layout, source.name);
 
     RawTable table{{}, {}, {}, layout->dialect.separator, layout->dialect.decimal_point};
     for (std::size_t i = 0; i < layout->first_row; ++i) {
         if (options.header_end && i + 1 == begin) continue;
         if (const auto line = trimmed(lines[i]); !line.empty()) table.header.emplace_back(line);
     }
-    if (!options.separator && !options.decimal_point) require_separating_commas(table.header, lines[layout->first_row], layout->first_row + 1, *layout, source.name);
+    if (!options.separator && !options.decimal_point)
+        require_separating_commas(table.header, lines[layout->first_row], layout->first_row + 1, *layout, source.name);
     table.metadata = key_values(table.header);
     const auto filled = filled_columns(numbers);
     const auto names = names_of(table, filled, layout->columns, source.name);
@@ -188,10 +209,8 @@ Table read_table(const std::string& path, const TableOptions& options) {
         const auto& column = raw.columns[k];
         const auto name = column.name.empty() ? fmt::format("column_{}", k + 1) : column.name;
         const auto unit = try_parse_unit(column.unit);
-        if (unit)
-            table.columns.push_back({name, si_unit(unit->dimension), column.values * unit->factor});
-        else
-            table.columns.push_back({name, column.unit, column.values});
+        if (unit) table.columns.push_back({name, si_unit(unit->dimension), column.values * unit->factor});
+        else table.columns.push_back({name, column.unit, column.values});
     }
     return table;
 }
@@ -215,17 +234,22 @@ std::string column_list(const Table& table) {
 
 void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted) {
     const auto missing = [&](const char* what) {
-        throw FormatError(path, {}, fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
-                                                "name the columns by a mapping file, which `setae jkr import` makes", what, column_list(table)));
+        throw FormatError(
+            path, {},
+            fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
+                        "name the columns by a mapping file, which `setae jkr import` makes",
+                        what, column_list(table)));
     };
     if (!table.find("force")) missing("'force'");
-    if (wanted == LoopColumns::complete && !table.find("displacement") && !table.find("contact_radius")) missing("'displacement' or 'contact_radius'");
+    if (wanted == LoopColumns::complete && !table.find("displacement") && !table.find("contact_radius"))
+        missing("'displacement' or 'contact_radius'");
     for (const auto& [name, unit] : loop_columns) {
         const auto* column = table.find(name);
         if (column && column->unit != unit)
-            throw FormatError(path, {}, fmt::format("column '{}' has {}, expected a unit of {} as in '{} [{}]'", name,
-                                                    column->unit.empty() ? "no unit" : fmt::format("the unit '{}'", column->unit),
-                                                    unit, name, unit));
+            throw FormatError(path, {},
+                              fmt::format("column '{}' has {}, expected a unit of {} as in '{} [{}]'", name,
+                                          column->unit.empty() ? "no unit" : fmt::format("the unit '{}'", column->unit),
+                                          unit, name, unit));
     }
 }
 
@@ -242,7 +266,8 @@ std::string as_csv(const Table& table) {
     std::string text;
     for (const auto& column : table.columns) {
         if (column.values.size() != table.rows())
-            throw InvalidArgument(fmt::format("column '{}' has {} rows, expected {}", column.name, column.values.size(), table.rows()));
+            throw InvalidArgument(
+                fmt::format("column '{}' has {} rows, expected {}", column.name, column.values.size(), table.rows()));
         if ((column.name + column.unit).find_first_of(",\"\r\n") != std::string::npos)
             throw InvalidArgument(fmt::format("column name '{}' holds a comma, quote or line break", column.name));
         if (&column != &table.columns.front()) text += ',';
@@ -253,10 +278,8 @@ std::string as_csv(const Table& table) {
         for (std::size_t k = 0; k < table.columns.size(); ++k) {
             if (k > 0) text += ',';
             const double value = table.columns[k].values[i];
-            if (!std::isnan(value))
-                fmt::format_to(std::back_inserter(text), "{}", value);
-            else if (table.columns.size() == 1)
-                text += "nan";  // an empty cell alone would be an empty line
+            if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+            else if (table.columns.size() == 1) text += "nan";  // an empty cell alone would be an empty line
         }
         text += '\n';
     }

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::tables {
 
@@ -22,22 +22,31 @@ std::string head_until(const bytes::Source& source, std::string_view marker, con
         head += source.bytes(head.size(), std::min(piece, most - head.size()));
         if (const auto found = head.find(marker, searched); found != std::string::npos) return head.substr(0, found);
     }
-    throw FormatError(source.name, {.offset = most}, fmt::format("{}: the header does not end with '{}' before this; the file is truncated or damaged", format, trimmed(marker)));
+    throw FormatError(source.name, {.offset = most},
+                      fmt::format("{}: the header does not end with '{}' before this; the file is truncated or damaged",
+                                  format, trimmed(marker)));
 }
 
-double header_number(std::string_view text, std::string_view key, const bytes::Source& source, const std::string& format) {
+double header_number(std::string_view text, std::string_view key, const bytes::Source& source,
+                     const std::string& format) {
     double value = 0.0;
     if (!bytes::parse_cell(trimmed(text), '.', value) || !std::isfinite(value))
-        throw FormatError(source.name, {.offset = 0}, fmt::format("{}: '{}' is '{:.40}' in the header that begins here, expected a number", format, key, text));
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("{}: '{}' is '{:.40}' in the header that begins here, expected a number", format, key, text));
     return value;
 }
 
-std::uint64_t header_count(std::string_view text, std::string_view key, const bytes::Source& source, const std::string& format) {
+std::uint64_t header_count(std::string_view text, std::string_view key, const bytes::Source& source,
+                           const std::string& format) {
     const auto digits = trimmed(text);
     std::uint32_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || value == 0 || value > (1u << 31))
-        throw FormatError(source.name, {.offset = 0}, fmt::format("{}: '{}' is '{:.40}' in the header that begins here, expected a positive integer", format, key, text));
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("{}: '{}' is '{:.40}' in the header that begins here, expected a positive integer", format, key,
+                        text));
     return value;
 }
 

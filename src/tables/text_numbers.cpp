@@ -8,16 +8,17 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/source.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::tables {
 namespace {
 
 constexpr std::uint64_t chunk_bytes = 1 << 20;
-/// Lines are gathered before they are turned into their places, so that what is written beside each other is written together.
+/// Lines are gathered before they are turned into their places, so that what is written beside each other is written
+/// together.
 constexpr Index most_gathered = 16;
 constexpr std::size_t gathered_numbers = 1 << 17;
 constexpr std::size_t most_breaks = 1 << 12;
@@ -44,7 +45,8 @@ struct Chunk {
 };
 
 /// The line that begins at `text`; read on in the source where the chunk ends before it tells what it is.
-std::string_view line_at(std::string_view text, std::string& buffer, const bytes::Source& source, std::uint64_t offset, std::uint64_t end) {
+std::string_view line_at(std::string_view text, std::string& buffer, const bytes::Source& source, std::uint64_t offset,
+                         std::uint64_t end) {
     constexpr std::uint64_t enough = 64;
     auto stop = text.find('\n');
     auto line = text.substr(0, stop);
@@ -60,9 +62,11 @@ std::string_view line_at(std::string_view text, std::string& buffer, const bytes
     }
 }
 
-Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t chunk_begin, std::uint64_t chunk_end, std::uint64_t end) {
+Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t chunk_begin, std::uint64_t chunk_end,
+              std::uint64_t end) {
     Chunk chunk;
-    const auto from = chunk_begin > begin ? chunk_begin - 1 : begin;  // the break before tells whether a line begins here
+    const auto from =
+        chunk_begin > begin ? chunk_begin - 1 : begin;  // the break before tells whether a line begins here
     const auto size = static_cast<std::size_t>(chunk_end - from);
     const auto bytes = std::make_unique_for_overwrite<char[]>(size);
     source.read_into(from, size, bytes.get());
@@ -80,10 +84,12 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
         const auto stop = static_cast<const char*>(std::memchr(text.data() + at, '\n', size - at));
         const char c = text[at];
         const bool plain = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
-        const auto line = plain ? std::string_view(text.data() + at, 1) : line_at(text.substr(at), buffer, source, offset, end);
+        const auto line =
+            plain ? std::string_view(text.data() + at, 1) : line_at(text.substr(at), buffer, source, offset, end);
         if (!line.empty()) {
             const bool word = is_letter(line.front()) && !begins_with_number_word(line);
-            if ((word || line.front() == '#') && chunk.breaks.size() < most_breaks) chunk.breaks.push_back({offset, chunk.lines, chunk.rows});
+            if ((word || line.front() == '#') && chunk.breaks.size() < most_breaks)
+                chunk.breaks.push_back({offset, chunk.lines, chunk.rows});
             if (line.front() != '#' && line.front() != '%') {
                 ++chunk.rows;
                 chunk.last_row = offset;
@@ -126,7 +132,8 @@ bool parse_plain(const char* at, const char* end, char separator, Index columns,
 /// Reads the lines of a block one after the other.
 class LineParser {
 public:
-    LineParser(const NumberLines& lines, std::string_view text, std::uint64_t line) : lines_(lines), rest_(text), number_(line) {}
+    LineParser(const NumberLines& lines, std::string_view text, std::uint64_t line)
+        : lines_(lines), rest_(text), number_(line) {}
 
     /// The numbers of the next line that holds any; false at the end of the block.
     bool next(double* values) {
@@ -146,11 +153,14 @@ public:
 
 private:
     bool plain(std::string_view line, double* values) {
-        if (lines_.layout.dialect.decimal_point == '.') return parse_plain(line.data(), line.data() + line.size(), lines_.layout.dialect.separator, lines_.columns, values);
+        if (lines_.layout.dialect.decimal_point == '.')
+            return parse_plain(line.data(), line.data() + line.size(), lines_.layout.dialect.separator, lines_.columns,
+                               values);
         if (line.find('.') != std::string_view::npos) return false;
         pointed_.assign(line);
         std::replace(pointed_.begin(), pointed_.end(), ',', '.');
-        return parse_plain(pointed_.data(), pointed_.data() + pointed_.size(), lines_.layout.dialect.separator, lines_.columns, values);
+        return parse_plain(pointed_.data(), pointed_.data() + pointed_.size(), lines_.layout.dialect.separator,
+                           lines_.columns, values);
     }
 
     const NumberLines& lines_;
@@ -162,7 +172,8 @@ private:
 /// Lines gathered until they are put into their places together.
 class Gathering {
 public:
-    Gathering(const NumberPlaces& places, Index columns, Array2D& target) : places_(places), columns_(columns), target_(target) {
+    Gathering(const NumberPlaces& places, Index columns, Array2D& target)
+        : places_(places), columns_(columns), target_(target) {
         const auto room = static_cast<Index>(gathered_numbers) / std::max<Index>(columns, 1);
         capacity_ = std::clamp<Index>(room, 1, most_gathered);
         values_ = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(capacity_ * columns));
@@ -176,10 +187,13 @@ public:
     void put() {
         if (places_.lines_are_columns) {
             for (Index j = 0; j < count_; ++j)
-                for (Index k = 0; k < columns_; ++k) target_(first_ + j, columns_ - 1 - k) = places_.factor * values_[static_cast<std::size_t>(j * columns_ + k)];
+                for (Index k = 0; k < columns_; ++k)
+                    target_(first_ + j, columns_ - 1 - k) =
+                        places_.factor * values_[static_cast<std::size_t>(j * columns_ + k)];
         } else {
             for (Index k = 0; k < columns_; ++k)
-                for (Index j = 0; j < count_; ++j) target_(k, first_ + j) = places_.factor * values_[static_cast<std::size_t>(j * columns_ + k)];
+                for (Index j = 0; j < count_; ++j)
+                    target_(k, first_ + j) = places_.factor * values_[static_cast<std::size_t>(j * columns_ + k)];
         }
         count_ = 0;
     }
@@ -203,20 +217,25 @@ std::string whole_line(const bytes::Source& source, std::uint64_t offset, std::u
     }
 }
 
-void parse_number_line(std::string_view line, const Layout& layout, std::uint64_t number, const std::string& name, double* values) {
+void parse_number_line(std::string_view line, const Layout& layout, std::uint64_t number, const std::string& name,
+                       double* values) {
     std::vector<std::string_view> cells;
     split_cells(line, layout.dialect.separator, cells);
     while (cells.size() > layout.columns && cells.back().empty()) cells.pop_back();
     if (cells.size() != layout.columns)
         throw FormatError(name, {.line = number},
-                          fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here", cells.size(), layout.columns));
+                          fmt::format("{} columns, expected {} as in the other lines; the file may be truncated here",
+                                      cells.size(), layout.columns));
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (!parse_cell(cells[k], layout.dialect, values[k]))
-            throw FormatError(name, {.line = number}, fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
+            throw FormatError(
+                name, {.line = number},
+                fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
 }
 
 NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::uint64_t end) {
-    NumberLines lines{start.source, start.layout, static_cast<Index>(start.layout.columns), 0, {}, {}, start.line, end, {}};
+    NumberLines lines{
+        start.source, start.layout, static_cast<Index>(start.layout.columns), 0, {}, {}, start.line, end, {}};
     const auto count = static_cast<std::size_t>((end - begin + chunk_bytes - 1) / chunk_bytes);
     std::vector<Chunk> chunks(count);
     parallel::for_each_index(count, {}, [&](std::size_t i) {
@@ -228,8 +247,10 @@ NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::
         if (!lines.blocks.empty()) lines.blocks.back().size = *chunk.first - lines.blocks.back().offset;
         lines.blocks.push_back({*chunk.first, 0, lines.lines, lines.rows});
         for (const auto& found : chunk.breaks)
-            if (lines.breaks.size() < most_breaks) lines.breaks.push_back({found.offset, found.line + lines.lines, found.row + lines.rows});
-        if (chunk.rows > 0) lines.last = {chunk.last_row, lines.lines + chunk.last_row_line, lines.rows + chunk.rows - 1};
+            if (lines.breaks.size() < most_breaks)
+                lines.breaks.push_back({found.offset, found.line + lines.lines, found.row + lines.rows});
+        if (chunk.rows > 0)
+            lines.last = {chunk.last_row, lines.lines + chunk.last_row_line, lines.rows + chunk.rows - 1};
         lines.lines += chunk.lines;
         lines.rows += chunk.rows;
     }
@@ -240,7 +261,8 @@ NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::
 void require_whole_last_line(const NumberLines& lines) {
     if (lines.rows == 0) return;
     std::vector<double> numbers(lines.layout.columns);
-    parse_number_line(whole_line(lines.source, lines.last.offset, lines.end), lines.layout, lines.last.line + 1, lines.source.name, numbers.data());
+    parse_number_line(whole_line(lines.source, lines.last.offset, lines.end), lines.layout, lines.last.line + 1,
+                      lines.source.name, numbers.data());
 }
 
 Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {
@@ -248,8 +270,11 @@ Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {
     const Index rows = last - places.first;
     std::uint64_t characters = 1;  // a cell has one at least, with what ends it: room for more is never made
     for (const auto& block : lines.blocks) characters += block.size;
-    if (static_cast<std::uint64_t>(lines.rows) > characters / static_cast<std::uint64_t>(std::max<Index>(lines.columns, 1)))
-        throw FormatError(lines.source.name, {.line = lines.lines}, fmt::format("{} lines are too short for {} columns in each; some have fewer", lines.rows, lines.columns));
+    if (static_cast<std::uint64_t>(lines.rows) >
+        characters / static_cast<std::uint64_t>(std::max<Index>(lines.columns, 1)))
+        throw FormatError(
+            lines.source.name, {.line = lines.lines},
+            fmt::format("{} lines are too short for {} columns in each; some have fewer", lines.rows, lines.columns));
     Array2D target(places.lines_are_columns ? rows : lines.columns, places.lines_are_columns ? lines.columns : rows);
     parallel::for_each_index(lines.blocks.size(), {}, [&](std::size_t i) {
         const auto& block = lines.blocks[i];

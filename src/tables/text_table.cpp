@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::tables {
 namespace {
@@ -60,7 +60,8 @@ std::vector<TextTable::Row> rows_of(std::string_view text, char separator, std::
 TextTable::Column column_of(const std::string& heading) {
     const auto open = heading.rfind('['), close = heading.rfind(']');
     if (open == std::string::npos || close == std::string::npos || close < open) return {heading, ""};
-    return {std::string(trimmed(heading.substr(0, open))), std::string(trimmed(heading.substr(open + 1, close - open - 1)))};
+    return {std::string(trimmed(heading.substr(0, open))),
+            std::string(trimmed(heading.substr(open + 1, close - open - 1)))};
 }
 
 }  // namespace
@@ -97,12 +98,15 @@ TextTable read_text_table(const std::string& path) {
             table.separator = candidate;
         }
     table.rows = rows_of(text, table.separator, line);
-    if (table.rows.empty()) throw FormatError(path, {}, "an empty table; expected a header line with names, such as \"surface,lens,spot,W [mJ/m2]\"");
+    if (table.rows.empty())
+        throw FormatError(path, {},
+                          "an empty table; expected a header line with names, such as \"surface,lens,spot,W [mJ/m2]\"");
     for (const auto& heading : table.rows.front().cells) table.columns.push_back(column_of(heading));
     table.rows.erase(table.rows.begin());
     for (const auto& row : table.rows)
         if (row.cells.size() != table.columns.size())
-            throw FormatError(path, {.line = row.line}, fmt::format("{} cells; the header has {}", row.cells.size(), table.columns.size()));
+            throw FormatError(path, {.line = row.line},
+                              fmt::format("{} cells; the header has {}", row.cells.size(), table.columns.size()));
     return table;
 }
 

@@ -30,9 +30,12 @@ pugi::xml_node child(const pugi::xml_node& parent, const char* name) {
 pugi::xml_document parsed(const bytes::Archive& archive, const std::string& member, const bytes::Source& source) {
     pugi::xml_document document;
     const auto text = archive.read(member);
-    const auto result = document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+    const auto result =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)
-        throw FormatError(source.name, {}, fmt::format("member '{}' is no XML: {} at byte {}", member, result.description(), result.offset));
+        throw FormatError(
+            source.name, {},
+            fmt::format("member '{}' is no XML: {} at byte {}", member, result.description(), result.offset));
     return document;
 }
 
@@ -66,7 +69,8 @@ std::vector<Sheet> listed_sheets(const bytes::Archive& archive, const bytes::Sou
         for (const auto& attribute : node.attributes())
             if (std::string_view(attribute.name()).ends_with(":id")) id = attribute.value();
         const auto target = targets.find(id);
-        if (target != targets.end() && archive.has(target->second)) sheets.push_back({node.attribute("name").value(), target->second});
+        if (target != targets.end() && archive.has(target->second))
+            sheets.push_back({node.attribute("name").value(), target->second});
     }
     if (sheets.empty()) throw FormatError(source.name, {}, "workbook without a sheet of cells");
     return sheets;
@@ -85,9 +89,12 @@ std::vector<std::string> shared_strings(const bytes::Archive& archive, const byt
 /// Row and column of a reference such as "AB12", from 0; false for anything else.
 bool parse_reference(std::string_view text, std::size_t& row, std::size_t& column) {
     std::size_t at = 0, letters = 0, number = 0;
-    for (; at < text.size() && text[at] >= 'A' && text[at] <= 'Z' && at < 4; ++at) letters = 26 * letters + static_cast<std::size_t>(text[at] - 'A' + 1);
+    for (; at < text.size() && text[at] >= 'A' && text[at] <= 'Z' && at < 4; ++at)
+        letters = 26 * letters + static_cast<std::size_t>(text[at] - 'A' + 1);
     const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || letters < 1 || letters > most_columns || number < 1 || number > most_rows) return false;
+    if (error != std::errc{} || end != text.data() + text.size() || letters < 1 || letters > most_columns ||
+        number < 1 || number > most_rows)
+        return false;
     row = number - 1;
     column = letters - 1;
     return true;
@@ -96,7 +103,11 @@ bool parse_reference(std::string_view text, std::size_t& row, std::size_t& colum
 }  // namespace
 
 struct Workbook::Content {
-    explicit Content(const bytes::Source& from) : source(from), archive(from), sheets(listed_sheets(archive, source)), strings(shared_strings(archive, source)) {}
+    explicit Content(const bytes::Source& from)
+        : source(from),
+          archive(from),
+          sheets(listed_sheets(archive, source)),
+          strings(shared_strings(archive, source)) {}
 
     [[nodiscard]] std::string text(const pugi::xml_node& cell, const Sheet& sheet) const {
         const std::string_view type = cell.attribute("t").value();
@@ -107,8 +118,9 @@ struct Workbook::Content {
         std::size_t index = 0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), index);
         if (error != std::errc{} || end != value.data() + value.size() || index >= strings.size())
-            throw FormatError(source.name, {}, fmt::format("sheet '{}', cell {}: shared string '{}' is not among the {} there are",
-                                                           sheet.name, cell.attribute("r").value(), value, strings.size()));
+            throw FormatError(source.name, {},
+                              fmt::format("sheet '{}', cell {}: shared string '{}' is not among the {} there are",
+                                          sheet.name, cell.attribute("r").value(), value, strings.size()));
         return strings[index];
     }
 
@@ -133,7 +145,8 @@ SheetRows Workbook::rows(const Sheet& sheet) const {
         for (const auto& cell : line.children()) {
             const std::string_view reference = cell.attribute("r").value();
             if (!reference.empty() && !parse_reference(reference, row, column))
-                throw FormatError(content_->source.name, {}, fmt::format("sheet '{}': '{:.20}' is no cell", sheet.name, reference));
+                throw FormatError(content_->source.name, {},
+                                  fmt::format("sheet '{}': '{:.20}' is no cell", sheet.name, reference));
             auto text = content_->text(cell, sheet);
             if (!text.empty()) rows[row].insert_or_assign(column, std::move(text));
             ++column;
@@ -145,7 +158,8 @@ SheetRows Workbook::rows(const Sheet& sheet) const {
 
 std::string cell_name(std::size_t row, std::size_t column) {
     std::string letters;
-    for (auto left = column + 1; left > 0; left = (left - 1) / 26) letters.insert(letters.begin(), static_cast<char>('A' + (left - 1) % 26));
+    for (auto left = column + 1; left > 0; left = (left - 1) / 26)
+        letters.insert(letters.begin(), static_cast<char>('A' + (left - 1) % 26));
     return fmt::format("{}{}", letters, row + 1);
 }
 

@@ -17,12 +17,12 @@ LineScan average_reference(std::span<const LineScan> references) {
     Array1D sum = Array1D::Zero(average.heights.size());
     Array1D count = sum;
     for (const auto& reference : references) {
-        const bool same_grid = reference.heights.size() == sum.size() &&
-                               std::abs(reference.size - average.size) < 0.1 * step;
+        const bool same_grid =
+            reference.heights.size() == sum.size() && std::abs(reference.size - average.size) < 0.1 * step;
         if (!same_grid)
-            throw InvalidArgument(fmt::format("reference scan {} has {} points over {} m, expected {} over {} m as in {}",
-                                              reference.metadata.file, reference.heights.size(), reference.size, sum.size(),
-                                              average.size, average.metadata.file));
+            throw InvalidArgument(fmt::format(
+                "reference scan {} has {} points over {} m, expected {} over {} m as in {}", reference.metadata.file,
+                reference.heights.size(), reference.size, sum.size(), average.size, average.metadata.file));
         const auto level = detrended(reference, Trend::tilt).heights;
         const auto defined = level == level;
         sum += defined.select(level, 0.0);
@@ -48,7 +48,8 @@ LineScan subtract_artefact(const LineScan& scan, const LineScan& artefact) {
         result.heights[kept] -= value;
     }
     if (kept < 2)
-        throw UndefinedDataError(fmt::format("the artefact covers {} points of {}, expected at least 2", kept, scan.metadata.file));
+        throw UndefinedDataError(
+            fmt::format("the artefact covers {} points of {}, expected at least 2", kept, scan.metadata.file));
     result.heights.conservativeResize(kept);
     result.size = static_cast<double>(kept) * step;
     return result;

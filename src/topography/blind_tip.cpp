@@ -26,8 +26,10 @@ void require(const HeightMap& image, const BlindTipOptions& options) {
     if (px < 1 || py < 1 || px % 2 == 0 || py % 2 == 0)
         throw InvalidArgument(fmt::format("tip estimate of {} by {} points; expected odd positive numbers", px, py));
     if (!image.periodic && (nx < 2 * px - 1 || ny < 2 * py - 1))
-        throw InvalidArgument(fmt::format("{}: tip estimate of {} by {} points on a map of {} by {}; expected a map of at least {} by {}, or "
-                                          "fewer points", label(image.metadata), px, py, nx, ny, 2 * px - 1, 2 * py - 1));
+        throw InvalidArgument(fmt::format(
+            "{}: tip estimate of {} by {} points on a map of {} by {}; expected a map of at least {} by {}, or "
+            "fewer points",
+            label(image.metadata), px, py, nx, ny, 2 * px - 1, 2 * py - 1));
     if (!(options.noise_threshold >= 0.0) || !std::isfinite(options.noise_threshold))
         throw InvalidArgument(fmt::format("noise threshold {} m; expected a finite one >= 0", options.noise_threshold));
     if (options.rounds < 1) throw InvalidArgument(fmt::format("{} rounds; expected at least one", options.rounds));
@@ -46,7 +48,8 @@ Array2D continued(const HeightMap& image, Index margin_x, Index margin_y) {
 /// Points with the whole extent twice around them, all of it defined.
 std::vector<Point> usable_points(const Array2D& image, Index margin_x, Index margin_y) {
     using Counts = Eigen::Array<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Counts above = Counts::Zero(image.rows() + 1, image.cols() + 1);  // undefined heights among the first rows and columns
+    Counts above =
+        Counts::Zero(image.rows() + 1, image.cols() + 1);  // undefined heights among the first rows and columns
     for (Index i = 0; i < image.rows(); ++i)
         for (Index j = 0; j < image.cols(); ++j)
             above(i + 1, j + 1) = above(i, j + 1) + above(i + 1, j) - above(i, j) + (std::isnan(image(i, j)) ? 1 : 0);
@@ -54,7 +57,8 @@ std::vector<Point> usable_points(const Array2D& image, Index margin_x, Index mar
     for (Index i = margin_x; i + margin_x < image.rows(); ++i)
         for (Index j = margin_y; j + margin_y < image.cols(); ++j) {
             const Index top = i - margin_x, bottom = i + margin_x + 1, left = j - margin_y, right = j + margin_y + 1;
-            if (above(bottom, right) - above(top, right) - above(bottom, left) + above(top, left) == 0) points.push_back({i, j});
+            if (above(bottom, right) - above(top, right) - above(bottom, left) + above(top, left) == 0)
+                points.push_back({i, j});
         }
     return points;
 }
@@ -63,7 +67,10 @@ std::vector<Point> usable_points(const Array2D& image, Index margin_x, Index mar
 class Estimate {
 public:
     Estimate(const Array2D& image, double threshold, const BlindTipOptions& options)
-        : image_(image), tip_(Array2D::Zero(options.points_x, options.points_y)), threshold_(threshold), threads_(options.threads) {}
+        : image_(image),
+          tip_(Array2D::Zero(options.points_x, options.points_y)),
+          threshold_(threshold),
+          threads_(options.threads) {}
 
     [[nodiscard]] const Array2D& tip() const { return tip_; }
 
@@ -114,7 +121,8 @@ private:
 std::vector<Point> peaks(const Array2D& image, const std::vector<Point>& points, Index reach_x, Index reach_y) {
     std::vector<Point> result;
     for (const auto& [x, y] : points)
-        if (image(x, y) >= image.block(x - reach_x, y - reach_y, 2 * reach_x + 1, 2 * reach_y + 1).maxCoeff()) result.push_back({x, y});
+        if (image(x, y) >= image.block(x - reach_x, y - reach_y, 2 * reach_x + 1, 2 * reach_y + 1).maxCoeff())
+            result.push_back({x, y});
     return result;
 }
 
@@ -126,8 +134,10 @@ BlindTip blind_tip(const HeightMap& image, const BlindTipOptions& options) {
     const HeightMap whole{continued(image, 2 * reach_x, 2 * reach_y), {}, false, image.metadata};
     const auto points = usable_points(whole.heights, 2 * reach_x, 2 * reach_y);
     if (points.empty())
-        throw UndefinedDataError(fmt::format("{}: undefined heights within {} by {} points of every point; expected larger defined parts, or "
-                                             "a tip estimate of fewer points", label(image.metadata), 2 * reach_x, 2 * reach_y));
+        throw UndefinedDataError(fmt::format(
+            "{}: undefined heights within {} by {} points of every point; expected larger defined parts, or "
+            "a tip estimate of fewer points",
+            label(image.metadata), 2 * reach_x, 2 * reach_y));
     const double threshold = options.noise_threshold + 1e-12 * height_range(whole, {.threads = options.threads});
     Estimate estimate(whole.heights, threshold, options);
     BlindTip result;
@@ -142,10 +152,12 @@ BlindTip blind_tip(const HeightMap& image, const BlindTipOptions& options) {
     while (result.rounds < options.rounds && estimate.sharpen(summits)) ++result.rounds;
     while (result.rounds < options.rounds && !result.converged) {
         result.tip.heights = estimate.tip();
-        const auto opened = dilated(eroded(map, result.tip, {.threads = options.threads}), result.tip, {.threads = options.threads});
+        const auto opened =
+            dilated(eroded(map, result.tip, {.threads = options.threads}), result.tip, {.threads = options.threads});
         std::vector<Point> contradicting;
         for (const auto& point : points)
-            if (map.heights(point.x, point.y) - opened.heights(point.x, point.y) > threshold) contradicting.push_back(point);
+            if (map.heights(point.x, point.y) - opened.heights(point.x, point.y) > threshold)
+                contradicting.push_back(point);
         result.converged = !estimate.sharpen(contradicting);
         ++result.rounds;
     }

@@ -19,18 +19,22 @@ namespace {
 HeightMap with_margin(const HeightMap& map, Index margin_x, Index margin_y) {
     const auto [nx, ny] = map.shape();
     const auto pixel = map.pixel_size();
-    HeightMap wide{Array2D::Constant(nx + 2 * margin_x, ny + 2 * margin_y, undefined),
-                   {pixel[0] * static_cast<double>(nx + 2 * margin_x), pixel[1] * static_cast<double>(ny + 2 * margin_y)},
-                   map.periodic, map.metadata};
+    HeightMap wide{
+        Array2D::Constant(nx + 2 * margin_x, ny + 2 * margin_y, undefined),
+        {pixel[0] * static_cast<double>(nx + 2 * margin_x), pixel[1] * static_cast<double>(ny + 2 * margin_y)},
+        map.periodic,
+        map.metadata};
     wide.heights.block(margin_x, margin_y, nx, ny) = map.heights;
     return wide;
 }
 
 }  // namespace
 
-Certainty certainty_map(const HeightMap& image, const Tip& tip, const DilationOptions& options, std::optional<double> tolerance) {
+Certainty certainty_map(const HeightMap& image, const Tip& tip, const DilationOptions& options,
+                        std::optional<double> tolerance) {
     const double range = height_range(image, options), margin = tolerance.value_or(1e-9 * range);
-    if (!(margin >= 0.0)) throw InvalidArgument(fmt::format("tolerance {} m of the certainty map; expected >= 0", margin));
+    if (!(margin >= 0.0))
+        throw InvalidArgument(fmt::format("tolerance {} m of the certainty map; expected >= 0", margin));
     const auto probe = touching_tip(image, tip, options);
     const auto [nx, ny] = image.shape();
     const Index margin_x = image.periodic ? 0 : probe.centre_x, margin_y = image.periodic ? 0 : probe.centre_y;

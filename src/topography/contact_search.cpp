@@ -49,7 +49,9 @@ Array2D lowest_outward(Array2D bound, Index centre_x, Index centre_y) {
 }
 
 /// Offset from the apex to the nearest of the points first … last.
-Index nearest_offset(Index first, Index last, Index apex) { return first > apex ? first - apex : last < apex ? last - apex : 0; }
+Index nearest_offset(Index first, Index last, Index apex) {
+    return first > apex ? first - apex : last < apex ? last - apex : 0;
+}
 
 /// Keeps the best candidate.
 struct HighestFinder {
@@ -70,7 +72,8 @@ struct HighestFinder {
         lanes.fill(-infinite);
         for (Index i = 0; i < block; ++i)
             for (Index j = 0; j < block; ++j)
-                lanes[static_cast<std::size_t>(j)] = larger(lanes[static_cast<std::size_t>(j)], heights[i * stride + j] - tip[i * tip_stride + j]);
+                lanes[static_cast<std::size_t>(j)] =
+                    larger(lanes[static_cast<std::size_t>(j)], heights[i * stride + j] - tip[i * tip_stride + j]);
         double highest = lanes[0];
         for (const double lane : lanes) highest = larger(highest, lane);
         if (!(highest > best.apex_height)) return;
@@ -120,8 +123,11 @@ struct ContactSearch::Window {
 
 ContactSearch::ContactSearch(const Array2D& heights, bool periodic_x, bool periodic_y, const TipImage& tip,
                              parallel::Threads threads)
-    : heights_(heights.data(), heights.rows(), heights.cols()), periodic_x_(periodic_x), periodic_y_(periodic_y),
-      reach_x_(tip.centre_x), reach_y_(tip.centre_y) {
+    : heights_(heights.data(), heights.rows(), heights.cols()),
+      periodic_x_(periodic_x),
+      periodic_y_(periodic_y),
+      reach_x_(tip.centre_x),
+      reach_y_(tip.centre_y) {
     tip_ = Array2D::Constant(tip.heights.rows() + 2 * block, tip.heights.cols() + 2 * block, infinite);
     tip_.block(block, block, tip.heights.rows(), tip.heights.cols()) = tip.heights;
     bound_ = lowest_outward(tip.heights, reach_x_, reach_y_);
@@ -148,7 +154,8 @@ template <class Finder>
 void ContactSearch::visit_points(const Window& window, Finder& finder) const {
     const Index stride = heights_.cols(), tip_stride = tip_.cols();
     const double* heights = heights_.data() + window.first_x * stride + window.first_y;
-    const double* tip = &tip_(window.first_x - window.apex_x + reach_x_ + block, window.first_y - window.apex_y + reach_y_ + block);
+    const double* tip =
+        &tip_(window.first_x - window.apex_x + reach_x_ + block, window.first_y - window.apex_y + reach_y_ + block);
     if (window.last_x - window.first_x == block - 1 && window.last_y - window.first_y == block - 1) {
         finder.square(heights, stride, tip, tip_stride, window.first_x, window.first_y);
         return;
@@ -172,10 +179,11 @@ void ContactSearch::descend(std::size_t level, const Window& window, Finder& fin
             if (level == 0) {
                 visit_points({window.apex_x, window.apex_y, first_x, last_x, first_y, last_y}, finder);
             } else {
-                descend(level - 1,
-                        {window.apex_x, window.apex_y, std::max(first_x, window.first_x), std::min(last_x, window.last_x),
-                         std::max(first_y, window.first_y), std::min(last_y, window.last_y)},
-                        finder);
+                descend(
+                    level - 1,
+                    {window.apex_x, window.apex_y, std::max(first_x, window.first_x), std::min(last_x, window.last_x),
+                     std::max(first_y, window.first_y), std::min(last_y, window.last_y)},
+                    finder);
             }
         }
     }

@@ -18,16 +18,18 @@ struct Contact {
 
 /// Finds which point of a surface carries a tip: max_u [h(x + u) − t(u)].
 ///
-/// The surface is kept as a pyramid of highest heights over blocks of 8, 64, … points square. A block whose highest height
-/// less the lowest of the tip over it is not above the best candidate so far is left out whole. The tip's table carries for
-/// that, at every offset, the lowest tip height at that or a farther offset of the same quadrant, so any shape is allowed.
+/// The surface is kept as a pyramid of highest heights over blocks of 8, 64, … points square. A block whose highest
+/// height less the lowest of the tip over it is not above the best candidate so far is left out whole. The tip's table
+/// carries for that, at every offset, the lowest tip height at that or a farther offset of the same quadrant, so any
+/// shape is allowed.
 class ContactSearch {
 public:
     /// Keeps a view of the heights, which must outlive it. NaN never touches.
-    ContactSearch(const Array2D& heights, bool periodic_x, bool periodic_y, const TipImage& tip, parallel::Threads threads);
+    ContactSearch(const Array2D& heights, bool periodic_x, bool periodic_y, const TipImage& tip,
+                  parallel::Threads threads);
 
-    /// The highest candidate for the apex at a grid point. `guess`: a contact that may hold here too (the neighbour's); it
-    /// saves time and never changes the height found.
+    /// The highest candidate for the apex at a grid point. `guess`: a contact that may hold here too (the neighbour's);
+    /// it saves time and never changes the height found.
     [[nodiscard]] Contact highest(Index x, Index y, const Contact& guess = {}) const;
 
     /// Number of points that would hold the apex at `apex_height` or higher, counted up to two; the last is `contact`.
@@ -37,7 +39,8 @@ public:
     };
     [[nodiscard]] Touching touching(Index x, Index y, double apex_height) const;
 
-    /// Lowest height of the tip over all offsets of at least (x, y) away, same signs; at 0 over both signs. Infinite outside.
+    /// Lowest height of the tip over all offsets of at least (x, y) away, same signs; at 0 over both signs. Infinite
+    /// outside.
     [[nodiscard]] double lowest_beyond(Index x, Index y) const;
 
 private:

@@ -17,7 +17,8 @@ Profile defined_points(Profile contour) {
     std::vector<Index> kept;
     for (Index i = 0; i < contour.positions.size(); ++i)
         if (std::isfinite(contour.positions[i]) && std::isfinite(contour.heights[i])) kept.push_back(i);
-    if (kept.size() >= 2 && contour.positions[kept.back()] < contour.positions[kept.front()]) std::reverse(kept.begin(), kept.end());
+    if (kept.size() >= 2 && contour.positions[kept.back()] < contour.positions[kept.front()])
+        std::reverse(kept.begin(), kept.end());
     for (Array1D* column : {&contour.positions, &contour.heights, &contour.standard_error}) {
         if (column->size() == 0) continue;
         const Array1D part = (*column)(kept);
@@ -29,7 +30,8 @@ Profile defined_points(Profile contour) {
 double arc_length(const Profile& contour, Index first, Index last) {
     double length = 0.0;
     for (Index i = first + 1; i <= last; ++i)
-        length += std::hypot(contour.positions[i] - contour.positions[i - 1], contour.heights[i] - contour.heights[i - 1]);
+        length +=
+            std::hypot(contour.positions[i] - contour.positions[i - 1], contour.heights[i] - contour.heights[i - 1]);
     return length;
 }
 
@@ -37,9 +39,11 @@ double arc_length(const Profile& contour, Index first, Index last) {
 
 CleanedContour clean_contour(Profile contour, double tolerance) {
     if (contour.positions.size() != contour.heights.size())
-        throw InvalidArgument(fmt::format("contour has {} positions for {} heights", contour.positions.size(), contour.heights.size()));
+        throw InvalidArgument(
+            fmt::format("contour has {} positions for {} heights", contour.positions.size(), contour.heights.size()));
     if (contour.standard_error.size() != 0 && contour.standard_error.size() != contour.heights.size())
-        throw InvalidArgument(fmt::format("contour has {} standard errors for {} heights", contour.standard_error.size(), contour.heights.size()));
+        throw InvalidArgument(fmt::format("contour has {} standard errors for {} heights",
+                                          contour.standard_error.size(), contour.heights.size()));
     CleanedContour result;
     contour = defined_points(std::move(contour));
     const auto n = contour.positions.size();
@@ -62,7 +66,8 @@ CleanedContour clean_contour(Profile contour, double tolerance) {
     keep_until(n);
     const auto left = static_cast<Index>(kept.size());
     if (left < 2)
-        throw UndefinedDataError(fmt::format("{} of {} contour points have increasing x, expected at least 2", left, n));
+        throw UndefinedDataError(
+            fmt::format("{} of {} contour points have increasing x, expected at least 2", left, n));
     result.profile.metadata = contour.metadata;
     result.profile.response = contour.response;
     if (contour.standard_error.size() > 0) result.profile.standard_error = contour.standard_error(kept);
@@ -72,10 +77,11 @@ CleanedContour clean_contour(Profile contour, double tolerance) {
     const double total = arc_length(contour, 0, n - 1);
     result.reentrant_share = total > 0.0 ? cut_length / total : 0.0;
     if (result.reentrant_points > 0)
-        result.alerts.push_back({"REENTRANT", contour.metadata.file,
-                                 fmt::format("{} points on re-entrant stretches, {:.2g} % of the contour's length, were cut",
-                                             result.reentrant_points, 100.0 * result.reentrant_share),
-                                 "look at the contour; a share above a few per cent makes slope and curvature lower bounds"});
+        result.alerts.push_back(
+            {"REENTRANT", contour.metadata.file,
+             fmt::format("{} points on re-entrant stretches, {:.2g} % of the contour's length, were cut",
+                         result.reentrant_points, 100.0 * result.reentrant_share),
+             "look at the contour; a share above a few per cent makes slope and curvature lower bounds"});
     return result;
 }
 

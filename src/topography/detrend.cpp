@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "map_trend.hpp"
 #include "setae/core/errors.hpp"
@@ -26,10 +26,13 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& gram, const Eigen::VectorXd& moment
 }
 
 [[noreturn]] void too_few(Index defined, Index needed) {
-    throw UndefinedDataError(fmt::format("{} defined heights, a trend with {} coefficients needs more", defined, needed));
+    throw UndefinedDataError(
+        fmt::format("{} defined heights, a trend with {} coefficients needs more", defined, needed));
 }
 
-double centred(Index i, Index n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
+double centred(Index i, Index n) {
+    return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0;
+}
 
 /// Removes a polynomial of the given order from equidistant samples. Returns false where too few are defined.
 template <class Line>
@@ -81,7 +84,8 @@ HeightMap detrended(HeightMap map, Trend trend, parallel::Threads threads) {
 TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads) {
     if (trend == Trend::none) return map;
     MapTrendFit fit(trend, map.nx, map.ny);
-    for (Index first = 0; first < map.ny; first += lines_together) fit.add(map.lines(first, std::min(lines_together, map.ny - first)), first, threads);
+    for (Index first = 0; first < map.ny; first += lines_together)
+        fit.add(map.lines(first, std::min(lines_together, map.ny - first)), first, threads);
     map.lines = [lines = std::move(map.lines), removed = fit.solved(), threads](Index first, Index count) {
         auto band = lines(first, count);
         removed.subtract_from(band, first, threads);
@@ -143,7 +147,8 @@ HeightMap flattened_lines(HeightMap map, int order) {
     if (order < 0 || order > 3)
         throw InvalidArgument(fmt::format("polynomial order {} for flattening lines; expected 0, 1, 2 or 3", order));
     for (Index j = 0; j < map.heights.cols(); ++j)
-        if (!remove_polynomial(map.heights.col(j), order)) map.heights.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
+        if (!remove_polynomial(map.heights.col(j), order))
+            map.heights.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
     return map;
 }
 

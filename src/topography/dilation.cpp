@@ -26,9 +26,10 @@ HeightMap as_map(const LineScan& line, const Tip& tip, const DilationOptions& op
     HeightMap map{line.heights.transpose(), {line.size, line.size}, line.periodic, line.metadata};
     const double reach = contact_reach(tip, height_range(map, options));
     if (!line.periodic && reach > line.size)
-        throw InvalidArgument(fmt::format("{}: the tip reaches {:.4g} m from its axis, the line measures {:.4g} m; expected a tip smaller "
-                                          "than the line, a periodic line or a lower height_range",
-                                          label(line.metadata), reach, line.size));
+        throw InvalidArgument(fmt::format(
+            "{}: the tip reaches {:.4g} m from its axis, the line measures {:.4g} m; expected a tip smaller "
+            "than the line, a periodic line or a lower height_range",
+            label(line.metadata), reach, line.size));
     map.size[0] = 2.0 * reach + line.size;
     return map;
 }
@@ -81,14 +82,16 @@ double Dilator::reading(Index x, Index y) const {
     const auto& [surface, options, search] = *state_;
     const auto [nx, ny] = surface->shape();
     if (!surface->periodic && (x < 0 || y < 0 || x >= nx || y >= ny))
-        throw InvalidArgument(fmt::format("grid point ({}, {}) of {} by {}; expected one inside, or a periodic surface", x, y, nx, ny));
+        throw InvalidArgument(
+            fmt::format("grid point ({}, {}) of {} by {}; expected one inside, or a periodic surface", x, y, nx, ny));
     Contact none;
     return state_->read(wrapped(x, nx), wrapped(y, ny), none);
 }
 
 Array1D Dilator::readings(const ArrayView1D& x, const ArrayView1D& y) const {
     const auto& surface = *state_->surface;
-    if (x.size() != y.size()) throw InvalidArgument(fmt::format("{} positions x and {} y; expected as many", x.size(), y.size()));
+    if (x.size() != y.size())
+        throw InvalidArgument(fmt::format("{} positions x and {} y; expected as many", x.size(), y.size()));
     const auto pixel = surface.pixel_size();
     const auto [nx, ny] = surface.shape();
     Array1D result(x.size());
@@ -97,12 +100,15 @@ Array1D Dilator::readings(const ArrayView1D& x, const ArrayView1D& y) const {
         const auto first = static_cast<Index>(run) * run_length;
         for (Index k = first; k < std::min(first + run_length, x.size()); ++k) {
             const double at_x = std::round(x[k] / pixel[0]), at_y = std::round(y[k] / pixel[1]);
-            const bool inside = at_x >= 0.0 && at_y >= 0.0 && at_x < static_cast<double>(nx) && at_y < static_cast<double>(ny);
+            const bool inside =
+                at_x >= 0.0 && at_y >= 0.0 && at_x < static_cast<double>(nx) && at_y < static_cast<double>(ny);
             if (!(inside || (surface.periodic && std::abs(at_x) < 1e15 && std::abs(at_y) < 1e15)))
-                throw InvalidArgument(fmt::format("point {} at ({} m, {} m), the surface's last point at ({} m, {} m); expected points on "
-                                                  "it, or a periodic surface", k, x[k], y[k], static_cast<double>(nx - 1) * pixel[0],
-                                                  static_cast<double>(ny - 1) * pixel[1]));
-            result[k] = state_->read(wrapped(static_cast<Index>(at_x), nx), wrapped(static_cast<Index>(at_y), ny), contact);
+                throw InvalidArgument(fmt::format(
+                    "point {} at ({} m, {} m), the surface's last point at ({} m, {} m); expected points on "
+                    "it, or a periodic surface",
+                    k, x[k], y[k], static_cast<double>(nx - 1) * pixel[0], static_cast<double>(ny - 1) * pixel[1]));
+            result[k] =
+                state_->read(wrapped(static_cast<Index>(at_x), nx), wrapped(static_cast<Index>(at_y), ny), contact);
         }
     });
     return result;
@@ -112,11 +118,14 @@ Array2D Dilator::readings() const {
     const auto [nx, ny] = state_->surface->shape();
     Array2D result(nx, ny);
     const std::size_t runs_a_row = runs(ny);
-    parallel::for_each_index(static_cast<std::size_t>(nx) * runs_a_row, state_->options.threads, [&, ny = ny](std::size_t run) {
-        Contact contact;
-        const auto row = static_cast<Index>(run / runs_a_row), first = static_cast<Index>(run % runs_a_row) * run_length;
-        for (Index j = first; j < std::min(first + run_length, ny); ++j) result(row, j) = state_->read(row, j, contact);
-    });
+    parallel::for_each_index(static_cast<std::size_t>(nx) * runs_a_row, state_->options.threads,
+                             [&, ny = ny](std::size_t run) {
+                                 Contact contact;
+                                 const auto row = static_cast<Index>(run / runs_a_row),
+                                            first = static_cast<Index>(run % runs_a_row) * run_length;
+                                 for (Index j = first; j < std::min(first + run_length, ny); ++j)
+                                     result(row, j) = state_->read(row, j, contact);
+                             });
     return result;
 }
 

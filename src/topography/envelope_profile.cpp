@@ -46,10 +46,12 @@ Run until(const Run& run, double x) {
     return part;
 }
 
-std::vector<Run> runs_between_jumps(const std::vector<VisiblePiece>& pieces, const OrientedCurve& curve, const Array1D& error) {
+std::vector<Run> runs_between_jumps(const std::vector<VisiblePiece>& pieces, const OrientedCurve& curve,
+                                    const Array1D& error) {
     const double rounding = 1e-12 * (curve.y.maxCoeff() - curve.y.minCoeff());
     const auto vertex = [&](Index segment, double x) {
-        return Vertex{x, height_of_segment(curve.x, curve.y, segment, x), error.size() > 0 ? height_of_segment(curve.x, error, segment, x) : 0.0};
+        return Vertex{x, height_of_segment(curve.x, curve.y, segment, x),
+                      error.size() > 0 ? height_of_segment(curve.x, error, segment, x) : 0.0};
     };
     std::vector<Run> runs;
     for (const auto& piece : pieces) {
@@ -77,24 +79,31 @@ std::vector<Run> runs_between_jumps(const std::vector<VisiblePiece>& pieces, con
 
 Visible visible_profile(const OrientedCurve& curve) {
     auto pieces = upper_envelope(curve.x, curve.y);
-    const auto backwards = [&](const VisiblePiece& piece) { return curve.x[piece.segment + 1] < curve.x[piece.segment]; };
+    const auto backwards = [&](const VisiblePiece& piece) {
+        return curve.x[piece.segment + 1] < curve.x[piece.segment];
+    };
     while (!pieces.empty() && backwards(pieces.back())) pieces.pop_back();
     pieces.erase(pieces.begin(), std::find_if_not(pieces.begin(), pieces.end(), backwards));
     Visible visible;
     if (pieces.empty()) return visible;
     for (const auto& [segment, begin, end] : pieces) {
-        const double x = curve.x[segment], width = curve.x[segment + 1] - x, start = curve.along[segment], length = curve.along[segment + 1] - start;
+        const double x = curve.x[segment], width = curve.x[segment + 1] - x, start = curve.along[segment],
+                     length = curve.along[segment + 1] - start;
         const double one = start + length * ((begin - x) / width), other = start + length * ((end - x) / width);
         visible.seen.push_back({std::min(one, other), std::max(one, other)});
-        visible.length += std::hypot(end - begin, height_of_segment(curve.x, curve.y, segment, end) - height_of_segment(curve.x, curve.y, segment, begin));
+        visible.length += std::hypot(end - begin, height_of_segment(curve.x, curve.y, segment, end) -
+                                                      height_of_segment(curve.x, curve.y, segment, begin));
     }
     const auto error = curve.height_error();
     const double step = (pieces.back().end - pieces.front().begin) / static_cast<double>(pieces.size());
 
     std::vector<Vertex> vertices;
-    for (const auto& run : with_room_at_jumps(runs_between_jumps(pieces, curve, error), step)) vertices.insert(vertices.end(), run.begin(), run.end());
+    for (const auto& run : with_room_at_jumps(runs_between_jumps(pieces, curve, error), step))
+        vertices.insert(vertices.end(), run.begin(), run.end());
     const auto n = static_cast<Index>(vertices.size());
-    const auto column = [&](auto of) { return Array1D::NullaryExpr(n, [&](Index i) { return of(vertices[static_cast<std::size_t>(i)]); }).eval(); };
+    const auto column = [&](auto of) {
+        return Array1D::NullaryExpr(n, [&](Index i) { return of(vertices[static_cast<std::size_t>(i)]); }).eval();
+    };
     visible.profile.positions = column([](const Vertex& v) { return v.x; });
     visible.profile.heights = column([](const Vertex& v) { return v.y; });
     if (error.size() > 0) visible.profile.standard_error = column([](const Vertex& v) { return v.error; });

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "setae/core/errors.hpp"
 #include "setae/topography/first_defined.hpp"
@@ -21,7 +21,9 @@ constexpr std::array<std::array<int, 2>, 6> exponents{{{0, 0}, {1, 0}, {0, 1}, {
 
 Index terms_of(Trend trend) { return trend == Trend::parabola ? 6 : trend == Trend::tilt ? 3 : 1; }
 
-double centred(Index i, Index n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
+double centred(Index i, Index n) {
+    return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0;
+}
 
 /// Σ h v^k over the points of a row, and Σ v^k over the defined ones.
 struct RowMoments {
@@ -124,7 +126,8 @@ void MapTrendFit::add(const ArrayView2D& band, Index first, parallel::Threads th
     const Index terms = terms_of(trend_);
     std::vector<Moments> partial(static_cast<std::size_t>((band.rows() + block_rows - 1) / block_rows));
     for_row_blocks(band.rows(), threads, [&](std::size_t b, Index begin, Index end) {
-        for (Index i = begin; i < end; ++i) add_row(partial[b], row_moments(band.row(i).data(), band.cols(), *origin_, at), centred(i, nx_), terms);
+        for (Index i = begin; i < end; ++i)
+            add_row(partial[b], row_moments(band.row(i).data(), band.cols(), *origin_, at), centred(i, nx_), terms);
     });
     for (const auto& block : partial) {
         moments_.gram += block.gram;
@@ -136,7 +139,8 @@ void MapTrendFit::add(const ArrayView2D& band, Index first, parallel::Threads th
 MapTrend MapTrendFit::solved() const {
     const Index terms = terms_of(trend_);
     if (moments_.defined < static_cast<double>(terms))
-        throw UndefinedDataError(fmt::format("{} defined heights, a trend with {} coefficients needs more", static_cast<Index>(moments_.defined), terms));
+        throw UndefinedDataError(fmt::format("{} defined heights, a trend with {} coefficients needs more",
+                                             static_cast<Index>(moments_.defined), terms));
     const Eigen::MatrixXd gram = moments_.gram.topLeftCorner(terms, terms).selfadjointView<Eigen::Lower>();
     const Eigen::VectorXd solution = gram.ldlt().solve(moments_.heights.head(terms));
     MapTrend trend{nx_, ny_, *origin_, {}};

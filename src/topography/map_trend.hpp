@@ -14,7 +14,7 @@ namespace setae::topography {
 /// A trend of a map: polynomial in u, v = −1 … 1 along x and y.
 struct MapTrend {
     Index nx = 0, ny = 0;
-    double origin = 0.0;                ///< [m], added to the polynomial
+    double origin = 0.0;                  ///< [m], added to the polynomial
     std::array<double, 6> coefficient{};  ///< of 1, u, v, u², v², uv [m]
 
     /// Takes the trend from the scan lines first, first + 1, …; `band` has shape (nx, count).

@@ -21,8 +21,10 @@ MeanLine mean_line(const Array1D& x, const Array1D& y) {
     const Array1D length = (step_x.square() + step_y.square()).sqrt();
     MeanLine line;
     line.length = length.sum();
-    if (!(line.length > 0.0)) throw UndefinedDataError("a curve without length has no mean line; expected points apart from each other");
-    const Array1D middle_x = 0.5 * (x.tail(segments) + x.head(segments)), middle_y = 0.5 * (y.tail(segments) + y.head(segments));
+    if (!(line.length > 0.0))
+        throw UndefinedDataError("a curve without length has no mean line; expected points apart from each other");
+    const Array1D middle_x = 0.5 * (x.tail(segments) + x.head(segments)),
+                  middle_y = 0.5 * (y.tail(segments) + y.head(segments));
     line.centre = {(length * middle_x).sum() / line.length, (length * middle_y).sum() / line.length};
     const Array1D u = middle_x - line.centre[0], v = middle_y - line.centre[1];
     // about its own middle a segment has the moment length · step²/12
@@ -33,10 +35,8 @@ MeanLine mean_line(const Array1D& x, const Array1D& y) {
     const double end_x = x[segments] - x[0], end_y = y[segments] - y[0];
     const double along = end_x * std::cos(line.angle) + end_y * std::sin(line.angle);
     const double across = end_y * std::cos(line.angle) - end_x * std::sin(line.angle);
-    if (std::abs(across) > std::abs(along))
-        line.angle = std::atan2(end_y, end_x);
-    else if (along < 0.0)
-        line.angle += line.angle > 0.0 ? -pi : pi;
+    if (std::abs(across) > std::abs(along)) line.angle = std::atan2(end_y, end_x);
+    else if (along < 0.0) line.angle += line.angle > 0.0 ? -pi : pi;
     const double c = std::cos(line.angle), s = std::sin(line.angle);
     line.mean_square_distance = std::max(0.0, xx * s * s - 2.0 * xy * s * c + yy * c * c);
     return line;

@@ -19,8 +19,11 @@ Metadata& metadata(Measurement& measurement) {
 }
 
 std::array<Index, 2> shape(const Measurement& measurement) {
-    return std::visit([](const auto& m) -> std::array<Index, 2> { return {m.heights.rows(), m.heights.cols()}; },
-                      measurement);
+    return std::visit(
+        [](const auto& m) -> std::array<Index, 2> {
+            return {m.heights.rows(), m.heights.cols()};
+        },
+        measurement);
 }
 
 Array1D all_heights(const Measurement& measurement) {
@@ -47,9 +50,11 @@ namespace {
 
 void require_extent(double size, Index points, const char* direction, const Metadata& metadata) {
     if (points < 2)
-        throw InvalidArgument(fmt::format("{}: {} points along {}, expected at least 2", label(metadata), points, direction));
+        throw InvalidArgument(
+            fmt::format("{}: {} points along {}, expected at least 2", label(metadata), points, direction));
     if (!(size > 0.0) || !std::isfinite(size))
-        throw InvalidArgument(fmt::format("{}: size along {} is {} m, expected a positive length", label(metadata), direction, size));
+        throw InvalidArgument(
+            fmt::format("{}: size along {} is {} m, expected a positive length", label(metadata), direction, size));
 }
 
 template <class Heights>
@@ -74,7 +79,8 @@ void check(const LineScan& scan) {
 void check(const TraceResponse& response, const Metadata& metadata) {
     const auto require = [&](double value, const char* what, bool positive) {
         if (!std::isfinite(value) || value < 0.0 || (positive && value == 0.0))
-            throw InvalidArgument(fmt::format("{}: {} of the trace is {} in SI units; expected {}", label(metadata), what, value, positive ? "> 0" : ">= 0"));
+            throw InvalidArgument(fmt::format("{}: {} of the trace is {} in SI units; expected {}", label(metadata),
+                                              what, value, positive ? "> 0" : ">= 0"));
     };
     require(response.blur, "blur", false);
     require(response.smoothing_length, "smoothing length", false);
@@ -85,19 +91,23 @@ void check(const TraceResponse& response, const Metadata& metadata) {
 void check(const Profile& profile) {
     const auto& x = profile.positions;
     if (x.size() != profile.heights.size())
-        throw InvalidArgument(fmt::format("{}: {} positions for {} heights", label(profile.metadata), x.size(), profile.heights.size()));
+        throw InvalidArgument(
+            fmt::format("{}: {} positions for {} heights", label(profile.metadata), x.size(), profile.heights.size()));
     require_extent(x.size() > 1 ? profile.size() : 0.0, x.size(), "x", profile.metadata);
     for (Index i = 1; i < x.size(); ++i)
         if (!(x[i] > x[i - 1]))
-            throw InvalidArgument(fmt::format("{}: x does not increase at point {} ({} m after {} m); clean the contour first",
-                                              label(profile.metadata), i, x[i], x[i - 1]));
+            throw InvalidArgument(
+                fmt::format("{}: x does not increase at point {} ({} m after {} m); clean the contour first",
+                            label(profile.metadata), i, x[i], x[i - 1]));
     require_heights(profile.heights, profile.metadata);
     const auto& error = profile.standard_error;
     if (error.size() != 0 && error.size() != x.size())
-        throw InvalidArgument(fmt::format("{}: {} standard errors for {} heights", label(profile.metadata), error.size(), x.size()));
+        throw InvalidArgument(
+            fmt::format("{}: {} standard errors for {} heights", label(profile.metadata), error.size(), x.size()));
     for (Index i = 0; i < error.size(); ++i)
         if (!(error[i] >= 0.0) || !std::isfinite(error[i]))
-            throw InvalidArgument(fmt::format("{}: standard error of point {} is {} m; expected >= 0", label(profile.metadata), i, error[i]));
+            throw InvalidArgument(fmt::format("{}: standard error of point {} is {} m; expected >= 0",
+                                              label(profile.metadata), i, error[i]));
     if (profile.response) check(*profile.response, profile.metadata);
 }
 

@@ -8,7 +8,8 @@
 
 namespace setae::topography {
 
-/// A curve turned so that its mean line is horizontal with vacuum above, walked towards +x; points differ from their predecessors.
+/// A curve turned so that its mean line is horizontal with vacuum above, walked towards +x; points differ from their
+/// predecessors.
 struct OrientedCurve {
     Array1D x, y;            ///< [m], y about the mean line
     Array1D along;           ///< length from the curve's beginning [m]
@@ -19,8 +20,8 @@ struct OrientedCurve {
     /// x at a length along the curve [m].
     [[nodiscard]] double x_at(double length) const;
 
-    /// Standard errors along h [m]: those along the normal divided by the cosine of the slope over five points, at most by the
-    /// cosine 0.1. Empty where unknown.
+    /// Standard errors along h [m]: those along the normal divided by the cosine of the slope over five points, at most
+    /// by the cosine 0.1. Empty where unknown.
     [[nodiscard]] Array1D height_error() const;
 };
 
@@ -33,7 +34,8 @@ struct Orientation {
 /// @throws InvalidArgument for arrays of different size; UndefinedDataError where fewer than two are left.
 [[nodiscard]] std::vector<Index> distinct_points(const TracedCurve& traced);
 
-/// Of a closed outline the part from its leftmost to its rightmost point over the top, not turned; heights about its mean.
+/// Of a closed outline the part from its leftmost to its rightmost point over the top, not turned; heights about its
+/// mean.
 /// @throws as distinct_points.
 [[nodiscard]] Orientation oriented_curve(const TracedCurve& traced);
 

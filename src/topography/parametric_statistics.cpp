@@ -30,7 +30,8 @@ ParametricStatistics parametric_statistics(const TracedCurve& curve) {
 
     const auto direction = [&](Index i) { return std::atan2(y[i + 1] - y[i], x[i + 1] - x[i]); };
     double angles = 0.0, turns = 0.0, turned_length = 0.0;
-    for (Index i = 0; i < segments; ++i) angles += std::pow(wrapped(direction(i) - line.angle), 2) * (along[i + 1] - along[i]);
+    for (Index i = 0; i < segments; ++i)
+        angles += std::pow(wrapped(direction(i) - line.angle), 2) * (along[i + 1] - along[i]);
     const auto turn = [&](Index before, Index behind, double length) {
         turns += std::pow(wrapped(direction(behind) - direction(before)), 2) / length;
         turned_length += length;

@@ -6,7 +6,11 @@
 namespace setae::topography {
 
 TiledMap tiled(const HeightMap& map) {
-    return {map.heights.rows(), map.heights.cols(), map.size, map.periodic, map.metadata,
+    return {map.heights.rows(),
+            map.heights.cols(),
+            map.size,
+            map.periodic,
+            map.metadata,
             [&map](Index first, Index count) -> Array2D { return map.heights.middleCols(first, count); }};
 }
 

@@ -35,19 +35,21 @@ void require_domain(const ParabolicTip& tip) { require_radius(tip.radius); }
 
 void require_domain(const ArrayTip& tip) {
     if (!is_positive_length(tip.pixel_size[0]) || !is_positive_length(tip.pixel_size[1]))
-        throw InvalidArgument(fmt::format("pixels of the tip are {} m by {} m; expected positive lengths", tip.pixel_size[0],
-                                          tip.pixel_size[1]));
+        throw InvalidArgument(fmt::format("pixels of the tip are {} m by {} m; expected positive lengths",
+                                          tip.pixel_size[0], tip.pixel_size[1]));
     const bool inside = tip.centre_x >= 0 && tip.centre_y >= 0 && tip.centre_x < tip.heights.rows() &&
                         tip.centre_y < tip.heights.cols();
     if (!inside)
-        throw InvalidArgument(fmt::format("apex of the tip at ({}, {}) of {} by {} points; expected a grid point of it", tip.centre_x,
-                                          tip.centre_y, tip.heights.rows(), tip.heights.cols()));
+        throw InvalidArgument(fmt::format("apex of the tip at ({}, {}) of {} by {} points; expected a grid point of it",
+                                          tip.centre_x, tip.centre_y, tip.heights.rows(), tip.heights.cols()));
     if (!(tip.heights >= 0.0).all())
-        throw InvalidArgument("a height of the tip is negative or undefined; expected heights above the apex, infinite where there "
-                              "is no tip");
+        throw InvalidArgument(
+            "a height of the tip is negative or undefined; expected heights above the apex, infinite where there "
+            "is no tip");
     if (tip.heights(tip.centre_x, tip.centre_y) != 0.0)
-        throw InvalidArgument(fmt::format("the tip's height at its apex is {} m; expected 0, subtract its lowest height",
-                                          tip.heights(tip.centre_x, tip.centre_y)));
+        throw InvalidArgument(
+            fmt::format("the tip's height at its apex is {} m; expected 0, subtract its lowest height",
+                        tip.heights(tip.centre_x, tip.centre_y)));
 }
 
 /// R − √(R² − r²) without cancellation.
@@ -84,11 +86,14 @@ double height_of(const ArrayTip&, double) {
 /// √(R² − (R − t)²), the radius of a ball's cap of height t.
 double cap_radius(double radius, double height) { return std::sqrt(height * (2.0 * radius - height)); }
 
-double reach_of(const SphereTip& tip, double height) { return height < tip.radius ? cap_radius(tip.radius, height) : tip.radius; }
+double reach_of(const SphereTip& tip, double height) {
+    return height < tip.radius ? cap_radius(tip.radius, height) : tip.radius;
+}
 
 double reach_of(const ConeTip& tip, double height) {
     const auto end = tangent(tip);
-    return height <= end.height ? cap_radius(tip.radius, height) : end.distance + (height - end.height) * std::tan(tip.half_angle);
+    return height <= end.height ? cap_radius(tip.radius, height)
+                                : end.distance + (height - end.height) * std::tan(tip.half_angle);
 }
 
 double reach_of(const ParabolicTip& tip, double height) { return std::sqrt(2.0 * tip.radius * height); }
@@ -133,7 +138,9 @@ double height_at(const Tip& tip, double x, double y) {
 }
 
 /// Pixels within a reach; a grid point on its end counts in spite of rounding.
-Index pixels_within(double reach, double pixel) { return static_cast<Index>(std::floor(reach / pixel * (1.0 + 1e-12))); }
+Index pixels_within(double reach, double pixel) {
+    return static_cast<Index>(std::floor(reach / pixel * (1.0 + 1e-12)));
+}
 
 }  // namespace
 
@@ -143,7 +150,8 @@ void validate(const Tip& tip) {
 
 double tip_height(const Tip& tip, double distance) {
     validate(tip);
-    if (!(distance >= 0.0)) throw InvalidArgument(fmt::format("distance {} m from the tip's axis; expected >= 0", distance));
+    if (!(distance >= 0.0))
+        throw InvalidArgument(fmt::format("distance {} m from the tip's axis; expected >= 0", distance));
     return std::visit([distance](const auto& shape) { return height_of(shape, distance); }, tip);
 }
 
@@ -156,8 +164,9 @@ double tip_reach(const Tip& tip, double height) {
 TipImage tip_image(const Tip& tip, double pixel_x, double pixel_y, double reach) {
     validate(tip);
     if (!is_positive_length(pixel_x) || !is_positive_length(pixel_y) || !(reach >= 0.0) || !std::isfinite(reach))
-        throw InvalidArgument(fmt::format("tip on pixels of {} m by {} m up to {} m; expected positive pixels and a finite reach >= 0",
-                                          pixel_x, pixel_y, reach));
+        throw InvalidArgument(
+            fmt::format("tip on pixels of {} m by {} m up to {} m; expected positive pixels and a finite reach >= 0",
+                        pixel_x, pixel_y, reach));
     TipImage image;
     image.centre_x = pixels_within(reach, pixel_x);
     image.centre_y = pixels_within(reach, pixel_y);

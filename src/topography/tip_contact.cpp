@@ -29,7 +29,8 @@ Extremes extremes(const double* heights, Index points) {
     std::array<Extremes, width> lanes;
     Index k = 0;
     for (; k + width <= points; k += width)
-        for (Index lane = 0; lane < width; ++lane) lanes[static_cast<std::size_t>(lane)].add(heights[k + lane], heights[k + lane]);
+        for (Index lane = 0; lane < width; ++lane)
+            lanes[static_cast<std::size_t>(lane)].add(heights[k + lane], heights[k + lane]);
     Extremes all;
     for (; k < points; ++k) all.add(heights[k], heights[k]);
     for (const auto& lane : lanes) all.add(lane.lowest, lane.highest);
@@ -53,11 +54,11 @@ Extremes extremes(const Array2D& heights, parallel::Threads threads) {
 double height_range(const HeightMap& surface, const DilationOptions& options) {
     const auto [lowest, highest] = extremes(surface.heights, options.threads);
     if (!(lowest <= highest))
-        throw UndefinedDataError(fmt::format("{}: none of {} heights is defined; a tip needs a surface to touch", label(surface.metadata),
-                                             surface.heights.size()));
+        throw UndefinedDataError(fmt::format("{}: none of {} heights is defined; a tip needs a surface to touch",
+                                             label(surface.metadata), surface.heights.size()));
     if (!std::isfinite(highest - lowest))
-        throw InvalidArgument(fmt::format("{}: heights from {} m to {} m; expected finite or undefined ones", label(surface.metadata),
-                                          lowest, highest));
+        throw InvalidArgument(fmt::format("{}: heights from {} m to {} m; expected finite or undefined ones",
+                                          label(surface.metadata), lowest, highest));
     if (!options.height_range) return highest - lowest;
     if (!(*options.height_range >= 0.0) || !std::isfinite(*options.height_range))
         throw InvalidArgument(fmt::format("height range {} m; expected a finite one >= 0", *options.height_range));
@@ -70,13 +71,14 @@ double contact_reach(const Tip& tip, double range) {
 
 TipImage touching_tip(const HeightMap& surface, const Tip& tip, const DilationOptions& options) {
     if (!(surface.size[0] > 0.0) || !(surface.size[1] > 0.0))
-        throw InvalidArgument(fmt::format("{}: surface of {} m by {} m; expected positive lengths", label(surface.metadata),
-                                          surface.size[0], surface.size[1]));
+        throw InvalidArgument(fmt::format("{}: surface of {} m by {} m; expected positive lengths",
+                                          label(surface.metadata), surface.size[0], surface.size[1]));
     const double reach = contact_reach(tip, height_range(surface, options));
     if (!surface.periodic && (reach > surface.size[0] || reach > surface.size[1]))
-        throw InvalidArgument(fmt::format("{}: the tip reaches {:.4g} m from its axis, the surface measures {:.4g} m by {:.4g} m; expected "
-                                          "a tip smaller than the surface, a periodic surface or a lower height_range",
-                                          label(surface.metadata), reach, surface.size[0], surface.size[1]));
+        throw InvalidArgument(fmt::format(
+            "{}: the tip reaches {:.4g} m from its axis, the surface measures {:.4g} m by {:.4g} m; expected "
+            "a tip smaller than the surface, a periodic surface or a lower height_range",
+            label(surface.metadata), reach, surface.size[0], surface.size[1]));
     const auto pixel = surface.pixel_size();
     return tip_image(tip, pixel[0], pixel[1], reach);
 }

@@ -22,7 +22,8 @@ constexpr double noise_multiple = 4.0;
 /// Steps back along x that the trace's noise can make.
 class NoiseDepth {
 public:
-    explicit NoiseDepth(const OrientedCurve& curve) : error_(curve.standard_error), rounding_(1e-9 * (curve.x.maxCoeff() - curve.x.minCoeff())) {}
+    explicit NoiseDepth(const OrientedCurve& curve)
+        : error_(curve.standard_error), rounding_(1e-9 * (curve.x.maxCoeff() - curve.x.minCoeff())) {}
 
     /// Between points first … last [m].
     [[nodiscard]] double operator()(Index first, Index last) const {
@@ -40,7 +41,8 @@ struct Cut {
     std::vector<ReentrantStretch> stretches;
 };
 
-/// The curve without the points of stretches that turn back: those within noise, and the deeper ones too where `all`, which are listed.
+/// The curve without the points of stretches that turn back: those within noise, and the deeper ones too where `all`,
+/// which are listed.
 Cut without_backward_runs(const OrientedCurve& curve, bool all) {
     Cut cut;
     const NoiseDepth noise_depth(curve);
@@ -69,7 +71,8 @@ double turning_back(const OrientedCurve& curve, double begin, double end) {
         front = std::max(front, x);
         depth = std::max(depth, front - x);
     };
-    for (auto i = static_cast<Index>(first - curve.along.begin()); i < curve.along.size() && curve.along[i] < end; ++i) pass(curve.x[i]);
+    for (auto i = static_cast<Index>(first - curve.along.begin()); i < curve.along.size() && curve.along[i] < end; ++i)
+        pass(curve.x[i]);
     pass(curve.x_at(end));
     return depth;
 }
@@ -82,12 +85,14 @@ std::vector<ReentrantStretch> hidden_stretches(const OrientedCurve& curve, std::
     double reached = curve.along[0];
     seen.push_back({curve.along[curve.along.size() - 1], curve.along[curve.along.size() - 1]});
     const auto index_after = [&](double length) {
-        return static_cast<Index>(std::upper_bound(curve.along.begin(), curve.along.end(), length) - curve.along.begin());
+        return static_cast<Index>(std::upper_bound(curve.along.begin(), curve.along.end(), length) -
+                                  curve.along.begin());
     };
     for (const auto& range : seen) {
         if (range.begin > reached) {
             const double depth = turning_back(curve, reached, range.begin);
-            const Index first = index_after(reached) - 1, last = std::min(index_after(range.begin), curve.along.size() - 1);
+            const Index first = index_after(reached) - 1,
+                        last = std::min(index_after(range.begin), curve.along.size() - 1);
             if (depth > noise_depth(first, last)) hidden.push_back({reached, range.begin, depth});
         }
         reached = std::max(reached, range.end);
@@ -106,11 +111,12 @@ TraceResponse along_x(TraceResponse response, double stretch) {
 Alert reentrant_alert(const LevelledCurve& result, Reentrance reentrance) {
     double deepest = 0.0;
     for (const auto& stretch : result.reentrant) deepest = std::max(deepest, stretch.depth);
-    return {"REENTRANT", label(result.profile.metadata),
-            fmt::format("{} re-entrant stretches, {:.2g} % of the curve's length, turn back by up to {:.3g} m; {}", result.reentrant.size(),
-                        100.0 * result.reentrant_share, deepest,
-                        reentrance == Reentrance::envelope ? "the highest point over each x was taken" : "they were cut"),
-            "look at the curve; a share above a few per cent makes slope and curvature lower bounds"};
+    return {
+        "REENTRANT", label(result.profile.metadata),
+        fmt::format("{} re-entrant stretches, {:.2g} % of the curve's length, turn back by up to {:.3g} m; {}",
+                    result.reentrant.size(), 100.0 * result.reentrant_share, deepest,
+                    reentrance == Reentrance::envelope ? "the highest point over each x was taken" : "they were cut"),
+        "look at the curve; a share above a few per cent makes slope and curvature lower bounds"};
 }
 
 double total(const std::vector<ReentrantStretch>& stretches) {
@@ -141,8 +147,9 @@ LevelledCurve levelled(const TracedCurve& traced, Reentrance reentrance) {
     }
     auto& profile = visible.profile;
     if (profile.positions.size() < 2)
-        throw UndefinedDataError(fmt::format("{}: {} of {} points of the traced curve lie at increasing x, expected at least 2",
-                                             label(traced.metadata), profile.positions.size(), traced.x.size()));
+        throw UndefinedDataError(
+            fmt::format("{}: {} of {} points of the traced curve lie at increasing x, expected at least 2",
+                        label(traced.metadata), profile.positions.size(), traced.x.size()));
     result.reentrant_share = std::min(1.0, total(result.reentrant) / length);
     profile.positions -= Array1D::Constant(profile.positions.size(), profile.positions[0]);
     profile.metadata = traced.metadata;

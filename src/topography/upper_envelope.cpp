@@ -13,8 +13,7 @@ void append(Pieces& pieces, VisiblePiece piece) {
     if (!(piece.begin < piece.end)) return;
     if (!pieces.empty() && pieces.back().segment == piece.segment && pieces.back().end == piece.begin)
         pieces.back().end = piece.end;
-    else
-        pieces.push_back(piece);
+    else pieces.push_back(piece);
 }
 
 /// The higher of two of a curve's envelopes.
@@ -52,7 +51,9 @@ public:
 
 private:
     void higher(Pieces& result, Index a, Index b, double begin, double end) const {
-        const auto above = [&](double position) { return height_of_segment(x_, y_, a, position) - height_of_segment(x_, y_, b, position); };
+        const auto above = [&](double position) {
+            return height_of_segment(x_, y_, a, position) - height_of_segment(x_, y_, b, position);
+        };
         const double first = above(begin), last = above(end);
         if (first >= 0.0 && last >= 0.0) return append(result, {a, begin, end});
         if (first <= 0.0 && last <= 0.0) return append(result, {b, begin, end});

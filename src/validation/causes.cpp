@@ -11,13 +11,13 @@
 #include "data_sets.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/spectral_fit/hat_node.hpp"
-#include "setae/spectral_fit/scan_kernel.hpp"
-#include "setae/spectral_fit/tip_response.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/segment_response.hpp"
 #include "setae/spectra/spectral_density.hpp"
+#include "setae/spectral_fit/hat_node.hpp"
+#include "setae/spectral_fit/scan_kernel.hpp"
+#include "setae/spectral_fit/tip_response.hpp"
 #include "surface_quantities.hpp"
 
 namespace setae::validation {
@@ -35,12 +35,14 @@ struct PlantedDensities {
 
 PlantedDensities densities_of(const simulation::KnownSurface& surface) {
     const Band band = surface.band();
-    PlantedDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}), band.upper, 0.0};
+    PlantedDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
+                             band.upper, 0.0};
     const double total = spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, band.upper});
     double lower = std::log(0.01 * band.lower), upper = std::log(band.upper);
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (lower + upper);
-        (spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(middle)}) < 0.5 * total ? lower : upper) = middle;
+        (spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(middle)}) < 0.5 * total ? lower : upper) =
+            middle;
     }
     planted.median_wavelength = 2.0 * pi / std::exp(upper);
     return planted;
@@ -54,11 +56,12 @@ public:
     const spectral_fit::TipResponse& of(double radius) {
         const auto found = responses_.find(radius);
         if (found != responses_.end()) return found->second;
-        const spectral_fit::TipSimulation simulation{.tip_radius = radius,
-                                                  .step = spectral_fit::simulation_step(radius, planted_.median_wavelength, pi / planted_.shortest),
-                                                  .radius_response = false,
-                                                  .correlation_length = 0.5 * planted_.median_wavelength,
-                                                  .threads = {1}};
+        const spectral_fit::TipSimulation simulation{
+            .tip_radius = radius,
+            .step = spectral_fit::simulation_step(radius, planted_.median_wavelength, pi / planted_.shortest),
+            .radius_response = false,
+            .correlation_length = 0.5 * planted_.median_wavelength,
+            .threads = {1}};
         return responses_.emplace(radius, spectral_fit::tip_response(planted_.C_iso, simulation)).first->second;
     }
 
@@ -68,24 +71,33 @@ private:
 };
 
 /// E[P_k]/C1D(q_k) of detrending and window alone, waves up to Nyquist.
-Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_size, int trend_degree, const PlantedDensities& planted) {
+Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_size, int trend_degree,
+                                const PlantedDensities& planted) {
     const spectral_fit::ScanShape shape{2 * wavevectors.size(), trend_degree};
     const double length = pixel_size * static_cast<double>(shape.points);
-    const auto first = static_cast<Index>(std::floor(std::log(0.03 * 2.0 * pi / length * pixel_size) / spectral_fit::node_spacing));
-    const auto last = static_cast<Index>(std::floor(std::log(std::min(pi, planted.shortest * pixel_size)) / spectral_fit::node_spacing));
+    const auto first =
+        static_cast<Index>(std::floor(std::log(0.03 * 2.0 * pi / length * pixel_size) / spectral_fit::node_spacing));
+    const auto last = static_cast<Index>(
+        std::floor(std::log(std::min(pi, planted.shortest * pixel_size)) / spectral_fit::node_spacing));
     const auto kernel = spectral_fit::scan_kernel(shape, first, last, {1});
-    const Array1D nodes = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) * spectral_fit::node_spacing).exp() / pixel_size;
+    const Array1D nodes = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) *
+                           spectral_fit::node_spacing)
+                              .exp() /
+                          pixel_size;
     const Array1D C_iso = nodes.unaryExpr(planted.C_iso);
     Array1D expected = (kernel.response.matrix() * C_iso.matrix()).array() / pixel_size;
     expected += kernel.flat_response * C_iso[0] / pixel_size;
-    // the ends of the nodes at Nyquist leave too little there: what the waves above it hold back is not this cause's doing
+    // the ends of the nodes at Nyquist leave too little there: what the waves above it hold back is not this cause's
+    // doing
     const spectral_fit::ModeBins bins(shape.points / 2);
     const double end = 0.5 * pi / pixel_size;
     Array1D factor = Array1D::Ones(wavevectors.size());
     for (Index b = 0; b < bins.size(); ++b) {
         double plain = 0.0;
-        for (Index k = bins.first(b); k <= bins.last(b); ++k) plain += planted.C1D(wavevectors[k - 1]) / static_cast<double>(bins.count(b));
-        for (Index k = bins.first(b); k <= bins.last(b) && wavevectors[k - 1] < end; ++k) factor[k - 1] = expected[b] / plain;
+        for (Index k = bins.first(b); k <= bins.last(b); ++k)
+            plain += planted.C1D(wavevectors[k - 1]) / static_cast<double>(bins.count(b));
+        for (Index k = bins.first(b); k <= bins.last(b) && wavevectors[k - 1] < end; ++k)
+            factor[k - 1] = expected[b] / plain;
     }
     return factor;
 }
@@ -100,8 +112,8 @@ Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const
 }
 
 /// What a measurement is expected to read under some causes: its spectrum with another C1D.
-PowerSpectrum1D expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data, const Causes& causes,
-                                  const PlantedDensities& planted, Tips& tips) {
+PowerSpectrum1D expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
+                                  const Causes& causes, const PlantedDensities& planted, Tips& tips) {
     PowerSpectrum1D spectrum = measured.spectrum;
     const ArrayView1D q = spectrum.wavevector;
     Array1D C1D = q.unaryExpr([&](double x) { return planted.C1D(std::min(x, 0.999 * planted.shortest)); });
@@ -117,7 +129,8 @@ PowerSpectrum1D expected_spectrum(const study::MeasurementResult& measured, cons
         if (causes.trend_and_window) factor *= trend_and_window_factor(q, pixel_size, parabola ? 2 : 1, planted);
         if (causes.aliasing) factor *= aliasing_factor(q, pixel_size, planted);
         const auto& radius = spectrum.metadata.instrument.tip_radius;
-        if (causes.tip && radius) factor *= spectral_fit::sampled(tips.of(*radius), planted.C1D, pixel_size, q).log_transfer.exp();
+        if (causes.tip && radius)
+            factor *= spectral_fit::sampled(tips.of(*radius), planted.C1D, pixel_size, q).log_transfer.exp();
         C1D *= factor;
     }
     spectrum.C1D = C1D;
@@ -130,25 +143,30 @@ struct MeasuredSurface {
     std::vector<topography::Measurement> data;
 };
 
-roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const Causes& causes, const PlantedDensities& planted, Tips& tips) {
+roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const Causes& causes,
+                                           const PlantedDensities& planted, Tips& tips) {
     std::vector<PowerSpectrum1D> spectra;
-    for (std::size_t i = 0; i < surface.data.size(); ++i) spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, planted, tips));
+    for (std::size_t i = 0; i < surface.data.size(); ++i)
+        spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, planted, tips));
     const auto combined = spectra::combine(spectra);
     return roughness::spectral_parameters({combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}},
                                           causes.eq11 ? roughness::Conversion::eq11 : roughness::Conversion::exact);
 }
 
 /// W_int as these readings would have it, from the planted W_app of one elastomer and from the planted loss.
-void add_work(std::vector<Comparison>& rows, const Comparison& like, const roughness::SpectralParameters& found, const simulation::SurfaceTruth& truth, double work) {
+void add_work(std::vector<Comparison>& rows, const Comparison& like, const roughness::SpectralParameters& found,
+              const simulation::SurfaceTruth& truth, double work) {
     constexpr double contact_modulus = 1e6, surface_energy = 0.025;
     const double ratio = roughness::gaussian_area_ratio(found.rms_slope), planted = truth.area_ratio;
-    const double approach = work * planted - surface_energy * (planted - 1.0) - contact_modulus * truth.parameters.elastic_energy_per_modulus;
+    const double approach = work * planted - surface_energy * (planted - 1.0) -
+                            contact_modulus * truth.parameters.elastic_energy_per_modulus;
     auto row = like;
     row.unit = "J/m2";
     row.measure = Deviation::absolute;
     row.planted = work;
     row.quantity = "work_of_adhesion";
-    row.found.value = (approach + surface_energy * (ratio - 1.0) + contact_modulus * found.elastic_energy_per_modulus) / ratio;
+    row.found.value =
+        (approach + surface_energy * (ratio - 1.0) + contact_modulus * found.elastic_energy_per_modulus) / ratio;
     rows.push_back(row);
     row.quantity = "work_of_adhesion_from_loss";
     row.found.value = work * planted / ratio;
@@ -159,7 +177,8 @@ MeasuredSurface measured(const study::Study& study, const study::StudyResult& re
     MeasuredSurface surface{&result.surfaces[index], {}};
     if (surface.result->failed()) throw UndefinedDataError(surface.result->error);
     for (const auto& input : study.surfaces[index].measurements)
-        for (const auto& source : study::measurement_sources(input)) surface.data.push_back(source.prepare().measurement);
+        for (const auto& source : study::measurement_sources(input))
+            surface.data.push_back(source.prepare().measurement);
     return surface;
 }
 
@@ -175,10 +194,18 @@ std::vector<Comparison> readings_of(int run, const simulation::Recipe& recipe, c
         for (const auto& [name, causes] : all_causes()) {
             const auto found = mean_reading(surface, causes, planted, tips);
             for (const auto& quantity : surface_quantities()) {
-                const Comparison row{run, known.name, quantity.name, name, quantity.unit, Deviation::relative, planted_value(quantity, truth), {quantity.value(found)}};
+                const Comparison row{run,
+                                     known.name,
+                                     quantity.name,
+                                     name,
+                                     quantity.unit,
+                                     Deviation::relative,
+                                     planted_value(quantity, truth),
+                                     {quantity.value(found)}};
                 if (std::isfinite(row.planted) && std::isfinite(row.found.value)) rows.push_back(row);
             }
-            add_work(rows, {run, known.name, "", name, "", Deviation::absolute, 0.0, {}}, found, truth, recipe.work_of_adhesion);
+            add_work(rows, {run, known.name, "", name, "", Deviation::absolute, 0.0, {}}, found, truth,
+                     recipe.work_of_adhesion);
         }
     }
     return rows;
@@ -197,9 +224,11 @@ std::vector<NamedCauses> all_causes() {
 }
 
 std::vector<Comparison> readings_by_cause(const std::string& recipe, const CausesOptions& options) {
-    const DataSets sets{recipe, options.folder, options.runs, options.first_seed, false, options.threads, options.progress};
+    const DataSets sets{recipe, options.folder,  options.runs,    options.first_seed,
+                        false,  options.threads, options.progress};
     std::vector<Comparison> rows;
-    for (const auto& found : for_each_data_set(sets, [](int run, const simulation::Recipe& made, const std::string& folder) {
+    for (const auto& found :
+         for_each_data_set(sets, [](int run, const simulation::Recipe& made, const std::string& folder) {
              auto study = study::read_study((std::filesystem::path(folder) / "study.toml").string());
              study.analysis.contours = spectra::ContourTreatment::segments;
              study.analysis.bootstrap_resamples = 0;

@@ -29,7 +29,8 @@ study::Study by_paper(study::Study study) {
 }  // namespace
 
 Closure run_closure(const std::string& recipe, const ClosureOptions& options) {
-    const DataSets sets{recipe, options.folder, options.runs, options.first_seed, options.keep, options.threads, options.progress};
+    const DataSets sets{recipe,       options.folder,  options.runs,    options.first_seed,
+                        options.keep, options.threads, options.progress};
     auto results = for_each_data_set(sets, [&](int run, const simulation::Recipe& made, const std::string& folder) {
         constexpr parallel::Threads one{1};
         const auto planted = planted_in(made);

@@ -17,7 +17,8 @@ using study::SpectrumResult;
 using study::StudyResult;
 
 /// What a spectrum can find: where it begins above the roll-off, the planted waves from there on.
-simulation::SurfaceTruth truth_within(const simulation::KnownSurface& known, const simulation::SurfaceTruth& whole, const SpectrumResult& spectrum) {
+simulation::SurfaceTruth truth_within(const simulation::KnownSurface& known, const simulation::SurfaceTruth& whole,
+                                      const SpectrumResult& spectrum) {
     const double lowest = spectrum.curve.band.lower;
     if (!known.gaussian() || lowest <= known.band().lower) return whole;
     return simulation::surface_truth(known, {lowest, known.band().upper});
@@ -25,7 +26,8 @@ simulation::SurfaceTruth truth_within(const simulation::KnownSurface& known, con
 
 /// Calls visit(surface's result, what is planted in it, truth) for every surface of the study that did not fail.
 void for_each_surface(const simulation::Recipe& recipe, const Planted& planted, const StudyResult& study,
-                      const std::function<void(const study::SurfaceResult&, const simulation::KnownSurface&, const simulation::SurfaceTruth&)>& visit) {
+                      const std::function<void(const study::SurfaceResult&, const simulation::KnownSurface&,
+                                               const simulation::SurfaceTruth&)>& visit) {
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = study.surface(recipe.surfaces[i].surface.name);
         if (!surface.failed()) visit(surface, recipe.surfaces[i].surface, planted.surfaces[i]);
@@ -37,12 +39,12 @@ void add(std::vector<Comparison>& rows, Comparison row) {
     if (std::isfinite(row.planted) && std::isfinite(row.found.value)) rows.push_back(std::move(row));
 }
 
-void add_spectrum(std::vector<Comparison>& rows, int run, const std::string& surface, const std::string& method, const SpectrumResult& spectrum,
-                  const simulation::SurfaceTruth& truth) {
+void add_spectrum(std::vector<Comparison>& rows, int run, const std::string& surface, const std::string& method,
+                  const SpectrumResult& spectrum, const simulation::SurfaceTruth& truth) {
     for (const auto& quantity : surface_quantities()) {
         if (!std::isfinite(quantity.value(spectrum.parameters))) continue;
-        add(rows, {run, surface, quantity.name, method, quantity.unit, Deviation::relative, planted_value(quantity, truth),
-                   spectrum.estimate(quantity.value, quantity.least)});
+        add(rows, {run, surface, quantity.name, method, quantity.unit, Deviation::relative,
+                   planted_value(quantity, truth), spectrum.estimate(quantity.value, quantity.least)});
     }
 }
 
@@ -53,12 +55,14 @@ Estimate between_percentiles(const SpectrumResult& spectrum, const SurfaceQuanti
     Estimate result{quantity.value(spectrum.parameters), undefined, "bootstrap percentile"};
     if (replicas.size() < 2) return result;
     const Eigen::Map<const Array1D> values(replicas.data(), static_cast<Index>(replicas.size()));
-    result.standard_error = std::sqrt((values - values.mean()).square().sum() / static_cast<double>(replicas.size() - 1));
+    result.standard_error =
+        std::sqrt((values - values.mean()).square().sum() / static_cast<double>(replicas.size() - 1));
     result.interval = percentile_interval(std::move(replicas));
     return result;
 }
 
-void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted, const std::string& method, const StudyResult& study) {
+void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted, const std::string& method,
+                          const StudyResult& study) {
     const Comparison row{run, "all", "work_of_adhesion", method, "J/m2", Deviation::absolute, planted, {}};
     const auto add_fit = [&](const char* quantity, const adhesion::WorkFit& fit) {
         auto found = row;
@@ -70,17 +74,29 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
     if (study.loop) add_fit("work_of_adhesion_from_loss", study.loop->through_origin);
 }
 
-void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method, const StudyResult& study) {
+void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
+                     const StudyResult& study) {
     for (const auto& loop : planted.loops) {
-        const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) { return p.surface == loop.surface && p.elastomer == loop.elastomer; });
+        const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) {
+            return p.surface == loop.surface && p.elastomer == loop.elastomer;
+        });
         if (loop.surface.empty() || pair == study.pairs.end()) continue;
-        const Comparison row{run, loop.surface + " × " + loop.elastomer, "predicted_work", method, "J/m2", Deviation::absolute, loop.specimen.work_approach, {}};
+        const Comparison row{run,
+                             loop.surface + " × " + loop.elastomer,
+                             "predicted_work",
+                             method,
+                             "J/m2",
+                             Deviation::absolute,
+                             loop.specimen.work_approach,
+                             {}};
         if (pair->modified) {
             auto predicted = row;
             predicted.found = pair->modified->estimate;
             add(rows, predicted);
         }
-        if (pair->predicted_loss) add(rows, {run, row.item, "predicted_loss", method, "J", Deviation::relative, loop.truth.energy_loss(), *pair->predicted_loss});
+        if (pair->predicted_loss)
+            add(rows, {run, row.item, "predicted_loss", method, "J", Deviation::relative, loop.truth.energy_loss(),
+                       *pair->predicted_loss});
     }
 }
 
@@ -91,20 +107,25 @@ void add_loop(std::vector<Comparison>& rows, int run, const simulation::PlantedL
     if (found == study.experiments.end()) return;
     const auto& analysis = *found->analysis;
     const auto& fit = analysis.loading.primary();
-    const std::string item = loop.surface.empty() ? "reference × " + loop.elastomer : loop.surface + " × " + loop.elastomer;
+    const std::string item =
+        loop.surface.empty() ? "reference × " + loop.elastomer : loop.surface + " × " + loop.elastomer;
     const auto relative = [&](const char* quantity, const char* unit, double value, const Estimate& estimate) {
         add(rows, {run, item, quantity, "loops", unit, Deviation::relative, value, estimate});
     };
     relative("contact_modulus", "Pa", loop.specimen.contact_modulus, fit.contact_modulus);
     relative("work_approach", "J/m2", loop.specimen.work_approach, fit.work_of_adhesion);
-    if (analysis.pull_off) relative("work_from_pull_off", "J/m2", loop.specimen.work_retraction, analysis.pull_off->work_of_adhesion);
-    if (analysis.retraction) relative("work_retraction", "J/m2", loop.specimen.work_retraction, analysis.retraction->work_of_adhesion);
+    if (analysis.pull_off)
+        relative("work_from_pull_off", "J/m2", loop.specimen.work_retraction, analysis.pull_off->work_of_adhesion);
+    if (analysis.retraction)
+        relative("work_retraction", "J/m2", loop.specimen.work_retraction, analysis.retraction->work_of_adhesion);
     if (analysis.loop) relative("energy_loss", "J", loop.truth.energy_loss(), analysis.loop->estimate());
 }
 
 }  // namespace
 
-double Comparison::deviation() const { return measure == Deviation::relative ? found.value / planted - 1.0 : found.value - planted; }
+double Comparison::deviation() const {
+    return measure == Deviation::relative ? found.value / planted - 1.0 : found.value - planted;
+}
 
 double Comparison::stated_deviation() const {
     const auto interval = interval_of(found);
@@ -126,12 +147,16 @@ Planted planted_in(const simulation::Recipe& recipe) {
     return planted;
 }
 
-std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted, const StudyResult& study) {
+std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted,
+                                    const StudyResult& study) {
     std::vector<Comparison> rows;
-    for_each_surface(recipe, planted, study, [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known, const simulation::SurfaceTruth& truth) {
-        for (const auto& [method, spectrum] : study::spectra_of(surface))
-            add_spectrum(rows, run, surface.name, method, *spectrum, truth_within(known, truth, *spectrum));
-    });
+    for_each_surface(recipe, planted, study,
+                     [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known,
+                         const simulation::SurfaceTruth& truth) {
+                         for (const auto& [method, spectrum] : study::spectra_of(surface))
+                             add_spectrum(rows, run, surface.name, method, *spectrum,
+                                          truth_within(known, truth, *spectrum));
+                     });
     const bool likelihood = study.by_average != nullptr;
     const auto add_related = [&](const std::string& method, const StudyResult& related) {
         add_work_of_adhesion(rows, run, recipe.work_of_adhesion, method, related);
@@ -143,14 +168,18 @@ std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, c
     return rows;
 }
 
-std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe, const Planted& planted, const StudyResult& study) {
+std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe, const Planted& planted,
+                                             const StudyResult& study) {
     std::vector<Comparison> rows;
-    for_each_surface(recipe, planted, study, [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known, const simulation::SurfaceTruth& whole) {
-        const auto truth = truth_within(known, whole, surface.average);
-        for (const auto& quantity : surface_quantities())
-            add(rows, {run, surface.name, quantity.name, "paper", quantity.unit, Deviation::relative, planted_value(quantity, truth),
-                       between_percentiles(surface.average, quantity)});
-    });
+    for_each_surface(recipe, planted, study,
+                     [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known,
+                         const simulation::SurfaceTruth& whole) {
+                         const auto truth = truth_within(known, whole, surface.average);
+                         for (const auto& quantity : surface_quantities())
+                             add(rows,
+                                 {run, surface.name, quantity.name, "paper", quantity.unit, Deviation::relative,
+                                  planted_value(quantity, truth), between_percentiles(surface.average, quantity)});
+                     });
     add_work_of_adhesion(rows, run, recipe.work_of_adhesion, "paper", study);
     return rows;
 }

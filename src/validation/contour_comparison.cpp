@@ -17,10 +17,10 @@ namespace {
 using simulation::PixelCurve;
 using topography::TracedCurve;
 
-constexpr double metres = 1e-9;         // a pixel is a nanometre
-constexpr double traced_within = 3.0;   // px
-constexpr double border = 4.0;          // px: a curve is not asked for closer to the picture's border
-constexpr double least_false = 1.0;     // px
+constexpr double metres = 1e-9;        // a pixel is a nanometre
+constexpr double traced_within = 3.0;  // px
+constexpr double border = 4.0;         // px: a curve is not asked for closer to the picture's border
+constexpr double least_false = 1.0;    // px
 constexpr double longest_noise_wave = 200.0, shortest_noise_wave = 50.0;  // px: smoothing leaves these as they are
 constexpr double above_floor = 10.0;
 constexpr double least_density = 1e-4;  // px³: that of a picture without noise says nothing
@@ -52,10 +52,13 @@ Array1D distances_of_truth(const imaging::ContourTrace& trace, const RenderedCon
     const auto& curve = rendered.truth.curve;
     for (Index i = 0; i < curve.x.size(); ++i) {
         const double x = curve.x[i], y = curve.y[i];
-        if (x < border || y < border || x > static_cast<double>(rendered.width - 1) - border || y > static_cast<double>(rendered.height - 1) - border) continue;
+        if (x < border || y < border || x > static_cast<double>(rendered.width - 1) - border ||
+            y > static_cast<double>(rendered.height - 1) - border)
+            continue;
         double nearest = std::hypot(static_cast<double>(rendered.width), static_cast<double>(rendered.height));
         for (const auto& segment : segments)
-            if (const double distance = segment.nearest(x, y).distance; std::abs(distance) < std::abs(nearest)) nearest = distance;
+            if (const double distance = segment.nearest(x, y).distance; std::abs(distance) < std::abs(nearest))
+                nearest = distance;
         found.push_back(nearest);
     }
     return Eigen::Map<const Array1D>(found.data(), static_cast<Index>(found.size()));
@@ -82,8 +85,10 @@ TracedCurve in_metres(const imaging::ContourTrace& trace) {
     if (segment.standard_error.size() == segment.x.size()) curve.standard_error = metres * segment.standard_error;
     curve.closed = segment.closed;
     const double step = segment.length / static_cast<double>(segment.x.size() - 1);
-    curve.response = topography::TraceResponse{.blur = metres * segment.edge_width, .smoothing_length = metres * segment.smoothing_length,
-                                               .step = metres * step, .noise_density = metres * metres * metres * segment.noise_density};
+    curve.response = topography::TraceResponse{.blur = metres * segment.edge_width,
+                                               .smoothing_length = metres * segment.smoothing_length,
+                                               .step = metres * step,
+                                               .noise_density = metres * metres * metres * segment.noise_density};
     return curve;
 }
 
@@ -97,7 +102,8 @@ double mean_between(const spectra::PowerSpectrum1D& spectrum, double lower, doub
 }
 
 /// Ratios of spectra in half decades, over tenths of a decade that hold waves of the curve and stand out of the floor.
-std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const topography::Profile& known, double shortest_wave) {
+std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const topography::Profile& known,
+                                      double shortest_wave) {
     const double length = traced.size(), shortest = shortest_compared_wave * metres;
     const auto modes = static_cast<Index>(length / shortest);
     const Array1D q = Array1D::LinSpaced(modes, 1.0, static_cast<double>(modes)) * (2.0 * pi / length);
@@ -106,15 +112,19 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
     std::array<double, 5> ratios{};
     for (std::size_t band = 0; band < ratios.size(); ++band) {
         const double lower = 2.0 * pi / (spectrum_band_ends[band] * metres);
-        const double upper = 2.0 * pi / (metres * (band + 1 < ratios.size() ? spectrum_band_ends[band + 1] : shortest_compared_wave));
+        const double upper =
+            2.0 * pi / (metres * (band + 1 < ratios.size() ? spectrum_band_ends[band + 1] : shortest_compared_wave));
         const int cells = std::max(1, static_cast<int>(std::lround(cells_a_decade * std::log10(upper / lower))));
         double sum = 0.0;
         int count = 0;
         for (int cell = 0; cell < cells; ++cell) {
-            const double from = lower * std::pow(upper / lower, static_cast<double>(cell) / cells), to = lower * std::pow(upper / lower, static_cast<double>(cell + 1) / cells);
+            const double from = lower * std::pow(upper / lower, static_cast<double>(cell) / cells),
+                         to = lower * std::pow(upper / lower, static_cast<double>(cell + 1) / cells);
             if (to * shortest_wave * metres > 2.0 * pi * (1.0 + 1e-9)) continue;
             const double expected = mean_between(planted, from, to);
-            const double floor = traced.response ? traced.response->noise_density * std::exp(std::pow(0.5 * (from + to) * traced.response->blur, 2)) : 0.0;
+            const double floor = traced.response ? traced.response->noise_density *
+                                                       std::exp(std::pow(0.5 * (from + to) * traced.response->blur, 2))
+                                                 : 0.0;
             if (!(expected > above_floor * floor)) continue;
             sum += mean_between(found, from, to) / expected;
             ++count;
@@ -126,11 +136,13 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
 
 /// C1D [px³] of the trace's errors along its length.
 double error_density(const Array1D& errors, double length) {
-    const auto spectrum = spectra::power_spectrum(topography::LineScan{.heights = errors, .size = length}, {.threads = {1}});
+    const auto spectrum =
+        spectra::power_spectrum(topography::LineScan{.heights = errors, .size = length}, {.threads = {1}});
     return mean_between(spectrum, 2.0 * pi / longest_noise_wave, 2.0 * pi / shortest_noise_wave);
 }
 
-void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& levelled, const PixelCurve& trace, const std::vector<simulation::Overhang>& planted) {
+void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& levelled, const PixelCurve& trace,
+                       const std::vector<simulation::Overhang>& planted) {
     const CurveIndex index(trace);
     const Array1D along = length_along(trace);
     std::vector<bool> real(levelled.reentrant.size(), false);
@@ -158,26 +170,36 @@ void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& lev
 }  // namespace
 
 ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour& rendered) {
-    if (trace.segments.empty() || trace.segments.front().x.size() < 3) throw UndefinedDataError("a trace without a segment; expected the contour");
+    if (trace.segments.empty() || trace.segments.front().x.size() < 3)
+        throw UndefinedDataError("a trace without a segment; expected the contour");
     const auto& segment = trace.segments.front();
     const auto curve = curve_of(segment);
     const auto there = distances(curve, CurveIndex(rendered.truth.curve));
     const Array1D back = distances_of_truth(trace, rendered);
 
-    ContourTrial trial{.segments = static_cast<int>(trace.segments.size()), .smoothing_length = segment.smoothing_length, .edge_width = segment.edge_width};
+    ContourTrial trial{.segments = static_cast<int>(trace.segments.size()),
+                       .smoothing_length = segment.smoothing_length,
+                       .edge_width = segment.edge_width};
     trial.vacuum_mistaken = there.places.front().segment > there.places.back().segment;
     trial.completeness = (back.abs() < traced_within).cast<double>().mean();
     trial.rms_error = std::max(rms(there.of_trace), rms(back));
     trial.largest_error = std::max(there.of_trace.abs().maxCoeff(), back.abs().maxCoeff());
     trial.offset = there.of_trace.mean();
-    trial.within_two_errors = segment.standard_error.size() == there.of_trace.size() ? (there.of_trace.abs() < 2.0 * segment.standard_error).cast<double>().mean() : undefined;
+    trial.within_two_errors = segment.standard_error.size() == there.of_trace.size()
+                                  ? (there.of_trace.abs() < 2.0 * segment.standard_error).cast<double>().mean()
+                                  : undefined;
 
     const double length = length_along(curve).tail(1)[0];
-    trial.floor_ratio = segment.noise_density > least_density ? error_density(there.of_trace, length) / segment.noise_density : undefined;
-    const auto traced = in_metres(trace), known = in_metres(covered_part(rendered.truth.curve, there.places.front(), there.places.back()));
+    trial.floor_ratio = segment.noise_density > least_density
+                            ? error_density(there.of_trace, length) / segment.noise_density
+                            : undefined;
+    const auto traced = in_metres(trace),
+               known = in_metres(covered_part(rendered.truth.curve, there.places.front(), there.places.back()));
     compare_overhangs(trial, levelled(traced, topography::Reentrance::envelope), curve, rendered.truth.overhangs);
-    const auto profile = levelled(traced, topography::Reentrance::cut).profile, expected = levelled(known, topography::Reentrance::cut).profile;
-    trial.rms_height_ratio = roughness::real_space_parameters(profile).rms_height / roughness::real_space_parameters(expected).rms_height;
+    const auto profile = levelled(traced, topography::Reentrance::cut).profile,
+               expected = levelled(known, topography::Reentrance::cut).profile;
+    trial.rms_height_ratio =
+        roughness::real_space_parameters(profile).rms_height / roughness::real_space_parameters(expected).rms_height;
     trial.spectrum_ratio = spectrum_ratios(profile, expected, rendered.shortest_wave);
     return trial;
 }

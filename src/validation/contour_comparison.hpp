@@ -9,7 +9,7 @@ namespace setae::validation {
 struct RenderedContour {
     simulation::RoughCurve truth;  ///< as it lies in the picture, vacuum on its left hand
     long width = 0, height = 0;
-    double shortest_wave = 0.0;    ///< [px]; spectra are compared down to it
+    double shortest_wave = 0.0;  ///< [px]; spectra are compared down to it
 };
 
 /// All numbers of a trial but run and kind. @throws UndefinedDataError for a trace without segments.

@@ -20,7 +20,9 @@ const cv::Scalar truth_colour(255, 144, 64), trace_colour(40, 160, 255);  // blu
 void draw(cv::Mat& picture, const Array1D& x, const Array1D& y, bool closed, const cv::Scalar& colour) {
     constexpr int shift = 4;  // 16ths of a pixel
     // a pixel's centre is the middle of the square it became
-    const auto place = [](double at) { return static_cast<int>(std::lround((enlarged * (at + 0.5) - 0.5) * (1 << shift))); };
+    const auto place = [](double at) {
+        return static_cast<int>(std::lround((enlarged * (at + 0.5) - 0.5) * (1 << shift)));
+    };
     std::vector<cv::Point> line;
     for (Index i = 0; i < x.size(); ++i) line.emplace_back(place(x[i]), place(y[i]));
     if (!line.empty()) cv::polylines(picture, line, closed, colour, 1, cv::LINE_AA, shift);
@@ -34,14 +36,18 @@ void write_png(const std::string& path, const cv::Mat& picture) {
 
 }  // namespace
 
-void write_contour_picture(const std::string& folder, const ContourTrial& trial, const imaging::FramePixels& pixels, const simulation::PixelCurve& truth,
-                           const imaging::ContourTrace& trace) {
+void write_contour_picture(const std::string& folder, const ContourTrial& trial, const imaging::FramePixels& pixels,
+                           const simulation::PixelCurve& truth, const imaging::ContourTrace& trace) {
     std::string kind = trial.kind;
     for (char& letter : kind)
         if (letter == ' ' || letter == ',' || letter == '+') letter = '_';
-    const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / fmt::format("{}_{:03d}{}", kind, trial.run, ending)).string(); };
-    const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F, const_cast<float*>(pixels.data()));
-    const double low = static_cast<double>(pixels.minCoeff()), high = static_cast<double>(pixels.maxCoeff()), scale = high > low ? 255.0 / (high - low) : 0.0;
+    const auto path = [&](const char* ending) {
+        return (std::filesystem::path(folder) / fmt::format("{}_{:03d}{}", kind, trial.run, ending)).string();
+    };
+    const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,
+                       const_cast<float*>(pixels.data()));
+    const double low = static_cast<double>(pixels.minCoeff()), high = static_cast<double>(pixels.maxCoeff()),
+                 scale = high > low ? 255.0 / (high - low) : 0.0;
     cv::Mat bytes, picture;
     grey.convertTo(bytes, CV_8U, scale, -low * scale);
     write_png(path("_bare.png"), bytes);

@@ -49,7 +49,8 @@ Rendered rendered(const ContourKind& kind, const ContourTrialOptions& options, s
     if (kind.transposed) {
         result.pixels = imaging::FramePixels(result.pixels.transpose());
         auto& truth = result.contour.truth;
-        // mirrored at the diagonal the sample lies to the right: vacuum is on the left hand of who walks up the picture's columns
+        // mirrored at the diagonal the sample lies to the right: vacuum is on the left hand of who walks up the
+        // picture's columns
         std::swap(truth.curve.x, truth.curve.y);
         truth.curve.x.reverseInPlace();
         truth.curve.y.reverseInPlace();
@@ -71,16 +72,23 @@ ContourTrial trial_of(const ContourKind& kind, const ContourTrialOptions& option
     trial.run = run;
     trial.kind = kind.name;
     trial.judged = kind.judged;
-    if (!options.pictures.empty()) write_contour_picture(options.pictures, trial, picture.pixels, picture.contour.truth.curve, trace);
+    if (!options.pictures.empty())
+        write_contour_picture(options.pictures, trial, picture.pixels, picture.contour.truth.curve, trace);
     return trial;
 }
 
 }  // namespace
 
 std::vector<ContourKind> contour_kinds(long size) {
-    const simulation::RoughCurveOptions curve{.rms_height = 16.0, .hurst_exponent = 0.8, .rolloff_wavelength = static_cast<double>(size), .cutoff_wavelength = 10.0};
-    const auto picture = [](double signal_to_noise) { return simulation::MicrographOptions{.noise = signal_to_noise > 0.0 ? 1.0 / signal_to_noise : 0.0}; };
-    std::vector<ContourKind> kinds{{"clean", curve, picture(0.0)}, {"SNR 5", curve, picture(5.0)}, {"SNR 2", curve, picture(2.0)}};
+    const simulation::RoughCurveOptions curve{.rms_height = 16.0,
+                                              .hurst_exponent = 0.8,
+                                              .rolloff_wavelength = static_cast<double>(size),
+                                              .cutoff_wavelength = 10.0};
+    const auto picture = [](double signal_to_noise) {
+        return simulation::MicrographOptions{.noise = signal_to_noise > 0.0 ? 1.0 / signal_to_noise : 0.0};
+    };
+    std::vector<ContourKind> kinds{
+        {"clean", curve, picture(0.0)}, {"SNR 5", curve, picture(5.0)}, {"SNR 2", curve, picture(2.0)}};
     auto fringe = picture(2.0), drift = picture(2.0), lattice = picture(2.0), texture = picture(3.0);
     fringe.fringe_amplitude = 0.3;
     drift.drift = 0.5;
@@ -98,13 +106,16 @@ std::vector<ContourKind> contour_kinds(long size) {
     kinds.push_back({.name = "SNR 2 + overhangs", .curve = overhanging, .picture = picture(2.0)});
     kinds.push_back({"SNR 2, tilted 20 deg", tilted, picture(2.0)});
     kinds.push_back({.name = "SNR 2, upright", .curve = curve, .picture = picture(2.0), .transposed = true});
-    for (const auto& [name, signal_to_noise] : {std::pair{"clean, waves to 3 px", 0.0}, {"SNR 5, waves to 3 px", 5.0}, {"SNR 2, waves to 3 px", 2.0}})
+    for (const auto& [name, signal_to_noise] :
+         {std::pair{"clean, waves to 3 px", 0.0}, {"SNR 5, waves to 3 px", 5.0}, {"SNR 2, waves to 3 px", 2.0}})
         kinds.push_back({.name = name, .curve = fine, .picture = picture(signal_to_noise), .judged = false});
     return kinds;
 }
 
 std::vector<ContourTrial> contour_trials(const ContourTrialOptions& options) {
-    if (options.runs < 1 || options.size < 200) throw InvalidArgument(fmt::format("{} runs of pictures {} px wide; expected at least 1 of at least 200 px", options.runs, options.size));
+    if (options.runs < 1 || options.size < 200)
+        throw InvalidArgument(fmt::format("{} runs of pictures {} px wide; expected at least 1 of at least 200 px",
+                                          options.runs, options.size));
     if (!options.tracer) throw InvalidArgument("no tracer; expected a function that traces a picture");
     const auto kinds = chosen_kinds(options);
     if (!options.pictures.empty()) {

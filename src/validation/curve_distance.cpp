@@ -12,7 +12,8 @@ constexpr double square = 8.0;  // px
 
 }  // namespace
 
-CurveIndex::CurveIndex(const simulation::PixelCurve& curve) : curve_(curve), left_(curve.x.minCoeff()), top_(curve.y.minCoeff()) {
+CurveIndex::CurveIndex(const simulation::PixelCurve& curve)
+    : curve_(curve), left_(curve.x.minCoeff()), top_(curve.y.minCoeff()) {
     columns_ = static_cast<long>((curve.x.maxCoeff() - left_) / square) + 1;
     rows_ = static_cast<long>((curve.y.maxCoeff() - top_) / square) + 1;
     segments_.resize(static_cast<std::size_t>(columns_ * rows_));
@@ -30,16 +31,20 @@ NearestPlace CurveIndex::nearest(double x, double y) const {
     NearestPlace best;
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](Index i) {
-        const double along_x = curve_.x[i + 1] - curve_.x[i], along_y = curve_.y[i + 1] - curve_.y[i], dx = x - curve_.x[i], dy = y - curve_.y[i];
+        const double along_x = curve_.x[i + 1] - curve_.x[i], along_y = curve_.y[i + 1] - curve_.y[i],
+                     dx = x - curve_.x[i], dy = y - curve_.y[i];
         const double squared_length = along_x * along_x + along_y * along_y;
-        const double share = squared_length > 0.0 ? std::clamp((dx * along_x + dy * along_y) / squared_length, 0.0, 1.0) : 0.0;
-        const double off_x = dx - share * along_x, off_y = dy - share * along_y, squared = off_x * off_x + off_y * off_y;
+        const double share =
+            squared_length > 0.0 ? std::clamp((dx * along_x + dy * along_y) / squared_length, 0.0, 1.0) : 0.0;
+        const double off_x = dx - share * along_x, off_y = dy - share * along_y,
+                     squared = off_x * off_x + off_y * off_y;
         if (squared >= least) return;
         least = squared;
         // y runs downwards: to the left of a walk along x lie the smaller y
         best = {std::copysign(std::sqrt(squared), along_y * off_x - along_x * off_y), i, x - off_x, y - off_y};
     };
-    const long column = static_cast<long>(std::floor((x - left_) / square)), row = static_cast<long>(std::floor((y - top_) / square));
+    const long column = static_cast<long>(std::floor((x - left_) / square)),
+               row = static_cast<long>(std::floor((y - top_) / square));
     // rings of squares, until the next is further away than what was found
     const long outside = std::max({0L, -column, column - columns_ + 1, -row, row - rows_ + 1});
     const long rings = std::max(columns_, rows_) + outside;
@@ -56,7 +61,8 @@ NearestPlace CurveIndex::nearest(double x, double y) const {
 
 Array1D length_along(const simulation::PixelCurve& curve) {
     Array1D along = Array1D::Zero(curve.x.size());
-    for (Index i = 1; i < along.size(); ++i) along[i] = along[i - 1] + std::hypot(curve.x[i] - curve.x[i - 1], curve.y[i] - curve.y[i - 1]);
+    for (Index i = 1; i < along.size(); ++i)
+        along[i] = along[i - 1] + std::hypot(curve.x[i] - curve.x[i - 1], curve.y[i] - curve.y[i - 1]);
     return along;
 }
 

@@ -14,7 +14,9 @@ namespace setae::validation {
 namespace fs = std::filesystem;
 
 std::vector<RunResult> for_each_data_set(
-    const DataSets& sets, const std::function<std::vector<Comparison>(int run, const simulation::Recipe& recipe, const std::string& folder)>& compare) {
+    const DataSets& sets,
+    const std::function<std::vector<Comparison>(int run, const simulation::Recipe& recipe, const std::string& folder)>&
+        compare) {
     if (sets.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", sets.runs));
     (void)simulation::read_recipe(sets.recipe);  // what is wrong in it is said once, not once a run
     std::error_code error;

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "setae/validation/comparison.hpp"
-#include "setae/simulation/recipe.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/simulation/recipe.hpp"
+#include "setae/validation/comparison.hpp"
 
 namespace setae::validation {
 
-/// Data sets of one recipe: run r with seed first_seed + r, in a folder of its own that is removed afterwards unless kept.
+/// Data sets of one recipe: run r with seed first_seed + r, in a folder of its own that is removed afterwards unless
+/// kept.
 struct DataSets {
     std::string recipe, folder;
     int runs = 1;
@@ -28,9 +29,13 @@ struct RunResult {
     std::string failure;
 };
 
-/// Makes each data set and hands it to `compare`, in parallel; results in the order of runs. A data set that fails keeps its reason.
-/// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be made.
+/// Makes each data set and hands it to `compare`, in parallel; results in the order of runs. A data set that fails
+/// keeps its reason.
+/// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be
+/// made.
 [[nodiscard]] std::vector<RunResult> for_each_data_set(
-    const DataSets& sets, const std::function<std::vector<Comparison>(int run, const simulation::Recipe& recipe, const std::string& folder)>& compare);
+    const DataSets& sets,
+    const std::function<std::vector<Comparison>(int run, const simulation::Recipe& recipe, const std::string& folder)>&
+        compare);
 
 }  // namespace setae::validation

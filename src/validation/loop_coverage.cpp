@@ -21,11 +21,14 @@ using loops::JkrFit;
 using loops::LensAndCounterBody;
 using simulation::LoopSpecimen;
 
-LensAndCounterBody bodies_of(const LoopSpecimen& specimen) { return {.radius = specimen.radius, .counter_youngs_modulus = std::numeric_limits<double>::infinity()}; }
+LensAndCounterBody bodies_of(const LoopSpecimen& specimen) {
+    return {.radius = specimen.radius, .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
+}
 
 /// Samples of equilibrium between two contact radii, evenly in displacement, without noise.
 BranchData equilibrium(const Contact& contact, double first_radius, double last_radius, Index samples) {
-    const double first = contact::jkr::displacement(first_radius, contact), last = contact::jkr::displacement(last_radius, contact);
+    const double first = contact::jkr::displacement(first_radius, contact),
+                 last = contact::jkr::displacement(last_radius, contact);
     BranchData branch;
     branch.displacement = Array1D::LinSpaced(samples, first, last);
     branch.contact_radius = contact::jkr::contact_radius_at_displacement(branch.displacement, contact);
@@ -43,10 +46,15 @@ struct PlantedBranch {
 
 std::vector<PlantedBranch> planted_branches(const LoopCoverageOptions& options) {
     const auto& s = options.specimen;
-    const Contact approach{s.radius, s.contact_modulus, s.work_approach}, retraction{s.radius, s.contact_modulus, s.work_retraction};
+    const Contact approach{s.radius, s.contact_modulus, s.work_approach},
+        retraction{s.radius, s.contact_modulus, s.work_retraction};
     const double largest = contact::jkr::contact_radius_at_force(options.maximum_force, approach);
-    return {{"loading", approach, equilibrium(approach, contact::jkr::jump_in_at_fixed_grips(approach).contact_radius, largest, options.samples)},
-            {"unloading", retraction, equilibrium(retraction, largest, contact::jkr::pull_off_at_fixed_grips(retraction).contact_radius, options.samples)}};
+    return {{"loading", approach,
+             equilibrium(approach, contact::jkr::jump_in_at_fixed_grips(approach).contact_radius, largest,
+                         options.samples)},
+            {"unloading", retraction,
+             equilibrium(retraction, largest, contact::jkr::pull_off_at_fixed_grips(retraction).contact_radius,
+                         options.samples)}};
 }
 
 /// Noise of each channel.
@@ -56,7 +64,8 @@ struct Noise {
 Noise noise_of(const LoopCoverageOptions& options, double signal_to_noise) {
     const Contact approach{options.specimen.radius, options.specimen.contact_modulus, options.specimen.work_approach};
     const double largest = contact::jkr::contact_radius_at_force(options.maximum_force, approach);
-    return {options.maximum_force / signal_to_noise, contact::jkr::displacement(largest, approach) / signal_to_noise, largest / signal_to_noise};
+    return {options.maximum_force / signal_to_noise, contact::jkr::displacement(largest, approach) / signal_to_noise,
+            largest / signal_to_noise};
 }
 
 BranchData with_noise(const BranchData& exact, const Noise& noise, numerics::RandomKey key) {
@@ -77,9 +86,10 @@ struct Comparisons {
     std::string signal;  ///< "SNR 5"
     std::vector<Comparison> all{};
 
-    void add(const std::string& item, const std::string& symbol, const std::string& method, const std::string& unit, double planted, const Estimate& found,
-             Deviation measure = Deviation::relative) {
-        all.push_back({run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, planted, found});
+    void add(const std::string& item, const std::string& symbol, const std::string& method, const std::string& unit,
+             double planted, const Estimate& found, Deviation measure = Deviation::relative) {
+        all.push_back(
+            {run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, planted, found});
     }
     void add_fit(const PlantedBranch& branch, const std::string& method, const std::function<JkrFit()>& fit) {
         JkrFit found;
@@ -90,7 +100,8 @@ struct Comparisons {
         }
         add(branch.name, "E*", method, "Pa", branch.contact.contact_modulus, found.contact_modulus);
         add(branch.name, "W", method, "J/m2", branch.contact.work_of_adhesion, found.work_of_adhesion);
-        if (method == "F-delta" || method == "joint") add(branch.name, "delta0", method, "m", 0.0, found.contact_point, Deviation::absolute);
+        if (method == "F-delta" || method == "joint")
+            add(branch.name, "delta0", method, "m", 0.0, found.contact_point, Deviation::absolute);
     }
 };
 
@@ -120,7 +131,8 @@ using Run = std::function<void(Comparisons&, double signal_to_noise, numerics::R
 /// Every run at every signal, in their order.
 std::vector<Comparison> all_runs(const LoopCoverageOptions& options, const Run& body) {
     if (options.runs < 1 || options.samples < 20)
-        throw InvalidArgument(fmt::format("{} runs of {} samples; expected at least 1 of at least 20", options.runs, options.samples));
+        throw InvalidArgument(
+            fmt::format("{} runs of {} samples; expected at least 1 of at least 20", options.runs, options.samples));
     const auto runs = static_cast<std::size_t>(options.runs), signals = options.signal_to_noise.size();
     std::vector<std::vector<Comparison>> found(runs * signals);
     std::mutex telling;
@@ -147,7 +159,8 @@ std::vector<Comparison> branch_coverage(const LoopCoverageOptions& options) {
     const auto bodies = bodies_of(options.specimen);
     return all_runs(options, [&](Comparisons& to, double signal, numerics::RandomKey key) {
         for (std::size_t b = 0; b < branches.size(); ++b)
-            add_fits(to, branches[b], in_contact(with_noise(branches[b].samples, noise_of(options, signal), substream(key, b))), bodies);
+            add_fits(to, branches[b],
+                     in_contact(with_noise(branches[b].samples, noise_of(options, signal), substream(key, b))), bodies);
     });
 }
 
@@ -156,20 +169,29 @@ std::vector<Comparison> record_coverage(const LoopCoverageOptions& options) {
     // as many samples on the way to the largest force as branch_coverage() has
     const auto branches = planted_branches(options);
     const auto& displacement = branches.front().samples.displacement;
-    simulation::LoadingProtocol protocol{.maximum_force = options.maximum_force, .force_rate = 10.0, .camera_rate = 10.0};
-    protocol.approach_speed = protocol.retraction_speed = displacement[displacement.size() - 1] / static_cast<double>(options.samples) * protocol.force_rate;
+    simulation::LoadingProtocol protocol{
+        .maximum_force = options.maximum_force, .force_rate = 10.0, .camera_rate = 10.0};
+    protocol.approach_speed = protocol.retraction_speed =
+        displacement[displacement.size() - 1] / static_cast<double>(options.samples) * protocol.force_rate;
     protocol.start_gap = displacement[displacement.size() - 1];
     return all_runs(options, [&](Comparisons& to, double signal, numerics::RandomKey key) {
         const auto noise = noise_of(options, signal);
         const auto [loop, truth] = simulation::simulated_loop(options.specimen, protocol,
-                                                              {.force_noise = noise.force, .displacement_noise = noise.displacement, .radius_noise = noise.contact_radius, .key = key});
+                                                              {.force_noise = noise.force,
+                                                               .displacement_noise = noise.displacement,
+                                                               .radius_noise = noise.contact_radius,
+                                                               .key = key});
         try {
             const auto found = loops::analyse(loop, bodies);
             const auto& s = options.specimen;
             to.add("record", "E*", "analysis", "Pa", s.contact_modulus, found.loading.primary().contact_modulus);
-            to.add("record", "W loading", "analysis", "J/m2", s.work_approach, found.loading.primary().work_of_adhesion);
-            if (found.unloading) to.add("record", "W unloading", "analysis", "J/m2", s.work_retraction, found.unloading->primary().work_of_adhesion);
-            if (found.retraction) to.add("record", "W (S2)", "analysis", "J/m2", s.work_retraction, found.retraction->work_of_adhesion);
+            to.add("record", "W loading", "analysis", "J/m2", s.work_approach,
+                   found.loading.primary().work_of_adhesion);
+            if (found.unloading)
+                to.add("record", "W unloading", "analysis", "J/m2", s.work_retraction,
+                       found.unloading->primary().work_of_adhesion);
+            if (found.retraction)
+                to.add("record", "W (S2)", "analysis", "J/m2", s.work_retraction, found.retraction->work_of_adhesion);
             if (found.loop) to.add("record", "E_loss", "analysis", "J", truth.energy_loss(), found.loop->estimate());
         } catch (const UndefinedDataError&) {
             // refused, and said so by the number of comparisons

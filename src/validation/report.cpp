@@ -21,7 +21,8 @@ struct Chart {
 
     explicit Chart(const std::vector<SummaryRow>& rows) {
         for (const auto& row : rows) {
-            if (std::find(quantities.begin(), quantities.end(), row.quantity) == quantities.end()) quantities.push_back(row.quantity);
+            if (std::find(quantities.begin(), quantities.end(), row.quantity) == quantities.end())
+                quantities.push_back(row.quantity);
             methods[row.method].push_back(&row);
         }
         std::reverse(quantities.begin(), quantities.end());
@@ -43,11 +44,18 @@ struct Chart {
 
 using Value = double (*)(const SummaryRow&);
 
-figures::Panel panel(const Chart& chart, const std::string& title, const std::string& quantity, const std::string& unit, Value centre, Value lower, Value upper) {
-    figures::Panel panel{.title = title, .x = {.quantity = quantity, .unit = unit}, .y = {.tick_labels = chart.names()}};
+figures::Panel panel(const Chart& chart, const std::string& title, const std::string& quantity, const std::string& unit,
+                     Value centre, Value lower, Value upper) {
+    figures::Panel panel{
+        .title = title, .x = {.quantity = quantity, .unit = unit}, .y = {.tick_labels = chart.names()}};
     for (const auto& [method, rows] : chart.methods) {
         const auto n = static_cast<Index>(rows.size());
-        figures::Series series{.label = method, .x = Array1D(n), .y = Array1D(n), .mark = figures::Mark::points, .left = Array1D(n), .right = Array1D(n)};
+        figures::Series series{.label = method,
+                               .x = Array1D(n),
+                               .y = Array1D(n),
+                               .mark = figures::Mark::points,
+                               .left = Array1D(n),
+                               .right = Array1D(n)};
         for (Index i = 0; i < n; ++i) {
             const auto& row = *rows[static_cast<std::size_t>(i)];
             series.x[i] = centre(row);
@@ -72,13 +80,16 @@ constexpr double two_sided = 1.96;
 }  // namespace
 
 std::string summary_table(const std::vector<SummaryRow>& rows) {
-    std::string text = fmt::format("{:<28} {:<10} {:>5} {:>6} {:>9} {:>8} {:>9} {:>9} {:>8}  {}\n", "quantity", "method", "n", "in", "bias", "±", "scatter",
-                                   "stated", "worst", "95 % interval holds the planted value in");
+    std::string text =
+        fmt::format("{:<28} {:<10} {:>5} {:>6} {:>9} {:>8} {:>9} {:>9} {:>8}  {}\n", "quantity", "method", "n", "in",
+                    "bias", "±", "scatter", "stated", "worst", "95 % interval holds the planted value in");
     for (const auto& row : rows) {
         const auto [factor, unit] = printed_unit(row);
-        text += fmt::format("{:<28} {:<10} {:>5} {:>6} {:>+9.3f} {:>8.3f} {:>9.3f} {:>9.3f} {:>+8.2f}  {:5.1f} % ({:.0f} to {:.0f})\n", row.quantity, row.method,
-                            row.count, unit, factor * row.bias, factor * row.bias_error, factor * row.scatter, factor * row.stated, factor * row.worst,
-                            100.0 * row.coverage, 100.0 * row.coverage_interval.lower, 100.0 * row.coverage_interval.upper);
+        text += fmt::format(
+            "{:<28} {:<10} {:>5} {:>6} {:>+9.3f} {:>8.3f} {:>9.3f} {:>9.3f} {:>+8.2f}  {:5.1f} % ({:.0f} to {:.0f})\n",
+            row.quantity, row.method, row.count, unit, factor * row.bias, factor * row.bias_error, factor * row.scatter,
+            factor * row.stated, factor * row.worst, 100.0 * row.coverage, 100.0 * row.coverage_interval.lower,
+            100.0 * row.coverage_interval.upper);
     }
     return text;
 }
@@ -97,7 +108,9 @@ std::string bias_table(const std::vector<SummaryRow>& rows) {
     for (const auto& quantity : quantities) {
         std::string line;
         for (const auto& method : methods) {
-            const auto row = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) { return r.quantity == quantity && r.method == method; });
+            const auto row = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) {
+                return r.quantity == quantity && r.method == method;
+            });
             if (row == rows.end()) {
                 line += fmt::format(" {:>16}", "");
                 continue;
@@ -112,24 +125,30 @@ std::string bias_table(const std::vector<SummaryRow>& rows) {
 }
 
 std::string comparisons_csv(const std::vector<Comparison>& comparisons) {
-    std::string text = "run,item,quantity,unit,method,planted,found,standard_error,interval_lower,interval_upper,covered\n";
+    std::string text =
+        "run,item,quantity,unit,method,planted,found,standard_error,interval_lower,interval_upper,covered\n";
     for (const auto& c : comparisons) {
         const auto interval = interval_of(c.found);
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", c.run, c.item, c.quantity, c.unit, c.method, cell(c.planted), cell(c.found.value),
-                            cell(c.found.standard_error), cell(interval ? interval->lower : undefined), cell(interval ? interval->upper : undefined), c.covered() ? 1 : 0);
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", c.run, c.item, c.quantity, c.unit, c.method,
+                            cell(c.planted), cell(c.found.value), cell(c.found.standard_error),
+                            cell(interval ? interval->lower : undefined), cell(interval ? interval->upper : undefined),
+                            c.covered() ? 1 : 0);
     }
     return text;
 }
 
 figures::Figure closure_figure(const std::vector<SummaryRow>& rows) {
     std::vector<SummaryRow> relative;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(relative), [](const SummaryRow& row) { return row.measure == Deviation::relative; });
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(relative),
+                 [](const SummaryRow& row) { return row.measure == Deviation::relative; });
     const auto bias = panel(
         Chart(relative), "A", "bias", "%", [](const SummaryRow& r) { return 100.0 * r.bias; },
-        [](const SummaryRow& r) { return 100.0 * (r.bias - two_sided * r.bias_error); }, [](const SummaryRow& r) { return 100.0 * (r.bias + two_sided * r.bias_error); });
+        [](const SummaryRow& r) { return 100.0 * (r.bias - two_sided * r.bias_error); },
+        [](const SummaryRow& r) { return 100.0 * (r.bias + two_sided * r.bias_error); });
     auto coverage = panel(
         Chart(rows), "B", "held by 95 % intervals", "%", [](const SummaryRow& r) { return 100.0 * r.coverage; },
-        [](const SummaryRow& r) { return 100.0 * r.coverage_interval.lower; }, [](const SummaryRow& r) { return 100.0 * r.coverage_interval.upper; });
+        [](const SummaryRow& r) { return 100.0 * r.coverage_interval.lower; },
+        [](const SummaryRow& r) { return 100.0 * r.coverage_interval.upper; });
     coverage.legend = false;
     return {.panels = {bias, coverage}, .columns = 2, .width_mm = 178.0, .height_mm = 140.0};
 }

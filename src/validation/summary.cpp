@@ -44,7 +44,8 @@ SummaryRow row_of(const Members& members) {
             ++with_interval;
         }
     }
-    row.scatter = members.size() > 1 ? std::sqrt(std::max(0.0, squares - count * row.bias * row.bias) / (count - 1.0)) : undefined;
+    row.scatter = members.size() > 1 ? std::sqrt(std::max(0.0, squares - count * row.bias * row.bias) / (count - 1.0))
+                                     : undefined;
     row.bias_error = error_of_mean(members, row.bias);
     row.stated = with_interval > 0 ? stated / with_interval : undefined;
     row.coverage = hits / count;
@@ -57,7 +58,9 @@ SummaryRow row_of(const Members& members) {
 std::vector<SummaryRow> summary(const std::vector<Comparison>& comparisons) {
     std::vector<Members> groups;
     for (const auto& c : comparisons) {
-        const auto place = std::find_if(groups.begin(), groups.end(), [&](const Members& g) { return g.front()->quantity == c.quantity && g.front()->method == c.method; });
+        const auto place = std::find_if(groups.begin(), groups.end(), [&](const Members& g) {
+            return g.front()->quantity == c.quantity && g.front()->method == c.method;
+        });
         if (place == groups.end()) groups.push_back({&c});
         else place->push_back(&c);
     }
@@ -67,7 +70,8 @@ std::vector<SummaryRow> summary(const std::vector<Comparison>& comparisons) {
 }
 
 Interval share_interval(int hits, int count, double level) {
-    if (count < 1 || hits < 0 || hits > count) throw InvalidArgument(fmt::format("{} of {}; expected a share of at least one", hits, count));
+    if (count < 1 || hits < 0 || hits > count)
+        throw InvalidArgument(fmt::format("{} of {}; expected a share of at least one", hits, count));
     const double z = normal_quantile(0.5 * (1.0 + level)), n = count, share = hits / n, width = z * z / n;
     const double centre = (share + 0.5 * width) / (1.0 + width);
     const double half = z * std::sqrt(share * (1.0 - share) / n + 0.25 * width / n) / (1.0 + width);

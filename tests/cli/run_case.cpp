@@ -15,9 +15,9 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
 namespace fs = std::filesystem;
 
@@ -61,7 +61,8 @@ void check_texts(const toml::table& expected, const char* key, const std::string
     if (!list) return;
     for (const auto& element : *list) {
         const auto wanted = element.value<std::string>().value_or("");
-        verdict.require(text.find(wanted) != std::string::npos, fmt::format("{} holds no '{}', it is:\n{}", key, wanted, text));
+        verdict.require(text.find(wanted) != std::string::npos,
+                        fmt::format("{} holds no '{}', it is:\n{}", key, wanted, text));
     }
 }
 
@@ -78,11 +79,14 @@ void check_value(const toml::table& expected, const nlohmann::json& json, Verdic
     } else if (const auto flag = expected["value"].value_exact<bool>()) {
         verdict.require(value == *flag, fmt::format("{} is {}, expected {}", pointer, value.dump(), *flag));
     } else if (const auto text = expected["value"].value_exact<std::string>()) {
-        verdict.require(value.is_string() && value.get<std::string>() == *text, fmt::format("{} is {}, expected \"{}\"", pointer, value.dump(), *text));
+        verdict.require(value.is_string() && value.get<std::string>() == *text,
+                        fmt::format("{} is {}, expected \"{}\"", pointer, value.dump(), *text));
     } else {
-        const double wanted = expected["value"].value<double>().value_or(NAN), tolerance = expected["tolerance"].value<double>().value_or(0.0);
-        verdict.require(value.is_number() && std::abs(value.get<double>() - wanted) <= tolerance * std::abs(wanted),
-                        fmt::format("{} is {}, expected {} within a relative {}", pointer, value.dump(), wanted, tolerance));
+        const double wanted = expected["value"].value<double>().value_or(NAN),
+                     tolerance = expected["tolerance"].value<double>().value_or(0.0);
+        verdict.require(
+            value.is_number() && std::abs(value.get<double>() - wanted) <= tolerance * std::abs(wanted),
+            fmt::format("{} is {}, expected {} within a relative {}", pointer, value.dump(), wanted, tolerance));
     }
 }
 
@@ -106,7 +110,8 @@ int main(int argc, char** argv) {
     const char* given = std::getenv("SETAE_REFERENCE_DATA");
     const fs::path data = given ? fs::path(given) : fs::path("..") / "shared" / "data";
     if (const auto needs = expected["needs"].value<std::string>(); needs && !fs::exists(data / *needs)) {
-        fmt::print("skipped: no {}; set SETAE_REFERENCE_DATA to the folder with the real files\n", (data / *needs).string());
+        fmt::print("skipped: no {}; set SETAE_REFERENCE_DATA to the folder with the real files\n",
+                   (data / *needs).string());
         return skipped;
     }
     char work_name[] = "/tmp/setae_case_XXXXXX";
@@ -120,8 +125,10 @@ int main(int argc, char** argv) {
     const auto result = run(expected["command"].value<std::string>().value_or("false"), work);
     Verdict verdict;
     const auto exit_code = expected["exit_code"].value<int>().value_or(0);
-    verdict.require(result.exit_code == exit_code, fmt::format("exit code {}, expected {}; standard error:\n{}", result.exit_code, exit_code, result.err));
-    verdict.require(!expected["no_stdout"].value<bool>().value_or(false) || result.out.empty(), "standard output is not empty:\n" + result.out);
+    verdict.require(result.exit_code == exit_code, fmt::format("exit code {}, expected {}; standard error:\n{}",
+                                                               result.exit_code, exit_code, result.err));
+    verdict.require(!expected["no_stdout"].value<bool>().value_or(false) || result.out.empty(),
+                    "standard output is not empty:\n" + result.out);
     check_texts(expected, "stdout", result.out, verdict);
     check_texts(expected, "stderr", result.err, verdict);
     check_json(expected, result.out, verdict);

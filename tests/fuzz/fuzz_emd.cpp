@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "files/emd_file.hpp"
-#include "tests/emd_files.hpp"
 #include "fuzz_target.hpp"
+#include "tests/emd_files.hpp"
 
 using namespace setae::imaging;
 
@@ -11,10 +11,11 @@ namespace {
 
 constexpr std::size_t most_written = 4096;
 
-/// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as metadata.
+/// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as
+/// metadata.
 ///
-/// Not the file's own bytes: HDF5 1.10.8 reads beyond its memory and takes gigabytes where the structure of a file is damaged
-/// (docs/micrograph-formats.md), and what is looked for here are faults of the reader above it.
+/// Not the file's own bytes: HDF5 1.10.8 reads beyond its memory and takes gigabytes where the structure of a file is
+/// damaged (docs/micrograph-formats.md), and what is looked for here are faults of the reader above it.
 tests::EmdFile described(std::string_view bytes) {
     const auto next = [&]() -> unsigned {
         if (bytes.empty()) return 0;
@@ -28,7 +29,8 @@ tests::EmdFile described(std::string_view bytes) {
         bytes.remove_prefix(std::min(end + 1, bytes.size()));
         return line.substr(0, line.find('\0'));
     };
-    const hid_t types[] = {H5T_STD_I8LE, H5T_STD_U16BE, H5T_STD_I32LE, H5T_STD_U64LE, H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_C_S1, H5T_STD_REF_OBJ};
+    const hid_t types[] = {H5T_STD_I8LE,   H5T_STD_U16BE,  H5T_STD_I32LE, H5T_STD_U64LE,
+                           H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_C_S1,      H5T_STD_REF_OBJ};
     tests::EmdFile file;
     const auto layout = next();
     file.velox = layout & 1;

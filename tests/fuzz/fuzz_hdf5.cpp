@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "hdf5_builder.hpp"
 #include "fuzz_heights.hpp"
+#include "hdf5_builder.hpp"
 #include "setae/formats/format.hpp"
 
 using namespace setae;
@@ -59,19 +59,45 @@ struct Place {
 };
 
 const std::vector<Place>& places() {
-    static const std::vector<Place> known{{"/group/map", {"/group/map", "/"}},
-                                          {"/heights", {"/heights", "/x", "/y", "/mask", "/"}},
-                                          {"/Data/Surface/{1}", {"/Data/Surface/{1}", "/Attributes/{2}", "/"}},
-                                          {"/Measurement_000/Channel_000/Height", {"/Measurement_000", "/Measurement_000/Channel_000", "/Measurement_000/Channel_000/Height"}},
-                                          {"/matrix", {"/matrix", "/"}}};
+    static const std::vector<Place> known{
+        {"/group/map", {"/group/map", "/"}},
+        {"/heights", {"/heights", "/x", "/y", "/mask", "/"}},
+        {"/Data/Surface/{1}", {"/Data/Surface/{1}", "/Attributes/{2}", "/"}},
+        {"/Measurement_000/Channel_000/Height",
+         {"/Measurement_000", "/Measurement_000/Channel_000", "/Measurement_000/Channel_000/Height"}},
+        {"/matrix", {"/matrix", "/"}}};
     return known;
 }
 
-constexpr const char* names[] = {
-    "unit", "units", "length", "periodic", "json", "_FillValue", "scale_factor", "element_size_um", "Unit", "No Data", "X Converter",
-    "Y Converter", "position-pattern.grid.ilength", "position-pattern.grid.jlength", "position-pattern.grid.ulength",
-    "position-pattern.grid.vlength", "net-encoder.scaling.multiplier", "MATLAB_class", "MATLAB_empty", "channel.name", "retrace", "NAME",
-    "_NCProperties", "Wavelength", "Z Converter", "add_offset", "net-encoder.scaling.unit.unit", "timing-settings.scanRate", "System Type"};
+constexpr const char* names[] = {"unit",
+                                 "units",
+                                 "length",
+                                 "periodic",
+                                 "json",
+                                 "_FillValue",
+                                 "scale_factor",
+                                 "element_size_um",
+                                 "Unit",
+                                 "No Data",
+                                 "X Converter",
+                                 "Y Converter",
+                                 "position-pattern.grid.ilength",
+                                 "position-pattern.grid.jlength",
+                                 "position-pattern.grid.ulength",
+                                 "position-pattern.grid.vlength",
+                                 "net-encoder.scaling.multiplier",
+                                 "MATLAB_class",
+                                 "MATLAB_empty",
+                                 "channel.name",
+                                 "retrace",
+                                 "NAME",
+                                 "_NCProperties",
+                                 "Wavelength",
+                                 "Z Converter",
+                                 "add_offset",
+                                 "net-encoder.scaling.unit.unit",
+                                 "timing-settings.scanRate",
+                                 "System Type"};
 
 void add_attribute(tests::Hdf5Builder& file, const Place& place, Description& described) {
     const std::string name = names[described.next() % std::size(names)];
@@ -81,19 +107,28 @@ void add_attribute(tests::Hdf5Builder& file, const Place& place, Description& de
         case 0: file.attribute(object, name, described.line()); break;
         case 1: file.attribute(object, name, std::vector<double>{described.number()}); break;
         case 2: file.variable_text(object, name, described.line()); break;
-        case 3: file.attribute(object, name, std::vector<double>{described.number(), described.number(), described.number()}); break;
+        case 3:
+            file.attribute(object, name,
+                           std::vector<double>{described.number(), described.number(), described.number()});
+            break;
         case 4: file.attribute(object, name, std::vector<double>{}); break;
-        default: file.converter(object, name, {kind % 8 == 5 ? "LateralCat" : described.line(), kind % 8 == 6 ? described.line() : "Pixels", {described.number(), described.number()}});
+        default:
+            file.converter(object, name,
+                           {kind % 8 == 5 ? "LateralCat" : described.line(),
+                            kind % 8 == 6 ? described.line() : "Pixels",
+                            {described.number(), described.number()}});
     }
 }
 
 std::string hdf5_file(Description described) {
-    const hid_t types[] = {H5T_STD_I8LE, H5T_STD_U16BE, H5T_STD_I32LE, H5T_STD_U64LE, H5T_STD_I32BE, H5T_IEEE_F32LE, H5T_C_S1, H5T_STD_REF_OBJ, H5T_IEEE_F32BE, H5T_IEEE_F64LE};
+    const hid_t types[] = {H5T_STD_I8LE,   H5T_STD_U16BE, H5T_STD_I32LE,   H5T_STD_U64LE,  H5T_STD_I32BE,
+                           H5T_IEEE_F32LE, H5T_C_S1,      H5T_STD_REF_OBJ, H5T_IEEE_F32BE, H5T_IEEE_F64LE};
     const auto format = described.next() % places().size();
     const auto& place = places()[format];
     const auto structures = described.next();
     const bool matlab = format == 4;
-    tests::Hdf5Builder file({.newest = (structures & 1) != 0, .user_block = matlab || structures & 2 ? hsize_t{512} : 0});
+    tests::Hdf5Builder file(
+        {.newest = (structures & 1) != 0, .user_block = matlab || structures & 2 ? hsize_t{512} : 0});
     const auto type = types[described.next() % std::size(types)];
     std::vector<hsize_t> sides(1 + (described.next() + 3) % 4);
     hsize_t numbers = 1;
@@ -113,11 +148,15 @@ std::string hdf5_file(Description described) {
     file.dataset(place.data, type, sides, values, layout);
     if (format == 1) {
         for (const auto& [name, extent] : {std::pair{"/x", sides.front()}, {"/y", sides.back()}})
-            if (structures & 8 && extent <= values.size()) file.dataset(name, H5T_IEEE_F64LE, {extent}, std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(extent)));
+            if (structures & 8 && extent <= values.size())
+                file.dataset(name, H5T_IEEE_F64LE, {extent},
+                             std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(extent)));
         if (structures & 16) file.dataset("/mask", H5T_STD_I8LE, sides, values, layout);
     }
     if (format == 2) {
-        file.text_table("/MetaData", {{"Root", "Measurement", described.line()}, {"a", "Surface", "b"}, {"b", "Path", place.data}}, 1 + structures % 64);
+        file.text_table("/MetaData",
+                        {{"Root", "Measurement", described.line()}, {"a", "Surface", "b"}, {"b", "Path", place.data}},
+                        1 + structures % 64);
         file.group("/Attributes/{2}");
     }
     for (std::size_t k = 0; k < most_attributes && !described.empty(); ++k) add_attribute(file, place, described);

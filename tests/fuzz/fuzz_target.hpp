@@ -13,12 +13,15 @@ namespace setae::fuzz {
 /// Pictures are small, so that a small file that announces a large one is told from one that takes memory.
 inline const imaging::MicrographOptions options{.most_pixels = 1'000'000};
 
-/// Reads: a picture of the size allowed with a sensible pixel size, or one of setae's errors; anything else ends the program.
+/// Reads: a picture of the size allowed with a sensible pixel size, or one of setae's errors; anything else ends the
+/// program.
 template <class Read>
 void read_or_refuse(Read read) {
     try {
         const imaging::Micrograph micrograph = read();
-        if (micrograph.pixels.rows() < 2 || micrograph.pixels.cols() < 2 || micrograph.pixels.size() > options.most_pixels) std::abort();
+        if (micrograph.pixels.rows() < 2 || micrograph.pixels.cols() < 2 ||
+            micrograph.pixels.size() > options.most_pixels)
+            std::abort();
         if (micrograph.pixel_size && !(micrograph.pixel_size->x > 0 && micrograph.pixel_size->y > 0)) std::abort();
     } catch (const Error&) {
     }

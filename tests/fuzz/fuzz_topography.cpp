@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One target a format of topographies: the environment's SETAE_FORMAT names it, "any" is whatever detection finds. Formats that are
-// HDF5 (hdf5, datx, jpk-hdf5, nc of version 4, mat of version 7.3) are told by fuzz_hdf5 what to hold: the library reads beyond its
-// memory where the structure of a file is damaged, and what is looked for here are faults of setae's readers.
+// One target a format of topographies: the environment's SETAE_FORMAT names it, "any" is whatever detection finds.
+// Formats that are HDF5 (hdf5, datx, jpk-hdf5, nc of version 4, mat of version 7.3) are told by fuzz_hdf5 what to hold:
+// the library reads beyond its memory where the structure of a file is damaged, and what is looked for here are faults
+// of setae's readers.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "storage/hdf5_file.hpp"
 #include "fuzz_heights.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
+#include "storage/hdf5_file.hpp"
 
 namespace {
 
@@ -36,7 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto source = bytes::memory_source("input", std::string(fuzz::text_of(data, size)));
     try {
         if (format && format->detect(source.head(bytes::detection_bytes), source) == formats::Match::no) return 0;
-        for (const auto& channel : format ? format->open(source, fuzz::given) : formats::open(source, fuzz::given)) fuzz::read_heights(channel);
+        for (const auto& channel : format ? format->open(source, fuzz::given) : formats::open(source, fuzz::given))
+            fuzz::read_heights(channel);
     } catch (const Error&) {
     }
     return 0;

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <string>
 
-#include "tests/micrograph_samples.hpp"
-#include "tests/recordings.hpp"
 #include "storage/hdf5_file.hpp"
 #include "tests/format_samples.hpp"
+#include "tests/micrograph_samples.hpp"
+#include "tests/recordings.hpp"
 
 namespace {
 
@@ -33,22 +33,32 @@ std::vector<Sample> films() {
 
 /// Descriptions of EMDs, as fuzz_emd.cpp understands them.
 std::vector<Sample> descriptions() {
-    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) { return std::string(numbers.begin(), numbers.end()) + text; };
-    return {{"emd NCEM", told({0, 0, 1, rows, columns, 129}, "[n_m]\n[n_m]\n")},
-            {"emd packed", told({2, 4, 2, 2, rows, columns, 130}, "[u_m]\n[n_m^-1]\n")},
-            {"emd spectrum", told({0, 5, 0, 9, 129}, "[eV]\n[eV]\n")},
-            {"emd huge", told({4, 1, 1, 30, 255, 129}, "m\nm\n")},
-            {"emd Velox", told({1, 1, 2, rows, columns, 2, 129}, "m\nm\n{\"BinaryResult\": {\"PixelSize\": {\"width\": \"1e-10\", \"height\": \"1e-10\"}, \"PixelUnitX\": \"m\", \"PixelUnitY\": \"m\"}}")}};
+    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) {
+        return std::string(numbers.begin(), numbers.end()) + text;
+    };
+    return {
+        {"emd NCEM", told({0, 0, 1, rows, columns, 129}, "[n_m]\n[n_m]\n")},
+        {"emd packed", told({2, 4, 2, 2, rows, columns, 130}, "[u_m]\n[n_m^-1]\n")},
+        {"emd spectrum", told({0, 5, 0, 9, 129}, "[eV]\n[eV]\n")},
+        {"emd huge", told({4, 1, 1, 30, 255, 129}, "m\nm\n")},
+        {"emd Velox",
+         told(
+             {1, 1, 2, rows, columns, 2, 129},
+             "m\nm\n{\"BinaryResult\": {\"PixelSize\": {\"width\": \"1e-10\", \"height\": \"1e-10\"}, \"PixelUnitX\": \"m\", \"PixelUnitY\": \"m\"}}")}};
 }
 
-/// Descriptions of HDF5 files of each format, as fuzz_hdf5.cpp understands them: format, structures, type, sides, packing, attributes.
+/// Descriptions of HDF5 files of each format, as fuzz_hdf5.cpp understands them: format, structures, type, sides,
+/// packing, attributes.
 std::vector<Sample> hdf5_descriptions() {
-    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) { return std::string(numbers.begin(), numbers.end()) + text; };
+    const auto told = [](std::initializer_list<unsigned char> numbers, const std::string& text) {
+        return std::string(numbers.begin(), numbers.end()) + text;
+    };
     return {{"hdf5 map", told({0, 0, 9, 2, 6, 4, 0, 0, 0, 0}, "nm\n")},
             {"hdf5 packed", told({0, 1, 2, 2, 6, 4, 14, 3, 0, 0}, "um\n")},
             {"hdf5 line", told({0, 2, 8, 1, 9, 0, 0, 7, 3, 1, 2, 3}, "")},
             {"hdf5 nc", told({1, 25, 9, 2, 6, 4, 14, 2, 2, 9, 3, 2, 17, 3, 0, 0}, "nm\n")},
-            {"hdf5 datx", told({2, 0, 9, 2, 6, 4, 0, 0}, "a\n") + told({23, 1, 5, 10, 5, 0, 1, 11, 5, 0, 1, 8, 0}, "Fringes\n")},
+            {"hdf5 datx",
+             told({2, 0, 9, 2, 6, 4, 0, 0}, "a\n") + told({23, 1, 5, 10, 5, 0, 1, 11, 5, 0, 1, 8, 0}, "Fringes\n")},
             {"hdf5 jpk", told({3, 0, 4, 2, 15, 2, 0, 0, 12, 1, 5, 19, 8}, "height\n")},
             {"hdf5 mat", told({4, 0, 9, 2, 6, 4, 14, 2, 17, 0}, "double\n")}};
 }

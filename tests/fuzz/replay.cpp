@@ -11,13 +11,17 @@
 
 namespace {
 
-void call(const std::string& content) { LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(content.data()), content.size()); }
+void call(const std::string& content) {
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(content.data()), content.size());
+}
 
 /// A copy with one to four bytes changed, and one in four cut.
 std::string damaged(std::string content, std::mt19937& random) {
     constexpr char telling[] = {0, 1, 2, 15, 20, 127, static_cast<char>(128), static_cast<char>(255)};
     if (content.empty()) return content;
-    for (auto changes = 1 + random() % 4; changes > 0; --changes) content[random() % content.size()] = random() % 2 ? telling[random() % sizeof telling] : static_cast<char>(random());
+    for (auto changes = 1 + random() % 4; changes > 0; --changes)
+        content[random() % content.size()] =
+            random() % 2 ? telling[random() % sizeof telling] : static_cast<char>(random());
     if (random() % 4 == 0) content.resize(random() % content.size());
     return content;
 }

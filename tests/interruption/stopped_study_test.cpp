@@ -60,7 +60,9 @@ int status_of(pid_t process) {
 std::string content_of(const fs::path& folder) {
     std::vector<std::string> lines;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) lines.push_back(fs::relative(entry.path(), folder).string() + " " + bytes::sha256(bytes::read_file(entry.path().string())) + "\n");
+        if (entry.is_regular_file())
+            lines.push_back(fs::relative(entry.path(), folder).string() + " " +
+                            bytes::sha256(bytes::read_file(entry.path().string())) + "\n");
     std::sort(lines.begin(), lines.end());
     std::string text;
     for (const auto& line : lines) text += line;
@@ -75,7 +77,10 @@ protected:
         setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
         study = variable("SETAE_STUDY", (folder / "data/study.toml").string());
         if (!std::getenv("SETAE_STUDY")) {
-            ASSERT_EQ(status_of(started({"lab", "make", "tests/cli/lab_make_and_study/recipe.toml", "-o", (folder / "data").string()}, log())), 0);
+            ASSERT_EQ(status_of(started(
+                          {"lab", "make", "tests/cli/lab_make_and_study/recipe.toml", "-o", (folder / "data").string()},
+                          log())),
+                      0);
         }
     }
     void TearDown() override { fs::remove_all(folder); }
@@ -121,7 +126,8 @@ TEST_F(StoppedStudy, KilledAtAnyMomentEndsWithTheSameBytes) {
         ASSERT_EQ(status_of(start(cache)), 0) << bytes::read_file(log());
         const double rest = std::chrono::duration<double>(Clock::now() - begin).count();
         EXPECT_EQ(content_of(out()), content) << "killed after " << moment << " s";
-        std::printf("killed %s after %5.2f of %.2f s, the rest took %5.2f s\n", WIFSIGNALED(killed) ? "      " : "(late)", moment, duration, rest);
+        std::printf("killed %s after %5.2f of %.2f s, the rest took %5.2f s\n",
+                    WIFSIGNALED(killed) ? "      " : "(late)", moment, duration, rest);
         fs::remove_all(out());
         fs::remove_all(folder / cache);
     }
@@ -134,8 +140,10 @@ TEST_F(StoppedStudy, InterruptedLeavesWholeFilesAndGoesOn) {
     kill(process, SIGINT);
     const int status = status_of(process);
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << bytes::read_file(log());
-    EXPECT_NE(bytes::read_file(log()).find("the same command goes on from there"), std::string::npos) << bytes::read_file(log());
-    for (const auto& file : fs::recursive_directory_iterator(folder)) EXPECT_NE(file.path().extension(), ".part") << file.path();
+    EXPECT_NE(bytes::read_file(log()).find("the same command goes on from there"), std::string::npos)
+        << bytes::read_file(log());
+    for (const auto& file : fs::recursive_directory_iterator(folder))
+        EXPECT_NE(file.path().extension(), ".part") << file.path();
     EXPECT_FALSE(fs::exists(out() + "/report.html"));
     ASSERT_EQ(status_of(start("cache")), 0) << bytes::read_file(log());
     EXPECT_EQ(content_of(out()), content);

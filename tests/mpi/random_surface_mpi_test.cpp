@@ -26,7 +26,8 @@ Comparison compare(const SurfaceGrid& grid, const SurfaceOptions& options) {
     const auto whole = random_surface(spectra::density(model), grid, options);
     Comparison result;
     for (Index i = 0; i < slab.heights.rows(); ++i)
-        if (std::memcmp(slab.heights.row(i).data(), whole.heights.row(slab.first_row + i).data(), static_cast<std::size_t>(grid.ny) * sizeof(double)) != 0)
+        if (std::memcmp(slab.heights.row(i).data(), whole.heights.row(slab.first_row + i).data(),
+                        static_cast<std::size_t>(grid.ny) * sizeof(double)) != 0)
             ++result.different;
     const long own = slab.heights.rows();
     MPI_Allreduce(&own, &result.all_rows, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
@@ -34,7 +35,8 @@ Comparison compare(const SurfaceGrid& grid, const SurfaceOptions& options) {
 }
 
 TEST(RandomSurfaceSlab, HasTheBytesOfOneProcess) {
-    const SurfaceGrid grids[] = {{64, 48, 1e-6, 1e-6}, {37, 51, 1e-6, 2e-6}, {128, 2, 1e-6, 1e-7}, {3, 5, 1e-6, 1e-6}, {500, 375, 2e-6, 1.5e-6}};
+    const SurfaceGrid grids[] = {
+        {64, 48, 1e-6, 1e-6}, {37, 51, 1e-6, 2e-6}, {128, 2, 1e-6, 1e-7}, {3, 5, 1e-6, 1e-6}, {500, 375, 2e-6, 1.5e-6}};
     for (const auto& grid : grids) {
         const auto found = compare(grid, {.key = {3, 9}, .threads = {1}});
         EXPECT_EQ(found.different, 0) << grid.nx << " x " << grid.ny;
@@ -49,8 +51,10 @@ TEST(RandomSurfaceSlab, HasThemWithEveryOption) {
 }
 
 TEST(RandomSurfaceSlab, FailsOnAllRanksTogether) {
-    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, spectra::density(model), {0, 4, 1e-6, 1e-6}), InvalidArgument);
-    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, [](double) { return -1.0; }, {8, 8, 1e-6, 1e-6}), InvalidArgument);
+    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, spectra::density(model), {0, 4, 1e-6, 1e-6}),
+                 InvalidArgument);
+    EXPECT_THROW((void)random_surface_slab(MPI_COMM_WORLD, [](double) { return -1.0; }, {8, 8, 1e-6, 1e-6}),
+                 InvalidArgument);
 }
 
 TEST(DistributedTransform, EndsOnAllRanksWhereOneFails) {

@@ -41,12 +41,14 @@ protected:
     }
     [[nodiscard]] topography::HeightMap height_map(const char* name) const {
         const auto& input = cases[name]["input"];
-        return {matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
+        return {
+            matrix(input["heights"]), {input["physical_sizes"][0], input["physical_sizes"][1]}, input["periodic"], {}};
     }
     /// The map that is not periodic, with its holes.
     [[nodiscard]] topography::HeightMap masked_map() const {
         auto map = height_map("map_nonperiodic");
-        for (const auto& place : cases["map_masked"]["mask_true_indices"]) map.heights(place[0].get<Index>(), place[1].get<Index>()) = undefined;
+        for (const auto& place : cases["map_masked"]["mask_true_indices"])
+            map.heights(place[0].get<Index>(), place[1].get<Index>()) = undefined;
         return map;
     }
     [[nodiscard]] topography::Profile polyline() const {

@@ -18,13 +18,13 @@
 
 namespace setae::tests {
 
-/// Puts an HDF5 file together with the library itself: groups, datasets and attributes by path. It stands on disk while it is made: in
-/// memory the library marks newer files as being written for ever.
+/// Puts an HDF5 file together with the library itself: groups, datasets and attributes by path. It stands on disk while
+/// it is made: in memory the library marks newer files as being written for ever.
 class Hdf5Builder {
 public:
     struct Options {
-        bool newest = false;    ///< the newest structures that the library knows, instead of the oldest
-        hsize_t user_block = 0; ///< bytes before the file, a power of 2 from 512
+        bool newest = false;     ///< the newest structures that the library knows, instead of the oldest
+        hsize_t user_block = 0;  ///< bytes before the file, a power of 2 from 512
     };
     struct Layout {
         std::vector<hsize_t> chunk = {};  ///< pieces; empty: all values side by side
@@ -44,7 +44,9 @@ public:
         if (options.newest) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
         if (options.user_block) H5Pset_userblock(creation, options.user_block);
         static std::atomic<int> counter{0};
-        path_ = (std::filesystem::temp_directory_path() / ("setae_sample_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + ".h5")).string();
+        path_ = (std::filesystem::temp_directory_path() /
+                 ("setae_sample_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + ".h5"))
+                    .string();
         file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation, access);
         require(file_ >= 0);
     }
@@ -61,8 +63,12 @@ public:
         return *this;
     }
     /// Values in the order of their indices, the last fastest, converted to `type`; none: announced, never written.
-    Hdf5Builder& dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& extents, const std::vector<double>& values) { return dataset(path, type, extents, values, Layout{}); }
-    Hdf5Builder& dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& extents, const std::vector<double>& values, const Layout& layout) {
+    Hdf5Builder& dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& extents,
+                         const std::vector<double>& values) {
+        return dataset(path, type, extents, values, Layout{});
+    }
+    Hdf5Builder& dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& extents,
+                         const std::vector<double>& values, const Layout& layout) {
         const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
         H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &layout.fill);
         if (layout.compact) H5Pset_layout(properties, H5D_COMPACT);
@@ -72,17 +78,22 @@ public:
         if (layout.deflated) H5Pset_deflate(properties, 6);
         if (layout.summed) H5Pset_fletcher32(properties);
         const std::vector<hsize_t> unlimited(extents.size(), H5S_UNLIMITED);
-        const Id space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), layout.chunk.empty() ? nullptr : unlimited.data()), H5Sclose);
+        const Id space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(),
+                                        layout.chunk.empty() ? nullptr : unlimited.data()),
+                       H5Sclose);
         const Id data(H5Dcreate2(file_, path.c_str(), type, space, making(), properties, H5P_DEFAULT), H5Dclose);
-        if (!values.empty() && data >= 0) H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        if (!values.empty() && data >= 0)
+            H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
         return *this;
     }
     /// A table of texts of fixed width, as compound records.
-    Hdf5Builder& text_table(const std::string& path, const std::vector<std::vector<std::string>>& rows, std::size_t width) {
+    Hdf5Builder& text_table(const std::string& path, const std::vector<std::vector<std::string>>& rows,
+                            std::size_t width) {
         const std::size_t columns = rows.empty() ? 1 : rows.front().size();
         const Id text(H5Tcopy(H5T_C_S1), H5Tclose), record(H5Tcreate(H5T_COMPOUND, columns * width), H5Tclose);
         H5Tset_size(text, width);
-        for (std::size_t k = 0; k < columns; ++k) H5Tinsert(record, std::string(1, static_cast<char>('A' + k)).c_str(), k * width, text);
+        for (std::size_t k = 0; k < columns; ++k)
+            H5Tinsert(record, std::string(1, static_cast<char>('A' + k)).c_str(), k * width, text);
         std::string bytes;
         for (const auto& row : rows)
             for (const auto& cell : row) bytes += cell + std::string(width - std::min(width, cell.size()), '\0');
@@ -112,8 +123,11 @@ public:
         struct Record {
             const char *category, *unit;
             hvl_t parameters;
-        } record{converter.category.c_str(), converter.unit.c_str(), {converter.parameters.size(), const_cast<double*>(converter.parameters.data())}};
-        const Id text(H5Tcopy(H5T_C_S1), H5Tclose), numbers(H5Tvlen_create(H5T_NATIVE_DOUBLE), H5Tclose), type(H5Tcreate(H5T_COMPOUND, sizeof(Record)), H5Tclose);
+        } record{converter.category.c_str(),
+                 converter.unit.c_str(),
+                 {converter.parameters.size(), const_cast<double*>(converter.parameters.data())}};
+        const Id text(H5Tcopy(H5T_C_S1), H5Tclose), numbers(H5Tvlen_create(H5T_NATIVE_DOUBLE), H5Tclose),
+            type(H5Tcreate(H5T_COMPOUND, sizeof(Record)), H5Tclose);
         H5Tset_size(text, H5T_VARIABLE);
         H5Tinsert(type, "Category", HOFFSET(Record, category), text);
         H5Tinsert(type, "BaseUnit", HOFFSET(Record, unit), text);
@@ -134,11 +148,13 @@ public:
         return *this;
     }
     /// A dataset whose values lie in another file.
-    Hdf5Builder& external_dataset(const std::string& path, const std::vector<hsize_t>& extents, const std::string& file) {
+    Hdf5Builder& external_dataset(const std::string& path, const std::vector<hsize_t>& extents,
+                                  const std::string& file) {
         const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
         H5Pset_external(properties, file.c_str(), 0, H5F_UNLIMITED);
         const Id space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-        const Id data(H5Dcreate2(file_, path.c_str(), H5T_IEEE_F64LE, space, making(), properties, H5P_DEFAULT), H5Dclose);
+        const Id data(H5Dcreate2(file_, path.c_str(), H5T_IEEE_F64LE, space, making(), properties, H5P_DEFAULT),
+                      H5Dclose);
         return *this;
     }
 
@@ -178,10 +194,12 @@ private:
         }();
         return properties;
     }
-    Hdf5Builder& attribute_of(const std::string& path, const std::string& name, hid_t type, hsize_t count, const void* values) {
+    Hdf5Builder& attribute_of(const std::string& path, const std::string& name, hid_t type, hsize_t count,
+                              const void* values) {
         const Id object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
         const Id space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-        const Id made(object >= 0 ? H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT) : -1, H5Aclose);
+        const Id made(object >= 0 ? H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT) : -1,
+                      H5Aclose);
         if (made >= 0 && count > 0) H5Awrite(made, type, values);
         return *this;
     }
@@ -191,7 +209,9 @@ private:
 };
 
 /// The values of a map in the order h(x, y), y fast; or line after line from the top.
-[[nodiscard]] inline std::vector<double> first_index_x(const Array2D& map) { return {map.data(), map.data() + map.size()}; }
+[[nodiscard]] inline std::vector<double> first_index_x(const Array2D& map) {
+    return {map.data(), map.data() + map.size()};
+}
 [[nodiscard]] inline std::vector<double> first_index_y(const Array2D& map) {
     const Array2D turned = map.transpose();
     return first_index_x(turned);

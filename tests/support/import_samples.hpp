@@ -22,7 +22,8 @@ inline bool holds(const std::string& text, const std::string& part) { return tex
 /// A cell's XML: a number, an inline string, or a shared string by "s:INDEX".
 [[nodiscard]] inline std::string xlsx_cell(const std::string& reference, const std::string& value) {
     if (value.starts_with("s:")) return fmt::format(R"(<c r="{}" t="s"><v>{}</v></c>)", reference, value.substr(2));
-    const bool number = !value.empty() && (std::isdigit(static_cast<unsigned char>(value.front())) || value.front() == '-');
+    const bool number =
+        !value.empty() && (std::isdigit(static_cast<unsigned char>(value.front())) || value.front() == '-');
     return number ? fmt::format(R"(<c r="{}"><v>{}</v></c>)", reference, value)
                   : fmt::format(R"(<c r="{}" t="inlineStr"><is><t>{}</t></is></c>)", reference, value);
 }
@@ -37,11 +38,13 @@ using SheetCells = std::vector<std::vector<std::pair<std::string, std::string>>>
         for (const auto& [reference, value] : row) data += xlsx_cell(reference, value);
         data += "</row>";
     }
-    return R"(<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>)" + data + "</sheetData></worksheet>";
+    return R"(<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>)" + data +
+           "</sheetData></worksheet>";
 }
 
 /// A workbook of sheets by name, with shared strings.
-[[nodiscard]] inline std::string xlsx_file(const std::vector<std::pair<std::string, std::string>>& sheets, const std::vector<std::string>& strings = {}) {
+[[nodiscard]] inline std::string xlsx_file(const std::vector<std::pair<std::string, std::string>>& sheets,
+                                           const std::vector<std::string>& strings = {}) {
     std::string list, relations;
     Members members;
     for (std::size_t k = 0; k < sheets.size(); ++k) {
@@ -79,35 +82,48 @@ std::string big_endian(const std::vector<Number>& values) {
     return bytes;
 }
 
-/// Properties of a JPK segment: height = 1e-6 (0.5 raw + 1) m, deflection 0.001 raw + 0.25 V, 50 nm/V, 0.2 N/m, offset 1e-9 m.
+/// Properties of a JPK segment: height = 1e-6 (0.5 raw + 1) m, deflection 0.001 raw + 0.25 V, 50 nm/V, 0.2 N/m, offset
+/// 1e-9 m.
 [[nodiscard]] inline std::string jpk_segment(const char* style, int points, bool shared) {
-    const auto conversion = [](const std::string& channel, const char* slot, const char* base, double multiplier, double offset) {
+    const auto conversion = [](const std::string& channel, const char* slot, const char* base, double multiplier,
+                               double offset) {
         const auto prefix = fmt::format("{}.conversion-set.conversion.{}.", channel, slot);
-        return fmt::format("{0}defined=true\n{0}base-calibration-slot={1}\n{0}scaling.type=linear\n{0}scaling.style=offsetmultiplier\n{0}scaling.multiplier={2}\n"
-                           "{0}scaling.offset={3}\n", prefix, base, multiplier, offset);
+        return fmt::format(
+            "{0}defined=true\n{0}base-calibration-slot={1}\n{0}scaling.type=linear\n{0}scaling.style=offsetmultiplier\n{0}scaling.multiplier={2}\n"
+            "{0}scaling.offset={3}\n",
+            prefix, base, multiplier, offset);
     };
     const auto channel = [&](const std::string& place, const char* dot, double multiplier, double offset) {
-        return fmt::format("{0}{1}encoder.type=signedshort\n{0}{1}encoder.scaling.type=linear\n{0}{1}encoder.scaling.style=offsetmultiplier\n"
-                           "{0}{1}encoder.scaling.multiplier={2}\n{0}{1}encoder.scaling.offset={3}\n{0}.conversion-set.conversions.base=volts\n",
-                           place, dot, multiplier, offset);
+        return fmt::format(
+            "{0}{1}encoder.type=signedshort\n{0}{1}encoder.scaling.type=linear\n{0}{1}encoder.scaling.style=offsetmultiplier\n"
+            "{0}{1}encoder.scaling.multiplier={2}\n{0}{1}encoder.scaling.offset={3}\n{0}.conversion-set.conversions.base=volts\n",
+            place, dot, multiplier, offset);
     };
-    std::string text = fmt::format("# made by a test\nforce-segment-header.num-points={}\nforce-segment-header.duration=0.5\n"
-                                   "force-segment-header.settings.segment-settings.style={}\nforce-segment-header.time-stamp=2020-01-02 03\\:04\\:05\n"
-                                   "channels.list=measuredHeight vDeflection\n", points, style);
-    for (const char* name : {"measuredHeight", "vDeflection"}) text += fmt::format("channel.{0}.data.file.name=channels/{0}.dat\n", name);
-    const std::string height = shared ? "lcd-info.0" : "channel.measuredHeight", deflection = shared ? "lcd-info.1" : "channel.vDeflection";
+    std::string text = fmt::format(
+        "# made by a test\nforce-segment-header.num-points={}\nforce-segment-header.duration=0.5\n"
+        "force-segment-header.settings.segment-settings.style={}\nforce-segment-header.time-stamp=2020-01-02 03\\:04\\:05\n"
+        "channels.list=measuredHeight vDeflection\n",
+        points, style);
+    for (const char* name : {"measuredHeight", "vDeflection"})
+        text += fmt::format("channel.{0}.data.file.name=channels/{0}.dat\n", name);
+    const std::string height = shared ? "lcd-info.0" : "channel.measuredHeight",
+                      deflection = shared ? "lcd-info.1" : "channel.vDeflection";
     const char* dot = shared ? "." : ".data.";
-    std::string info = channel(height, dot, 0.5, 1.0) + conversion(height, "nominal", "volts", 1e-6, 0.0) + channel(deflection, dot, 0.001, 0.25) +
-                       conversion(deflection, "distance", "volts", 50e-9, 1e-9) + conversion(deflection, "force", "distance", 0.2, 0.0);
+    std::string info = channel(height, dot, 0.5, 1.0) + conversion(height, "nominal", "volts", 1e-6, 0.0) +
+                       channel(deflection, dot, 0.001, 0.25) +
+                       conversion(deflection, "distance", "volts", 50e-9, 1e-9) +
+                       conversion(deflection, "force", "distance", 0.2, 0.0);
     if (shared) return text + "channel.measuredHeight.lcd-info.*=0\nchannel.vDeflection.lcd-info.*=1\n\x01" + info;
     return text + info;
 }
 
 /// A force curve of two segments: heights 4, 2, 0 then 0, 2, 4; readings 0, 100, 200 then 200, 100, −50.
 [[nodiscard]] inline std::string jpk_force_file(bool shared = false) {
-    Members members{{"header.properties", "jpk-data-file=spm-forcefile\nforce-scan-series.description.instrument=N1\n"}};
+    Members members{
+        {"header.properties", "jpk-data-file=spm-forcefile\nforce-scan-series.description.instrument=N1\n"}};
     std::string common;
-    const std::vector<std::vector<std::int16_t>> heights{{4, 2, 0}, {0, 2, 4}}, readings{{0, 100, 200}, {200, 100, -50}};
+    const std::vector<std::vector<std::int16_t>> heights{{4, 2, 0}, {0, 2, 4}},
+        readings{{0, 100, 200}, {200, 100, -50}};
     for (std::size_t k = 0; k < 2; ++k) {
         auto properties = jpk_segment(k == 0 ? "extend" : "retract", 3, shared);
         if (const auto cut = properties.find('\x01'); cut != std::string::npos) {
@@ -130,7 +146,8 @@ std::string big_endian(const std::vector<Number>& values) {
         if (big) std::reverse(raw.begin(), raw.end());
         bytes.replace(at, raw.size(), raw);
     };
-    const std::vector<float> numbers{0.f, 1e-6f, 2e-6f, 1e-6f, 0.f, 0.f, 0.f, 4e-9f, 1e-9f, -2e-9f, 0.f, 1.5e-6f, 3e-6f, 1.5e-6f, 0.f};
+    const std::vector<float> numbers{0.f,   1e-6f,  2e-6f, 1e-6f,   0.f,   0.f,     0.f, 4e-9f,
+                                     1e-9f, -2e-9f, 0.f,   1.5e-6f, 3e-6f, 1.5e-6f, 0.f};
     std::string bytes(384 + 4 * numbers.size(), '\0');
     put(bytes, 0, std::int16_t{5});
     put(bytes, 4, static_cast<std::int32_t>(320 + 4 * numbers.size()));
@@ -160,6 +177,8 @@ std::string big_endian(const std::vector<Number>& values) {
            "Extend Z-Sense(nm),Extend Force(nN),Retract Z-Sense(nm),Retract Force(nN)\r\n100,1,120,40\r\n110,2,110,15\r\n120,40,,\r\n";
 }
 
-[[nodiscard]] inline std::string nt_mdt_file() { return "-40,5000\t1,25\t1,5\n-30,5000\t1,25\t1,25\n-20,5000\t1,00\t0,75\n-10,5000\t0,50\t0,50\n0,5000\t0,00\t-0,25\n"; }
+[[nodiscard]] inline std::string nt_mdt_file() {
+    return "-40,5000\t1,25\t1,5\n-30,5000\t1,25\t1,25\n-20,5000\t1,00\t0,75\n-10,5000\t0,50\t0,50\n0,5000\t0,00\t-0,25\n";
+}
 
 }  // namespace setae::tests

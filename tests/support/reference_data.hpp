@@ -19,7 +19,7 @@ inline std::filesystem::path reference_data_folder() {
 }  // namespace setae::tests
 
 /// Path of a real file; skips the test with a clear line where it is missing.
-#define SETAE_REQUIRE_REFERENCE_DATA(path, relative)                                                     \
-    const auto path = setae::tests::reference_data_folder() / (relative);                                \
-    if (!std::filesystem::exists(path))                                                                  \
+#define SETAE_REQUIRE_REFERENCE_DATA(path, relative)                      \
+    const auto path = setae::tests::reference_data_folder() / (relative); \
+    if (!std::filesystem::exists(path))                                   \
     GTEST_SKIP() << "no " << path << "; set SETAE_REFERENCE_DATA to the folder with the real files"

@@ -53,7 +53,8 @@ using Members = std::vector<std::pair<std::string, std::string>>;
     zip_source_keep(buffer);
     auto* archive = zip_open_from_source(buffer, ZIP_TRUNCATE, &error);
     for (const auto& [name, content] : members)
-        zip_file_add(archive, name.c_str(), zip_source_buffer(archive, content.data(), content.size(), 0), ZIP_FL_OVERWRITE);
+        zip_file_add(archive, name.c_str(), zip_source_buffer(archive, content.data(), content.size(), 0),
+                     ZIP_FL_OVERWRITE);
     if (zip_close(archive) != 0) throw std::runtime_error("sample archive cannot be written");
     zip_stat_t stat;
     zip_source_stat(buffer, &stat);
@@ -72,10 +73,12 @@ template <class Value>
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-inline std::string image_section(const std::string& name, const std::string& scale, int nx, int ny, int bytes, int offset) {
-    return fmt::format("\\*Ciao image list\r\n\\Data offset: {}\r\n\\Data length: {}\r\n\\Bytes/pixel: {}\r\n\\Samps/line: {}\r\n"
-                       "\\Number of lines: {}\r\n\\Scan Size: 500 250 nm\r\n\\@2:Image Data: S [{}] \"{}\"\r\n\\@2:Z scale: {}\r\n",
-                       offset, nx * ny * bytes, bytes, nx, ny, name, name, scale);
+inline std::string image_section(const std::string& name, const std::string& scale, int nx, int ny, int bytes,
+                                 int offset) {
+    return fmt::format(
+        "\\*Ciao image list\r\n\\Data offset: {}\r\n\\Data length: {}\r\n\\Bytes/pixel: {}\r\n\\Samps/line: {}\r\n"
+        "\\Number of lines: {}\r\n\\Scan Size: 500 250 nm\r\n\\@2:Image Data: S [{}] \"{}\"\r\n\\@2:Z scale: {}\r\n",
+        offset, nx * ny * bytes, bytes, nx, ny, name, name, scale);
 }
 
 template <class Integer>
@@ -91,11 +94,13 @@ std::string ramp(int nx, int ny) {
 [[nodiscard]] inline std::string nanoscope_file(int nx, int ny, int bytes) {
     constexpr int header_bytes = 4096;
     const int image_bytes = nx * ny * bytes;
-    std::string header = "\\*File list\r\n\\Version: 0x07200000\r\n\\Date: 09:57:48 AM Tue Jan 12 2016\r\n\\*Equipment list\r\n"
-                         "\\Description: Dimension V\r\n\\*Scanner list\r\n\\@Sens. Zsens: V 20.00000 nm/V\r\n\\*Ciao scan list\r\n"
-                         "\\@Sens. Phase: V 1.000000 \r\n";
+    std::string header =
+        "\\*File list\r\n\\Version: 0x07200000\r\n\\Date: 09:57:48 AM Tue Jan 12 2016\r\n\\*Equipment list\r\n"
+        "\\Description: Dimension V\r\n\\*Scanner list\r\n\\@Sens. Zsens: V 20.00000 nm/V\r\n\\*Ciao scan list\r\n"
+        "\\@Sens. Phase: V 1.000000 \r\n";
     header += image_section("Height", "V [Sens. Zsens] (0.0000305 V/LSB) 2.000000 V", nx, ny, bytes, header_bytes);
-    header += image_section("Phase", "V [Sens. Phase] (0.0003 V/LSB) 20.00000 V", nx, ny, bytes, header_bytes + image_bytes);
+    header +=
+        image_section("Phase", "V [Sens. Phase] (0.0003 V/LSB) 20.00000 V", nx, ny, bytes, header_bytes + image_bytes);
     header += "\\*File list end\r\n\x1a";
     header.resize(header_bytes, '\0');
     const auto image = bytes == 2 ? ramp<std::int16_t>(nx, ny) : ramp<std::int32_t>(nx, ny);
@@ -103,8 +108,9 @@ std::string ramp(int nx, int ny) {
 }
 
 /// main.xml of an X3P file; the last two are the inner XML of the dimensions and of the link or list of points.
-[[nodiscard]] inline std::string x3p_document(const std::string& feature, const std::string& axis_x, const std::string& axis_z, const std::string& dimensions,
-                         const std::string& points) {
+[[nodiscard]] inline std::string x3p_document(const std::string& feature, const std::string& axis_x,
+                                              const std::string& axis_z, const std::string& dimensions,
+                                              const std::string& points) {
     return fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>
 <p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2"><Record1><Revision>ISO5436 - 2000</Revision>
 <FeatureType>{}</FeatureType><Axes><CX>{}</CX>
@@ -114,8 +120,8 @@ std::string ramp(int nx, int ny) {
                        feature, axis_x, axis_z, dimensions, points);
 }
 
-/// A container with index.json of a text line scan (scale 2 in the index), a Nanoscope image (the index repeats a scale)
-/// and a damaged one between them.
+/// A container with index.json of a text line scan (scale 2 in the index), a Nanoscope image (the index repeats a
+/// scale) and a damaged one between them.
 [[nodiscard]] inline std::string container_file() {
     const std::string index = R"({"versions": {}, "surfaces": [{"name": "wafer", "topographies": [
 {"name": "line", "datafile": {"original": "line.txt"}, "unit": "um", "size": [4.0], "height_scale": 2.0, "detrend_mode": "curvature",
@@ -124,7 +130,10 @@ std::string ramp(int nx, int ny) {
 {"name": "image", "datafile": {"original": "image.di"}, "data_source": 0, "unit": "nm", "size": [500.0, 250.0],
  "height_scale": 0.0006103515625, "detrend_mode": "height"}]}]})";
     const auto image = nanoscope_file(4, 3, 2);
-    return zip_archive({{"index.json", index}, {"line.txt", "0 1\n1 3\n2 2\n3 5\n"}, {"damaged.di", image.substr(0, 4100)}, {"image.di", image}});
+    return zip_archive({{"index.json", index},
+                        {"line.txt", "0 1\n1 3\n2 2\n3 5\n"},
+                        {"damaged.di", image.substr(0, 4100)},
+                        {"image.di", image}});
 }
 
 }  // namespace setae::tests

@@ -17,13 +17,21 @@ class TiffPageBuilder {
 public:
     explicit TiffPageBuilder(std::endian order) : order_(order) {}
 
-    TiffPageBuilder& shorts(std::uint16_t id, const std::vector<std::uint16_t>& values) { return numbers(id, 3, values); }
-    TiffPageBuilder& longs(std::uint16_t id, const std::vector<std::uint32_t>& values) { return numbers(id, 4, values); }
+    TiffPageBuilder& shorts(std::uint16_t id, const std::vector<std::uint16_t>& values) {
+        return numbers(id, 3, values);
+    }
+    TiffPageBuilder& longs(std::uint16_t id, const std::vector<std::uint32_t>& values) {
+        return numbers(id, 4, values);
+    }
     TiffPageBuilder& signed_short(std::uint16_t id, std::int16_t value) { return numbers(id, 8, std::vector{value}); }
     TiffPageBuilder& signed_long(std::uint16_t id, std::int32_t value) { return numbers(id, 9, std::vector{value}); }
     TiffPageBuilder& real(std::uint16_t id, double value) { return numbers(id, 12, std::vector{value}); }
-    TiffPageBuilder& text(std::uint16_t id, std::string_view value) { return raw(id, 2, value.size() + 1, std::string(value) + '\0'); }
-    TiffPageBuilder& bytes(std::uint16_t id, const std::string& value, std::uint16_t type = 7) { return raw(id, type, value.size(), value); }
+    TiffPageBuilder& text(std::uint16_t id, std::string_view value) {
+        return raw(id, 2, value.size() + 1, std::string(value) + '\0');
+    }
+    TiffPageBuilder& bytes(std::uint16_t id, const std::string& value, std::uint16_t type = 7) {
+        return raw(id, type, value.size(), value);
+    }
 
     /// Size and type of the pixels; kind 1 unsigned, 2 signed, 3 float.
     TiffPageBuilder& picture(int nx, int ny, int bits, int kind, int compression = 1) {
@@ -78,14 +86,19 @@ private:
     bool tiled_ = false;
 };
 
-/// A TIFF file, or BigTIFF: for each page its pieces of pixels, the values that do not fit in entries, and the directory.
+/// A TIFF file, or BigTIFF: for each page its pieces of pixels, the values that do not fit in entries, and the
+/// directory.
 [[nodiscard]] inline std::string tiff_file(std::endian order, std::vector<TiffPageBuilder> pages, bool big = false) {
     ByteBuilder file(order);
     file.text(order == std::endian::little ? "II" : "MM").template number<std::uint16_t>(big ? 43 : 42);
     if (big) file.number<std::uint16_t>(8).number<std::uint16_t>(0);
     const auto offset_bytes = big ? 8u : 4u;
-    const auto put_long = [&](ByteBuilder& target, std::size_t value) { big ? target.number<std::uint64_t>(value) : target.number(static_cast<std::uint32_t>(value)); };
-    const auto put_long_at = [&](std::size_t at, std::size_t value) { big ? file.number_at<std::uint64_t>(at, value) : file.number_at(at, static_cast<std::uint32_t>(value)); };
+    const auto put_long = [&](ByteBuilder& target, std::size_t value) {
+        big ? target.number<std::uint64_t>(value) : target.number(static_cast<std::uint32_t>(value));
+    };
+    const auto put_long_at = [&](std::size_t at, std::size_t value) {
+        big ? file.number_at<std::uint64_t>(at, value) : file.number_at(at, static_cast<std::uint32_t>(value));
+    };
     std::size_t link = file.size();
     put_long(file, 0);
     for (auto& page : pages) {
@@ -109,10 +122,8 @@ private:
             const auto& entry = entries[k];
             file.number(entry.id).number(entry.type);
             put_long(file, entry.count);
-            if (entry.value.size() > offset_bytes)
-                put_long(file, places[k]);
-            else
-                file.text(entry.value, offset_bytes);
+            if (entry.value.size() > offset_bytes) put_long(file, places[k]);
+            else file.text(entry.value, offset_bytes);
         }
         link = file.size();
         put_long(file, 0);

@@ -11,7 +11,8 @@ namespace setae::tests {
 [[nodiscard]] inline std::string zlib_stream(const std::string& content) {
     auto size = compressBound(content.size());
     std::string stream(size, '\0');
-    compress(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    compress(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+             content.size());
     stream.resize(size);
     return stream;
 }

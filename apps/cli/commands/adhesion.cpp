@@ -36,7 +36,9 @@ study::Study study_of(const Arguments& arguments) {
     study::Study study;
     study.analysis = arguments.surface.analysis();
     study.surfaces = {arguments.surface.surface()};
-    study.counter_youngs_modulus = arguments.rough_modulus.empty() ? std::numeric_limits<double>::infinity() : parse_quantity(arguments.rough_modulus, dimension::pressure);
+    study.counter_youngs_modulus = arguments.rough_modulus.empty()
+                                       ? std::numeric_limits<double>::infinity()
+                                       : parse_quantity(arguments.rough_modulus, dimension::pressure);
     study.counter_poisson_ratio = arguments.rough_poisson_ratio;
     study.work_of_adhesion = parse_uncertain_quantity(arguments.work, dimension::surface_energy);
     study::ElastomerInput elastomer;
@@ -59,14 +61,17 @@ void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& res
     };
     const bool exact = options.conversion == roughness::Conversion::exact;
     if (const auto& other = result.surfaces.front().used().other_conversion)
-        add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus, exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
+        add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus,
+            exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
     const auto& p = result.surfaces.front().used().parameters;
-    add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope), "E* h_rms h'_rms/4, no spectrum with these two stores more");
+    add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope),
+        "E* h_rms h'_rms/4, no spectrum with these two stores more");
     const auto map = single_map(result.study.surfaces.front(), result.study.analysis);
     if (!map) return;
     const auto curve = roughness::limited(isotropic_curve(*map, options, threads), options.limits);
     add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");
-    add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads), "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
+    add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads),
+        "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
 }
 
 std::vector<Quantity> quantities(const study::StudyResult& result, parallel::Threads threads) {
@@ -81,7 +86,8 @@ std::vector<Quantity> quantities(const study::StudyResult& result, parallel::Thr
         auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", work->estimate, "J/m2");
         raw.source = source;
         list.push_back(raw);
-        list.push_back(quantity(std::string("work_of_adhesion_") + name + "_floored", "max(0, W_app)", work->work.floored, "J/m2"));
+        list.push_back(quantity(std::string("work_of_adhesion_") + name + "_floored", "max(0, W_app)",
+                                work->work.floored, "J/m2"));
     };
     predicted("modified", pair.modified, "[D19] (7)");
     predicted("persson_tosatti", pair.persson_tosatti, "[D19] (S13)");
@@ -108,9 +114,14 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& q : quantities(result, arguments.common.workers())) json[q.quantity] = output::to_json(q);
     json["conforms"] = pair.modified->work.conforms;
     const auto& scales = *pair.scales;
-    json["scales"] = {{"wavevector", output::numbers(scales.wavevector)}, {"gained", output::numbers(scales.gained)}, {"stored", output::numbers(scales.stored)},
-                      {"stored_share", output::numbers(scales.stored_share)}, {"area_share", output::numbers(scales.area_share)},
-                      {"units", {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
+    json["scales"] = {
+        {"wavevector", output::numbers(scales.wavevector)},
+        {"gained", output::numbers(scales.gained)},
+        {"stored", output::numbers(scales.stored)},
+        {"stored_share", output::numbers(scales.stored_share)},
+        {"area_share", output::numbers(scales.area_share)},
+        {"units",
+         {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
     json["alerts"] = output::to_json(alerts);
     print_json(json);
     return code;
@@ -122,9 +133,11 @@ void add_adhesion(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("adhesion", "apparent work of adhesion of a soft solid on a measured surface");
     arguments->surface.add_to(*verb);
-    verb->add_option("--E,--youngs-modulus", arguments->youngs_modulus, "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"");
+    verb->add_option("--E,--youngs-modulus", arguments->youngs_modulus,
+                     "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"");
     verb->add_option("--nu,--poisson-ratio", arguments->poisson_ratio, "its Poisson ratio");
-    verb->add_option("--w,--work-of-adhesion", arguments->work, "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"");
+    verb->add_option("--w,--work-of-adhesion", arguments->work,
+                     "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"");
     verb->add_option("--gamma,--surface-energy", arguments->surface_energy, "surface energy of the soft solid");
     verb->add_option("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid");
     verb->add_option("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio");

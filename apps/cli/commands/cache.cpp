@@ -28,17 +28,21 @@ std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", 1e
 
 ExitCode run(const Arguments& arguments) {
     const cache::Store store(arguments.folder.empty() ? cache::default_folder() : arguments.folder, study::version());
-    if (!store.enabled()) throw InvalidArgument("no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; name one by --cache");
+    if (!store.enabled())
+        throw InvalidArgument(
+            "no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; name one by --cache");
     const bool show = arguments.what == "show";
     const auto content = show ? store.content() : store.remove(arguments.what == "prune");
     if (arguments.common.json)
-        print_json({{"folder", store.folder()}, {show ? "entries" : "removed_entries", content.entries}, {"of_other_versions", content.of_other_versions},
-                    {show ? "bytes" : "removed_bytes", content.bytes}, {"version", study::version()}});
+        print_json({{"folder", store.folder()},
+                    {show ? "entries" : "removed_entries", content.entries},
+                    {"of_other_versions", content.of_other_versions},
+                    {show ? "bytes" : "removed_bytes", content.bytes},
+                    {"version", study::version()}});
     else if (show)
-        print(fmt::format("{}: {} results, {}; {} of other versions than {}\n", store.folder(), content.entries, megabytes(content.bytes), content.of_other_versions,
-                          study::version()));
-    else
-        print(fmt::format("{}: {} results removed, {}\n", store.folder(), content.entries, megabytes(content.bytes)));
+        print(fmt::format("{}: {} results, {}; {} of other versions than {}\n", store.folder(), content.entries,
+                          megabytes(content.bytes), content.of_other_versions, study::version()));
+    else print(fmt::format("{}: {} results removed, {}\n", store.folder(), content.entries, megabytes(content.bytes)));
     return ExitCode::done;
 }
 
@@ -47,7 +51,8 @@ ExitCode run(const Arguments& arguments) {
 void add_cache(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("cache", "results kept between runs: show, prune or clear them");
-    verb->add_option("what", arguments->what, "show, prune or clear; default: show")->check(CLI::IsMember({"show", "prune", "clear"}).description(""));
+    verb->add_option("what", arguments->what, "show, prune or clear; default: show")
+        ->check(CLI::IsMember({"show", "prune", "clear"}).description(""));
     verb->add_option("--cache", arguments->folder, "folder; default: $SETAE_CACHE, else ~/.cache/setae");
     on_named(*verb, action, arguments, explanation, run);
 }

@@ -54,8 +54,10 @@ ExitCode run(const Arguments& arguments) {
         for (auto& measurement : measurements_of(path, arguments.file)) {
             if (tip_radius) topography::metadata(measurement).instrument.tip_radius = tip_radius;
             auto found = diagnostics::diagnose(measurement, options);
-            if (!arguments.common.json && found.empty()) print(topography::label(topography::metadata(measurement)) + ": nothing found\n");
-            findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+            if (!arguments.common.json && found.empty())
+                print(topography::label(topography::metadata(measurement)) + ": nothing found\n");
+            findings.insert(findings.end(), std::make_move_iterator(found.begin()),
+                            std::make_move_iterator(found.end()));
             all.push_back(std::move(measurement));
         }
     });
@@ -66,7 +68,9 @@ ExitCode run(const Arguments& arguments) {
     output::Json json = output::Json::array();
     for (const auto& finding : findings) {
         if (arguments.common.json) json.push_back(as_json(finding));
-        else print(fmt::format("{}: {}: {}; {}\n", finding.alert.subject, finding.alert.code, finding.alert.message, finding.alert.action));
+        else
+            print(fmt::format("{}: {}: {}; {}\n", finding.alert.subject, finding.alert.code, finding.alert.message,
+                              finding.alert.action));
     }
     if (arguments.common.json) print_json(json);
     return code == ExitCode::done && arguments.strict && !findings.empty() ? ExitCode::some_failed : code;
@@ -76,8 +80,10 @@ ExitCode run(const Arguments& arguments) {
 
 void add_check(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("check", "what is wrong with measurements, how large its effect is, what to do");
-    verb->add_option("files", arguments->files, "measurements: files or containers; several are also compared with each other");
+    auto* verb =
+        program.add_subcommand("check", "what is wrong with measurements, how large its effect is, what to do");
+    verb->add_option("files", arguments->files,
+                     "measurements: files or containers; several are also compared with each other");
     arguments->file.add_to(*verb);
     verb->add_option("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it");
     verb->add_flag("--strict", arguments->strict, "exit code 1 where anything is found");

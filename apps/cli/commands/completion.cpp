@@ -33,7 +33,9 @@ std::vector<std::string> names(const std::vector<ProgramOption>& options) {
 /// Words a verb may be followed by: its verbs and options; files besides.
 std::string bash(const std::vector<ProgramVerb>& verbs) {
     std::string cases;
-    for (const auto& verb : verbs) cases += fmt::format("    {}) words={} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs) + " " + joined(names(verb.options))));
+    for (const auto& verb : verbs)
+        cases += fmt::format("    {}) words={} ;;\n", shell_word(verb.path),
+                             shell_word(joined(verb.verbs) + " " + joined(names(verb.options))));
     return fmt::format(R"(# bash completion of setae; written by `setae completion bash`
 _setae() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} path= word words=
@@ -54,14 +56,17 @@ complete -o filenames -F _setae setae
                        cases, [&verbs] {
                            std::string text;
                            for (const auto& verb : verbs)
-                               if (!verb.verbs.empty()) text += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs)));
+                               if (!verb.verbs.empty())
+                                   text += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path),
+                                                       shell_word(joined(verb.verbs)));
                            return text;
                        }());
 }
 
 std::string zsh(const std::vector<ProgramVerb>& verbs) {
     // bash's function, which zsh's own layer understands
-    return "#compdef setae\n# zsh completion of setae; written by `setae completion zsh`\nautoload -U +X bashcompinit && bashcompinit\n" + bash(verbs);
+    return "#compdef setae\n# zsh completion of setae; written by `setae completion zsh`\nautoload -U +X bashcompinit && bashcompinit\n" +
+           bash(verbs);
 }
 
 std::string fish(const std::vector<ProgramVerb>& verbs) {
@@ -71,17 +76,22 @@ std::string fish(const std::vector<ProgramVerb>& verbs) {
         std::string condition;
         for (std::size_t at = 0; at < verb.path.size();) {
             const auto end = std::min(verb.path.find(' ', at), verb.path.size());
-            condition += fmt::format("{}__fish_seen_subcommand_from {}", condition.empty() ? "" : "; and ", verb.path.substr(at, end - at));
+            condition += fmt::format("{}__fish_seen_subcommand_from {}", condition.empty() ? "" : "; and ",
+                                     verb.path.substr(at, end - at));
             at = end + 1;
         }
-        const auto next = fmt::format("{}not __fish_seen_subcommand_from {}", condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
+        const auto next = fmt::format("{}not __fish_seen_subcommand_from {}",
+                                      condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
         for (std::size_t i = 0; i < verb.verbs.size(); ++i)
-            text += fmt::format("complete -c setae -n {} -f -a {} -d {}\n", shell_word(next), shell_word(verb.verbs[i]), shell_word(verb.verb_descriptions[i]));
+            text += fmt::format("complete -c setae -n {} -f -a {} -d {}\n", shell_word(next), shell_word(verb.verbs[i]),
+                                shell_word(verb.verb_descriptions[i]));
         for (const auto& option : verb.options) {
             std::string flags;
-            for (const auto& flag : option.flags) flags += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
-            text += fmt::format("complete -c setae{}{}{} -d {}\n", condition.empty() ? "" : " -n " + shell_word(condition), flags, option.takes_value ? " -r" : "",
-                                shell_word(option.description));
+            for (const auto& flag : option.flags)
+                flags += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
+            text +=
+                fmt::format("complete -c setae{}{}{} -d {}\n", condition.empty() ? "" : " -n " + shell_word(condition),
+                            flags, option.takes_value ? " -r" : "", shell_word(option.description));
         }
     }
     return text;
@@ -104,8 +114,11 @@ ExitCode run(const Arguments& arguments) {
 void add_completion(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     arguments->program = &program;
-    auto* verb = program.add_subcommand("completion", "what bash, zsh or fish need to complete setae's verbs and options");
-    verb->add_option("shell", arguments->shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}).description(""));
+    auto* verb =
+        program.add_subcommand("completion", "what bash, zsh or fish need to complete setae's verbs and options");
+    verb->add_option("shell", arguments->shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}).description(""));
     on_named(*verb, action, arguments, explanation, run);
 }
 

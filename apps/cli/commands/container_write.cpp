@@ -48,8 +48,13 @@ void require_files(const Arguments& arguments, const FileValues& values, const c
     for (const auto& value : values) {
         const auto at = value.rfind('=');
         if (at == std::string::npos) continue;
-        const bool named = std::any_of(arguments.files.begin(), arguments.files.end(), [&](const std::string& file) { return value_for(file, {value}) == value.substr(at + 1); });
-        if (!named) throw InvalidArgument(fmt::format("{} '{}': no file '{}' is named; expected a value for all files, or FILE=value", option, value, value.substr(0, at)));
+        const bool named = std::any_of(arguments.files.begin(), arguments.files.end(), [&](const std::string& file) {
+            return value_for(file, {value}) == value.substr(at + 1);
+        });
+        if (!named)
+            throw InvalidArgument(
+                fmt::format("{} '{}': no file '{}' is named; expected a value for all files, or FILE=value", option,
+                            value, value.substr(0, at)));
     }
 }
 
@@ -61,15 +66,19 @@ formats::StoredMeasurement stored(const std::string& file, const Arguments& argu
     formats::StoredMeasurement measurement{.path = file, .options = options.read_options()};
     if (const auto channel = value_for(file, arguments.channels); !channel.empty()) {
         const bool counts = channel.size() < 6 && channel.find_first_not_of("0123456789") == std::string::npos;
-        if (!counts) throw InvalidArgument(fmt::format("--channel '{}': expected a number counted from 0, as `setae info` lists them", channel));
+        if (!counts)
+            throw InvalidArgument(
+                fmt::format("--channel '{}': expected a number counted from 0, as `setae info` lists them", channel));
         measurement.channel = std::stoul(channel);
     }
-    if (const auto trend = value_for(file, arguments.trends); !trend.empty()) measurement.trend = topography::trend_from_name(trend);
+    if (const auto trend = value_for(file, arguments.trends); !trend.empty())
+        measurement.trend = topography::trend_from_name(trend);
     return measurement;
 }
 
 formats::StoredMeasurement stored(const study::MeasurementInput& input, const std::filesystem::path& folder) {
-    formats::StoredMeasurement measurement{.path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
+    formats::StoredMeasurement measurement{
+        .path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
     measurement.options.unit = input.unit;
     measurement.options.size = input.size;
     measurement.instrument.type = input.instrument;
@@ -79,16 +88,21 @@ formats::StoredMeasurement stored(const study::MeasurementInput& input, const st
     return measurement;
 }
 
-bool is_container(const std::string& file) { return formats::detect_format(bytes::file_source(file)).identifier == "ce-container"; }
+bool is_container(const std::string& file) {
+    return formats::detect_format(bytes::file_source(file)).identifier == "ce-container";
+}
 
-std::string surface_name(const Arguments& arguments) { return arguments.name.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.name; }
+std::string surface_name(const Arguments& arguments) {
+    return arguments.name.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.name;
+}
 
 /// Surfaces of old containers may have no name, without which no program of today opens a container.
 void name_surfaces(const std::string& name, formats::ContainerDraft& draft) {
     for (auto& surface : draft.container.surfaces) {
         if (!surface.name.empty()) continue;
         surface.name = name;
-        draft.alerts.push_back({"NAME_MISSING", name, "a surface without name was given this one", "give another by --name"});
+        draft.alerts.push_back(
+            {"NAME_MISSING", name, "a surface without name was given this one", "give another by --name"});
     }
 }
 
@@ -99,14 +113,14 @@ public:
 
     /// Files that are no containers, as one surface; containers as their own surfaces.
     void add_files() {
-        formats::ContainerSurface surface{.name = surface_name(arguments_), .category = "exp",
-                                     .description = arguments_.description, .is_published = false};
+        formats::ContainerSurface surface{.name = surface_name(arguments_),
+                                          .category = "exp",
+                                          .description = arguments_.description,
+                                          .is_published = false};
         for (const auto& file : arguments_.files)
             add(file, [&] {
-                if (is_container(file))
-                    formats::add_container(draft_, bytes::file_source(file));
-                else
-                    formats::add_measurement(draft_, surface, stored(file, arguments_));
+                if (is_container(file)) formats::add_container(draft_, bytes::file_source(file));
+                else formats::add_measurement(draft_, surface, stored(file, arguments_));
             });
         if (!surface.topographies.empty()) draft_.container.surfaces.push_back(std::move(surface));
     }
@@ -126,14 +140,13 @@ public:
 
 private:
     void add_surface(const study::SurfaceInput& input, const std::filesystem::path& folder) {
-        formats::ContainerSurface surface{.name = input.name, .category = "exp", .description = input.description, .is_published = false};
+        formats::ContainerSurface surface{
+            .name = input.name, .category = "exp", .description = input.description, .is_published = false};
         for (const auto& measurement : input.measurements) {
             const auto wanted = stored(measurement, folder);
             add(wanted.path, [&] {
-                if (is_container(wanted.path))
-                    formats::add_measurements_of(draft_, surface, wanted);
-                else
-                    formats::add_measurement(draft_, surface, wanted);
+                if (is_container(wanted.path)) formats::add_measurements_of(draft_, surface, wanted);
+                else formats::add_measurement(draft_, surface, wanted);
             });
         }
         if (!surface.topographies.empty()) draft_.container.surfaces.push_back(std::move(surface));
@@ -150,7 +163,8 @@ private:
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.output.empty()) throw InvalidArgument("no output; give it, as in -o measurements.zip");
-    if (arguments.files.empty() && arguments.from.empty()) throw InvalidArgument("no file; expected measured files or containers, or --from a container or study");
+    if (arguments.files.empty() && arguments.from.empty())
+        throw InvalidArgument("no file; expected measured files or containers, or --from a container or study");
     require_files(arguments, arguments.sizes, "--size");
     require_files(arguments, arguments.units, "--unit");
     require_files(arguments, arguments.channels, "--channel");
@@ -159,7 +173,8 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& file : arguments.from) writer.add_from(file);
     writer.add_files();
     auto& draft = writer.draft();
-    if (draft.container.surfaces.empty()) throw InvalidArgument(fmt::format("{}: nothing to put in, nothing was written", arguments.output));
+    if (draft.container.surfaces.empty())
+        throw InvalidArgument(fmt::format("{}: nothing to put in, nothing was written", arguments.output));
     draft.container.versions["setae"] = study::version();
     name_surfaces(surface_name(arguments), draft);
     formats::write_container(arguments.output, draft.container, draft.members);
@@ -171,11 +186,16 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& surface : draft.container.surfaces) measurements += surface.topographies.size();
     draft.alerts.insert(draft.alerts.end(), violations.begin(), violations.end());
     if (arguments.common.json)
-        print_json({{"output", arguments.output}, {"surfaces", draft.container.surfaces.size()}, {"measurements", measurements}, {"members", draft.members.size()},
+        print_json({{"output", arguments.output},
+                    {"surfaces", draft.container.surfaces.size()},
+                    {"measurements", measurements},
+                    {"members", draft.members.size()},
                     {"alerts", output::to_json(draft.alerts)}});
     else
-        print(fmt::format("{}: surfaces {}, measurements {}\n", arguments.output, draft.container.surfaces.size(), measurements));
-    const bool unreadable = std::any_of(draft.alerts.begin(), draft.alerts.end(), [](const Alert& alert) { return alert.code == "UNREADABLE_MEMBER"; });
+        print(fmt::format("{}: surfaces {}, measurements {}\n", arguments.output, draft.container.surfaces.size(),
+                          measurements));
+    const bool unreadable = std::any_of(draft.alerts.begin(), draft.alerts.end(),
+                                        [](const Alert& alert) { return alert.code == "UNREADABLE_MEMBER"; });
     return writer.any_failed() || unreadable ? ExitCode::some_failed : ExitCode::done;
 }
 
@@ -183,16 +203,21 @@ ExitCode run(const Arguments& arguments) {
 
 void add_container_write(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = group.add_subcommand("write", "measured files, or older containers, as a container that contact.engineering takes");
-    verb->add_option("files", arguments->files, "measured files, which become one surface, and containers, which keep theirs");
+    auto* verb = group.add_subcommand(
+        "write", "measured files, or older containers, as a container that contact.engineering takes");
+    verb->add_option("files", arguments->files,
+                     "measured files, which become one surface, and containers, which keep theirs");
     verb->add_option("-o,--output", arguments->output, "container to write, OUT.zip");
     verb->add_option("--name", arguments->name, "name of the surface that the files are of; default: the output's");
     verb->add_option("--description", arguments->description, "its description");
     verb->add_option("--from", arguments->from, "containers and studies (.toml) whose surfaces are taken over");
-    verb->add_option("--size", arguments->sizes, "extent where files leave it open, \"1 mm x 1 mm\", or of one: \"FILE=1 mm x 1 mm\"");
+    verb->add_option("--size", arguments->sizes,
+                     "extent where files leave it open, \"1 mm x 1 mm\", or of one: \"FILE=1 mm x 1 mm\"");
     verb->add_option("--unit", arguments->units, "unit of lengths where files leave it open, um, or of one: FILE=um");
-    verb->add_option("--channel", arguments->channels, "channel counted from 0, or of one file: FILE=1; default: the first of heights");
-    verb->add_option("--detrend", arguments->trends, "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
+    verb->add_option("--channel", arguments->channels,
+                     "channel counted from 0, or of one file: FILE=1; default: the first of heights");
+    verb->add_option("--detrend", arguments->trends,
+                     "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
     add_layout_option(*verb, arguments->as);
     on_named(*verb, action, arguments, explanation, run);
 }

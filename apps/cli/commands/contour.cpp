@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "region_argument.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/calibration_file.hpp"
-#include "setae/bytes/whole_file.hpp"
-#include "setae/parallel/for_each.hpp"
 #include "setae/output/contour_file.hpp"
+#include "setae/parallel/for_each.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -33,7 +33,8 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     std::vector<std::string> pictures;
-    std::string output, anchors, segment = "1", vacuum = "automatic", shape = "envelope", pixel, scale_bar, calibration, save_calibration, foil_thickness;
+    std::string output, anchors, segment = "1", vacuum = "automatic", shape = "envelope", pixel, scale_bar, calibration,
+                                 save_calibration, foil_thickness;
     std::vector<std::string> hidden;
     std::optional<double> smoothing, least_length;
     double denoise = 0;
@@ -64,7 +65,8 @@ study::ContourOptions options_of(const Arguments& a) {
     if (!a.scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(a.scale_bar, dimension::length);
     options.calibration.ignore_stated_pixel_size = a.ignore_stated;
     if (!a.calibration.empty()) {
-        if (!a.pixel.empty() || !a.scale_bar.empty()) throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
+        if (!a.pixel.empty() || !a.scale_bar.empty())
+            throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
         options.shared_calibration = imaging::read_calibration(a.calibration).calibration;
     }
     return options;
@@ -85,21 +87,29 @@ Outputs outputs_of(const Arguments& a, const std::string& picture, bool batch) {
 /// Results must not take the place of what they were made from.
 void require_not_the_same(const fs::path& output, const std::string& input) {
     std::error_code error;
-    if (fs::equivalent(output, input, error)) throw InvalidArgument(fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
+    if (fs::equivalent(output, input, error))
+        throw InvalidArgument(
+            fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
 }
 
 /// Options of a trace's file in place of the command line's; anchors alone beside them.
-study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options, std::optional<std::string>& digest) {
+study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options,
+                                   std::optional<std::string>& digest) {
     if (a.anchors.empty()) return options;
     const auto stored = output::read_trace(a.anchors);
     if (!stored.options) {
-        if (!a.output.empty()) require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
+        if (!a.output.empty())
+            require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
         options.trace.anchors = stored.anchors;
         return options;
     }
-    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() && !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
+    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() &&
+                       !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
                        a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
-    if (!plain) throw InvalidArgument(a.anchors + " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
+    if (!plain)
+        throw InvalidArgument(
+            a.anchors +
+            " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
     digest = stored.digest;
     return *stored.options;
 }
@@ -112,18 +122,22 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
     }
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(a.segment.data(), a.segment.data() + a.segment.size(), number);
-    if (error != std::errc() || *end != '\0' || number == 0 || number > count) throw InvalidArgument(fmt::format("--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
+    if (error != std::errc() || *end != '\0' || number == 0 || number > count)
+        throw InvalidArgument(fmt::format(
+            "--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
     return {number - 1};
 }
 
-void write_picture(const Arguments& a, const study::TracedPicture& picture, const study::ContourOptions& options, const Outputs& to) {
+void write_picture(const Arguments& a, const study::TracedPicture& picture, const study::ContourOptions& options,
+                   const Outputs& to) {
     const auto chosen = chosen_segments(a, picture.profiles.size());
     const auto& input = picture.micrograph.file;
     require_not_the_same(to.stem.string() + to.extension, input);
     require_not_the_same(to.stem.string() + ".json", input);
     if (!a.no_overlay) require_not_the_same(to.stem.string() + ".png", input);
     for (const auto i : chosen) {
-        const auto path = chosen.size() == 1 ? to.stem.string() + to.extension : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
+        const auto path = chosen.size() == 1 ? to.stem.string() + to.extension
+                                             : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
         bytes::write_whole_file(path, study::profile_text(picture, i, options.shape));
     }
     bytes::write_whole_file(to.stem.string() + ".json", output::to_json(picture, options).dump(2) + "\n");
@@ -148,7 +162,8 @@ void require_different_stems(const std::vector<std::string>& pictures) {
     for (const auto& path : pictures) stems.push_back(fs::path(path).stem().string());
     std::sort(stems.begin(), stems.end());
     if (const auto twin = std::adjacent_find(stems.begin(), stems.end()); twin != stems.end())
-        throw InvalidArgument(fmt::format("two pictures are called {}; their results would go to the same file, trace them one by one", *twin));
+        throw InvalidArgument(fmt::format(
+            "two pictures are called {}; their results would go to the same file, trace them one by one", *twin));
 }
 
 /// What one picture gave, or why nothing.
@@ -157,12 +172,15 @@ struct Outcome {
     std::string error;
 };
 
-Outcome traced(const Arguments& a, const std::string& path, const study::ContourOptions& options, const std::optional<std::string>& digest, bool batch) {
+Outcome traced(const Arguments& a, const std::string& path, const study::ContourOptions& options,
+               const std::optional<std::string>& digest, bool batch) {
     Outcome outcome;
     try {
         outcome.picture = study::trace_picture(path, options);
         if (digest && *digest != outcome.picture->digest)
-            throw InvalidArgument(fmt::format("{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here", path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
+            throw InvalidArgument(fmt::format(
+                "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here",
+                path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
         if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
         if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
     } catch (const Error& error) {
@@ -177,7 +195,8 @@ ExitCode run(const Arguments& a) {
     const auto pictures = listed(a.pictures);
     const bool batch = pictures.size() > 1 || fs::is_directory(a.pictures.front());
     if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
-    if (batch && !a.save_calibration.empty()) throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
+    if (batch && !a.save_calibration.empty())
+        throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
     std::optional<std::string> digest;
     const auto options = with_anchors(a, options_of(a), digest);
     if (batch) {
@@ -185,7 +204,8 @@ ExitCode run(const Arguments& a) {
         if (!a.output.empty()) fs::create_directories(a.output);
     }
     std::vector<Outcome> outcomes(pictures.size());
-    parallel::for_each_index(pictures.size(), a.common.workers(), [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
+    parallel::for_each_index(pictures.size(), a.common.workers(),
+                             [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
 
     auto table = study::contour_table();
     auto json = output::Json::array();
@@ -203,11 +223,17 @@ ExitCode run(const Arguments& a) {
         study::add_rows(table, *outcome.picture);
         if (a.common.json) json.push_back(output::to_json(*outcome.picture, options));
     }
-    if (!a.save_calibration.empty() && failed == 0) imaging::write_calibration(a.save_calibration, imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
-    if (batch && !a.output.empty()) bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
+    if (!a.save_calibration.empty() && failed == 0)
+        imaging::write_calibration(a.save_calibration,
+                                   imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
+    if (batch && !a.output.empty())
+        bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
     if (a.common.json) print_json(batch ? json : json.front());
     else if (batch || !a.output.empty()) print(tables::as_text(table));
-    else if (failed == 0) print(study::profile_text(*outcomes.front().picture, chosen_segments(a, outcomes.front().picture->profiles.size()).front(), options.shape));
+    else if (failed == 0)
+        print(study::profile_text(*outcomes.front().picture,
+                                  chosen_segments(a, outcomes.front().picture->profiles.size()).front(),
+                                  options.shape));
     if (failed == pictures.size()) return ExitCode::nothing_done;
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;
 }
@@ -217,23 +243,36 @@ ExitCode run(const Arguments& a) {
 void add_contour(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("contour", "from a micrograph's edge to a profile with errors");
-    verb->add_option("pictures", arguments->pictures, "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
-    verb->add_option("-o,--output", arguments->output, "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
-    verb->add_option("--anchors", arguments->anchors, "points the trace must pass (JSON), or a whole trace to be made again");
+    verb->add_option("pictures", arguments->pictures,
+                     "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
+    verb->add_option("-o,--output", arguments->output,
+                     "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
+    verb->add_option("--anchors", arguments->anchors,
+                     "points the trace must pass (JSON), or a whole trace to be made again");
     verb->add_option("--segment", arguments->segment, "number of the segment written, longest first, or all");
-    verb->add_option("--vacuum", arguments->vacuum, "which side is vacuum")->check(CLI::IsMember({"automatic", "bright", "dark"}));
-    verb->add_option("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")->check(CLI::IsMember({"envelope", "cut", "parametric"}));
+    verb->add_option("--vacuum", arguments->vacuum, "which side is vacuum")
+        ->check(CLI::IsMember({"automatic", "bright", "dark"}));
+    verb->add_option("--shape", arguments->shape,
+                     "re-entrant stretches: highest point over each x, cut, or the curve itself")
+        ->check(CLI::IsMember({"envelope", "cut", "parametric"}));
     verb->add_option("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"");
-    verb->add_option("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"");
+    verb->add_option("--scale-bar", arguments->scale_bar,
+                     "what the scale bar in the picture stands for, such as \"5 nm\"");
     verb->add_option("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
-    verb->add_option("--save-calibration", arguments->save_calibration, "keep the pixel size for pictures of the same magnification");
-    verb->add_flag("--ignore-stated-pixel-size", arguments->ignore_stated, "go by --pixel or --scale-bar even where the file contradicts it");
+    verb->add_option("--save-calibration", arguments->save_calibration,
+                     "keep the pixel size for pictures of the same magnification");
+    verb->add_flag("--ignore-stated-pixel-size", arguments->ignore_stated,
+                   "go by --pixel or --scale-bar even where the file contradicts it");
     verb->add_option("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"");
-    verb->add_option("--hide", arguments->hidden, "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
+    verb->add_option("--hide", arguments->hidden,
+                     "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
     verb->add_flag("--whole-picture", arguments->whole_picture, "do not hide scale bars and text that are found");
-    verb->add_option("--smoothing", arguments->smoothing, "length of the smoothing spline [px]; default: least expected error");
-    verb->add_option("--denoise", arguments->denoise, "smooth the picture first by a Gaussian of this standard deviation [px]");
-    verb->add_option("--least-length", arguments->least_length, "shorter segments are left out [px]; default 50, of masks 0");
+    verb->add_option("--smoothing", arguments->smoothing,
+                     "length of the smoothing spline [px]; default: least expected error");
+    verb->add_option("--denoise", arguments->denoise,
+                     "smooth the picture first by a Gaussian of this standard deviation [px]");
+    verb->add_option("--least-length", arguments->least_length,
+                     "shorter segments are left out [px]; default 50, of masks 0");
     verb->add_option("--image", arguments->image, "number of the image in a file that holds several");
     verb->add_flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
     on_named(*verb, action, arguments, explanation, run);

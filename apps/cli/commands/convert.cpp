@@ -27,34 +27,42 @@ struct Arguments {
 
 /// One file to another, or each to its name with another ending in a folder.
 std::vector<Job> jobs_of(const Arguments& arguments) {
-    if (arguments.all_channels && arguments.file.channel) throw InvalidArgument("--channel and --all-channels exclude each other");
+    if (arguments.all_channels && arguments.file.channel)
+        throw InvalidArgument("--channel and --all-channels exclude each other");
     if (!arguments.into_folder()) {
         if (arguments.paths.size() != 2)
-            throw InvalidArgument(fmt::format("expected an input file and OUT with an ending {}; several files need -o FOLDER --to x3p", endings_of_heights()));
+            throw InvalidArgument(
+                fmt::format("expected an input file and OUT with an ending {}; several files need -o FOLDER --to x3p",
+                            endings_of_heights()));
         require_heights_ending(arguments.paths[1]);
         return {{arguments.paths[0], arguments.paths[1]}};
     }
-    if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty()) throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
+    if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty())
+        throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
     return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
 }
 
 /// The channel named, all of heights, or the first of these.
-std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input, const std::vector<formats::Channel>& channels) {
+std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input,
+                                         const std::vector<formats::Channel>& channels) {
     if (arguments.file.channel) {
         if (*arguments.file.channel < channels.size()) return {*arguments.file.channel};
-        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", input, *arguments.file.channel, channels.size()));
+        throw InvalidArgument(
+            fmt::format("{}: no channel {}, it has {}", input, *arguments.file.channel, channels.size()));
     }
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < channels.size(); ++i)
         if (channels[i].info.is_height && (arguments.all_channels || chosen.empty())) chosen.push_back(i);
-    if (chosen.empty()) throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", input, channels.size()));
+    if (chosen.empty())
+        throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", input, channels.size()));
     return chosen;
 }
 
 /// "a/out.x3p" is "a/out_3.x3p".
 std::string numbered(const std::string& path, std::size_t channel) {
     const fs::path whole(path);
-    return (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), channel, whole.extension().string())).string();
+    return (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), channel, whole.extension().string()))
+        .string();
 }
 
 /// What was written, and whether something was not.
@@ -73,7 +81,8 @@ void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) 
         const auto& channel = channels[k];
         write_heights(output, channel.read());
         show(channel.info.alerts);
-        outcome.files.push_back({{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
+        outcome.files.push_back(
+            {{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
     });
     outcome.failed = outcome.failed || code != ExitCode::done;
 }
@@ -99,11 +108,13 @@ ExitCode run(const Arguments& arguments) {
 
 void add_convert(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
+    auto* verb = program.add_subcommand(
+        "convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
     verb->add_option("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
     verb->add_option("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
     verb->add_option("--to", arguments->to, "ending of files in that folder, such as x3p");
-    verb->add_flag("--all-channels", arguments->all_channels, "every channel of heights, its number before the ending of OUT");
+    verb->add_flag("--all-channels", arguments->all_channels,
+                   "every channel of heights, its number before the ending of OUT");
     arguments->file.add_to(*verb);
     on_named(*verb, action, arguments, heights_output_explanation, run);
 }

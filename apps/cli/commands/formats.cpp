@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "format_pages.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/formats/format.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/tables/force_curve.hpp"
-#include "setae/formats/format.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/tables/tidy_table.hpp"
 #include "verbs.hpp"
 
@@ -20,8 +20,12 @@ template <class Formats>
 output::Json as_json(const Formats& formats) {
     output::Json list = output::Json::array();
     for (const auto& f : formats)
-        list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description},
-                        {"reference", f.reference}, {"tested_on_real_files", f.tested_on_real_files}});
+        list.push_back({{"identifier", f.identifier},
+                        {"name", f.name},
+                        {"extensions", f.extensions},
+                        {"description", f.description},
+                        {"reference", f.reference},
+                        {"tested_on_real_files", f.tested_on_real_files}});
     return list;
 }
 
@@ -30,7 +34,8 @@ std::string yes(bool value) { return value ? "yes" : "no"; }
 template <class Formats>
 tables::TidyTable as_table(const std::string& title, const Formats& formats) {
     tables::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
-    for (const auto& f : formats) table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
+    for (const auto& f : formats)
+        table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
     return table;
 }
 
@@ -41,15 +46,25 @@ struct Arguments {
 
 void explain() {
     for (const auto& f : formats::formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-    for (const auto& f : tables::force_curve_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
-    for (const auto& f : imaging::micrograph_formats()) print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : tables::force_curve_formats())
+        print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
+    for (const auto& f : imaging::micrograph_formats())
+        print(f.identifier + ": " + f.description + " [" + f.reference + "]\n");
 }
 
 output::Json topographies_json() {
     auto list = output::Json::array();
     for (const auto& f : formats::formats())
-        list.push_back({{"identifier", f.identifier}, {"name", f.name}, {"extensions", f.extensions}, {"description", f.description}, {"heights", f.heights},
-                        {"orientation", f.orientation}, {"not_read", f.not_read}, {"reference", f.reference}, {"reads", true}, {"writes", f.writes()},
+        list.push_back({{"identifier", f.identifier},
+                        {"name", f.name},
+                        {"extensions", f.extensions},
+                        {"description", f.description},
+                        {"heights", f.heights},
+                        {"orientation", f.orientation},
+                        {"not_read", f.not_read},
+                        {"reference", f.reference},
+                        {"reads", true},
+                        {"writes", f.writes()},
                         {"tested_on_real_files", f.tested_on_real_files}});
     return list;
 }
@@ -58,14 +73,16 @@ output::Json topographies_json() {
 tables::TidyTable topographies_table() {
     tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
     for (const auto& f : formats::formats())
-        table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()), f.tested_on_real_files ? "yes" : "NO", f.description});
+        table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()),
+                              f.tested_on_real_files ? "yes" : "NO", f.description});
     return table;
 }
 
 ExitCode write_pages(const std::string& folder) {
     std::filesystem::create_directories(folder);
     const auto pages = format_pages();
-    for (const auto& [name, text] : pages) bytes::write_whole_file((std::filesystem::path(folder) / name).string(), text);
+    for (const auto& [name, text] : pages)
+        bytes::write_whole_file((std::filesystem::path(folder) / name).string(), text);
     print(fmt::format("{}: {} pages\n", folder, pages.size()));
     return ExitCode::done;
 }
@@ -77,14 +94,18 @@ ExitCode run(const Arguments& arguments) {
         return ExitCode::done;
     }
     if (arguments.common.json) {
-        print_json({{"formats", topographies_json()}, {"force_curves", as_json(tables::force_curve_formats())}, {"micrographs", as_json(imaging::micrograph_formats())}});
+        print_json({{"formats", topographies_json()},
+                    {"force_curves", as_json(tables::force_curve_formats())},
+                    {"micrographs", as_json(imaging::micrograph_formats())}});
         return ExitCode::done;
     }
     const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
-    print(tables::as_text(topographies_table()) + "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
-          tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
-          "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
+    print(
+        tables::as_text(topographies_table()) +
+        "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
+        tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
+        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
     return ExitCode::done;
 }
 
@@ -94,7 +115,8 @@ void add_formats(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = program.add_subcommand("formats", "file formats setae reads and writes");
     add_common(*verb, arguments->common);
-    verb->add_option("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
+    verb->add_option("--documentation", arguments->documentation,
+                     "write a page a format, and their list, to this folder");
     verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "channel_lines.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/bytes/source.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -38,7 +38,9 @@ struct HeightSummary {
     double mean = undefined, standard_deviation = undefined, least = undefined, greatest = undefined;
     std::string error;
 
-    [[nodiscard]] double undefined_share() const { return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined; }
+    [[nodiscard]] double undefined_share() const {
+        return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined;
+    }
 };
 
 bool is_missing(const formats::ChannelInfo& info, const std::string& what) {
@@ -47,7 +49,9 @@ bool is_missing(const formats::ChannelInfo& info, const std::string& what) {
     return false;
 }
 
-bool can_be_read(const formats::ChannelInfo& info) { return info.is_height && !is_missing(info, "size") && !is_missing(info, "unit"); }
+bool can_be_read(const formats::ChannelInfo& info) {
+    return info.is_height && !is_missing(info, "size") && !is_missing(info, "unit");
+}
 
 /// A member of a container that cannot be opened is a channel of no format; an alert says why.
 bool is_bad_member(const formats::ChannelInfo& info) { return info.format.empty(); }
@@ -65,26 +69,45 @@ HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
 HeightSummary summarise(const formats::Channel& channel) {
     try {
         const auto measurement = channel.read();
-        return std::visit([](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); }, measurement);
+        return std::visit(
+            [](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); },
+            measurement);
     } catch (const Error& error) {
         return {.error = error.what()};
     }
 }
 
-output::Json optional_number(const std::optional<double>& value) { return value ? output::Json(*value) : output::Json(nullptr); }
+output::Json optional_number(const std::optional<double>& value) {
+    return value ? output::Json(*value) : output::Json(nullptr);
+}
 
-output::Json channel_json(const std::string& file, std::size_t index, const formats::ChannelInfo& info, const HeightSummary& heights) {
+output::Json channel_json(const std::string& file, std::size_t index, const formats::ChannelInfo& info,
+                          const HeightSummary& heights) {
     using output::number;
-    output::Json json{{"file", file}, {"channel", index}, {"format", info.format}, {"name", info.name}, {"shape", info.shape}, {"size", info.size},
-                        {"unit", info.unit}, {"orientation", info.orientation}, {"is_height", info.is_height}, {"heights_read", heights.read},
-                        {"undefined_count", heights.read ? output::Json(heights.undefined_count) : output::Json(nullptr)},
-                        {"undefined_share", number(heights.undefined_share())}, {"mean", number(heights.mean)},
-                        {"standard_deviation", number(heights.standard_deviation)}, {"minimum", number(heights.least)}, {"maximum", number(heights.greatest)}};
+    output::Json json{{"file", file},
+                      {"channel", index},
+                      {"format", info.format},
+                      {"name", info.name},
+                      {"shape", info.shape},
+                      {"size", info.size},
+                      {"unit", info.unit},
+                      {"orientation", info.orientation},
+                      {"is_height", info.is_height},
+                      {"heights_read", heights.read},
+                      {"undefined_count", heights.read ? output::Json(heights.undefined_count) : output::Json(nullptr)},
+                      {"undefined_share", number(heights.undefined_share())},
+                      {"mean", number(heights.mean)},
+                      {"standard_deviation", number(heights.standard_deviation)},
+                      {"minimum", number(heights.least)},
+                      {"maximum", number(heights.greatest)}};
     const auto& instrument = info.metadata.instrument;
-    json["instrument"] = {{"name", instrument.name}, {"type", instrument.type}, {"tip_radius", optional_number(instrument.tip_radius)},
+    json["instrument"] = {{"name", instrument.name},
+                          {"type", instrument.type},
+                          {"tip_radius", optional_number(instrument.tip_radius)},
                           {"resolution", optional_number(instrument.resolution)}};
     json["acquisition_time"] = info.metadata.acquisition_time;
-    json["recommended_trend"] = info.recommended_trend ? output::Json(topography::name(*info.recommended_trend)) : output::Json(nullptr);
+    json["recommended_trend"] =
+        info.recommended_trend ? output::Json(topography::name(*info.recommended_trend)) : output::Json(nullptr);
     json["missing"] = formats::missing(info);
     if (!heights.error.empty()) json["error"] = heights.error;
     json["alerts"] = output::to_json(info.alerts);
@@ -101,10 +124,13 @@ std::string heights_words(const formats::ChannelInfo& info, const HeightSummary&
     if (!heights.error.empty()) return ", unreadable: " + heights.error;
     if (!info.is_height) return ", no heights";
     if (heights.read)
-        return fmt::format(", heights {} … {}, rms {}{}", format_value(heights.least, "m"), format_value(heights.greatest, "m"), format_value(heights.standard_deviation, "m", 5),
-                           heights.undefined_count > 0 ? fmt::format(", {} undefined", percent(heights.undefined_share())) : "");
+        return fmt::format(
+            ", heights {} … {}, rms {}{}", format_value(heights.least, "m"), format_value(heights.greatest, "m"),
+            format_value(heights.standard_deviation, "m", 5),
+            heights.undefined_count > 0 ? fmt::format(", {} undefined", percent(heights.undefined_share())) : "");
     if (!can_be_read(info)) return {};
-    return bytes > largest_read ? fmt::format(", heights not read: {}, --heights reads them", bytes_for_readers(bytes)) : ", heights not read";
+    return bytes > largest_read ? fmt::format(", heights not read: {}, --heights reads them", bytes_for_readers(bytes))
+                                : ", heights not read";
 }
 
 class Lister {
@@ -124,7 +150,8 @@ public:
                 channels_.push_back(channel_json(file, i, info, heights));
                 continue;
             }
-            print(fmt::format("{} [{}] {}{}{}\n", file, i, channel_line(info), heights_words(info, heights, bytes), channel_remarks(info)));
+            print(fmt::format("{} [{}] {}{}{}\n", file, i, channel_line(info), heights_words(info, heights, bytes),
+                              channel_remarks(info)));
             show(info.alerts);
         }
     }
@@ -140,7 +167,8 @@ private:
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one");
-    if (arguments.heights && arguments.no_heights) throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
+    if (arguments.heights && arguments.no_heights)
+        throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
     Lister lister(arguments);
     const auto code = for_each_item(arguments.files, [&](const std::string& file) { lister.add(file); });
     if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"channels", lister.channels()}});
@@ -151,7 +179,8 @@ ExitCode run(const Arguments& arguments) {
 
 void add_info(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("info", "what files hold: format, channels, shape, size, unit, heights, and what they leave open");
+    auto* verb = program.add_subcommand(
+        "info", "what files hold: format, channels, shape, size, unit, heights, and what they leave open");
     verb->add_option("files", arguments->files, "files or containers");
     verb->add_flag("--heights", arguments->heights, "read heights of files above 64 MB too");
     verb->add_flag("--no-heights", arguments->no_heights, "read headers alone");

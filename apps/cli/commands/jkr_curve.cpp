@@ -14,12 +14,17 @@ namespace {
 loops::CurveRange range_of(const std::string& text) {
     using Measure = loops::CurveRange::Measure;
     const auto colon = text.find(':');
-    if (colon == std::string::npos) throw InvalidArgument(fmt::format("--fit-range {}: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1", text));
+    if (colon == std::string::npos)
+        throw InvalidArgument(fmt::format(
+            "--fit-range {}: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1",
+            text));
     const auto from = text.substr(0, colon), to = text.substr(colon + 1);
     const auto as = [&](Measure measure, const Dimension& dimension) {
-        return loops::CurveRange{.measure = measure, .from = parse_quantity(from, dimension), .to = parse_quantity(to, dimension)};
+        return loops::CurveRange{
+            .measure = measure, .from = parse_quantity(from, dimension), .to = parse_quantity(to, dimension)};
     };
-    for (const auto& [measure, dimension] : {std::pair{Measure::indentation, dimension::length}, std::pair{Measure::force, dimension::force}}) {
+    for (const auto& [measure, dimension] :
+         {std::pair{Measure::indentation, dimension::length}, std::pair{Measure::force, dimension::force}}) {
         try {
             return as(measure, dimension);
         } catch (const InvalidArgument&) {
@@ -32,13 +37,23 @@ loops::CurveRange range_of(const std::string& text) {
 }  // namespace
 
 void CurveArguments::add_to(CLI::App& verb) {
-    verb.add_flag("--curve", curve, "take tables for force curves: force and displacement alone, without adhesion to see; files of AFM force curves always are");
-    verb.add_option("--tip", tip, "of a force curve")->check(CLI::IsMember({"paraboloid", "cone", "three_sided_pyramid"}))->capture_default_str();
+    verb.add_flag(
+        "--curve", curve,
+        "take tables for force curves: force and displacement alone, without adhesion to see; files of AFM force curves always are");
+    verb.add_option("--tip", tip, "of a force curve")
+        ->check(CLI::IsMember({"paraboloid", "cone", "three_sided_pyramid"}))
+        ->capture_default_str();
     verb.add_option("--half-angle", half_angle, "of a cone, or inclination of a pyramid's faces, degrees");
-    verb.add_option("--curve-model", model, "of a force curve: hertz, dmt, jkr, maugis_dugdale, large_strain")->capture_default_str();
-    verb.add_option("--fit-range", range, "of a force curve: \"0 nm:500 nm\", \"1 nN:20 nN\", or shares of the largest indentation; default -1:1");
-    verb.add_option("--curve-contact-point", contact_point, "of a force curve: fit, found (where the force leaves the baseline), or a length")->capture_default_str();
-    verb.add_flag("--keep-baseline-slope", keep_baseline_slope, "of a force curve: take off the mean of free flight, not its line");
+    verb.add_option("--curve-model", model, "of a force curve: hertz, dmt, jkr, maugis_dugdale, large_strain")
+        ->capture_default_str();
+    verb.add_option(
+        "--fit-range", range,
+        "of a force curve: \"0 nm:500 nm\", \"1 nN:20 nN\", or shares of the largest indentation; default -1:1");
+    verb.add_option("--curve-contact-point", contact_point,
+                    "of a force curve: fit, found (where the force leaves the baseline), or a length")
+        ->capture_default_str();
+    verb.add_flag("--keep-baseline-slope", keep_baseline_slope,
+                  "of a force curve: take off the mean of free flight, not its line");
 }
 
 bool CurveArguments::concerns(const std::string& file) const {
@@ -50,22 +65,30 @@ bool CurveArguments::concerns(const std::string& file) const {
 }
 
 loops::ForceCurveFitOptions CurveArguments::options() const {
-    loops::ForceCurveFitOptions options{.shape = loops::tip_shape_named(tip), .half_angle = half_angle * pi / 180.0, .model = loops::model_named(model)};
+    loops::ForceCurveFitOptions options{.shape = loops::tip_shape_named(tip),
+                                        .half_angle = half_angle * pi / 180.0,
+                                        .model = loops::model_named(model)};
     if (!range.empty()) options.range = range_of(range);
     options.fit_contact_point = contact_point == "fit";
-    if (contact_point != "fit" && contact_point != "found") options.contact_point = parse_quantity(contact_point, dimension::length);
+    if (contact_point != "fit" && contact_point != "found")
+        options.contact_point = parse_quantity(contact_point, dimension::length);
     options.subtract_baseline_slope = !keep_baseline_slope;
     return options;
 }
 
-std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve) {
+std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops,
+                                            const BodyArguments& bodies, const CurveArguments& curve) {
     const auto opened = study::open_loop(loops.source(file));
     const bool ball = curve.tip == "paraboloid";
-    return loops::fit_force_curve(opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
+    return loops::fit_force_curve(
+        opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
 }
 
 void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments) {
-    tables::TidyTable table{file, {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]", "indentation [µm]", "n", "rms residual"}, {}};
+    tables::TidyTable table{file,
+                            {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]",
+                             "indentation [µm]", "n", "rms residual"},
+                            {}};
     std::string reasons;
     for (const auto& segment : segments) {
         if (!segment.fit) {
@@ -73,10 +96,15 @@ void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit
             continue;
         }
         const auto& fit = *segment.fit;
-        const auto cell = [](const Estimate& v, double factor) { return fmt::format("{:.5g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
-        table.rows.push_back({segment.name, to_string(fit.shape), to_string(fit.model), cell(fit.contact_modulus, 1e-3), cell(fit.youngs_modulus, 1e-3),
-                              fit.work_of_adhesion ? cell(*fit.work_of_adhesion, 1e3) : "–", cell(fit.contact_point, 1e6),
-                              fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to), fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
+        const auto cell = [](const Estimate& v, double factor) {
+            return fmt::format("{:.5g} ± {:.2g}", factor * v.value, factor * v.standard_error);
+        };
+        table.rows.push_back({segment.name, to_string(fit.shape), to_string(fit.model), cell(fit.contact_modulus, 1e-3),
+                              cell(fit.youngs_modulus, 1e-3),
+                              fit.work_of_adhesion ? cell(*fit.work_of_adhesion, 1e3) : "–",
+                              cell(fit.contact_point, 1e6),
+                              fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to),
+                              fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
     }
     print(tables::as_text(table) + reasons);
 }

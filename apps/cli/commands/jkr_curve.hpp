@@ -10,7 +10,8 @@
 
 namespace setae::cli {
 
-/// Options of `setae jkr fit` for force curves: force and displacement alone, contact found where the force leaves the baseline.
+/// Options of `setae jkr fit` for force curves: force and displacement alone, contact found where the force leaves the
+/// baseline.
 struct CurveArguments {
     bool curve = false;
     std::string tip = "paraboloid";
@@ -25,7 +26,8 @@ struct CurveArguments {
 };
 
 /// Every segment of a curve with its fit.
-[[nodiscard]] std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies, const CurveArguments& curve);
+[[nodiscard]] std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops,
+                                                          const BodyArguments& bodies, const CurveArguments& curve);
 void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments);
 
 }  // namespace setae::cli

@@ -10,11 +10,11 @@
 #include "command_line.hpp"
 #include "loop_arguments.hpp"
 #include "loop_figures.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
-#include "setae/output/loop_tables.hpp"
 
 namespace setae::cli {
 namespace {
@@ -38,9 +38,10 @@ loops::EnergyCourse course_of(const AnalysedLoop& loop) {
     const auto& analysis = loop.analysis;
     if (!analysis.contact_points) throw UndefinedDataError(analysis.contact_points.reason);
     const auto& fit = analysis.loading.primary();
-    return loops::energy_course(analysis.corrected, analysis.segments.contacts.front(),
-                                     {.contact = {loop.bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
-                                      .contact_point = analysis.contact_points->contact_point.value});
+    return loops::energy_course(
+        analysis.corrected, analysis.segments.contacts.front(),
+        {.contact = {loop.bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
+         .contact_point = analysis.contact_points->contact_point.value});
 }
 
 Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
@@ -50,8 +51,9 @@ Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
     if (record.time.size() > 0) table.columns.push_back({"time", "s", record.time.segment(first, n)});
     table.columns.push_back({"force", "N", record.force.segment(first, n)});
     table.columns.push_back({"displacement", "m", record.displacement.segment(first, n)});
-    for (const auto& [name, values] : {std::pair{"work", &course.work}, std::pair{"elastic", &course.elastic}, std::pair{"surface", &course.surface},
-                                       std::pair{"dissipated", &course.dissipated}, std::pair{"released", &course.released}})
+    for (const auto& [name, values] :
+         {std::pair{"work", &course.work}, std::pair{"elastic", &course.elastic}, std::pair{"surface", &course.surface},
+          std::pair{"dissipated", &course.dissipated}, std::pair{"released", &course.released}})
         table.columns.push_back({name, "J", *values});
     table.columns.push_back({"contact_radius", "m", course.contact_radius});
     return table;
@@ -75,12 +77,17 @@ void print_ledger(const AnalysedLoop& loop) {
     if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
     add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
     std::string text = tables::as_text(table);
-    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<34} {}\n", what, value); };
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<34} {}\n", what, value);
+    };
     line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
-    line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"), format_value(ledger->machine_stiffness, "N/m")));
-    if (ledger->recovered_share > 0.0) line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
+    line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"),
+                                                       format_value(ledger->machine_stiffness, "N/m")));
+    if (ledger->recovered_share > 0.0)
+        line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
     line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
-    line("loss per true area", fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
+    line("loss per true area",
+         fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
     for (std::size_t i = 0; i < loop.analysis.cycles.size() && loop.analysis.cycles.size() > 1; ++i) {
         const auto& energy = loop.analysis.cycles[i].energy;
         line(fmt::format("cycle {}", i + 1).c_str(), energy ? format_value(*energy, "J") : energy.reason);
@@ -95,9 +102,11 @@ public:
 
     void add(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
         const auto name = figure_name(loop.file);
-        figures_.push_back(study_figures::course_figure({.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
-                                                  command_line()));
-        if (const auto& ledger = loop.analysis.ledger) losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
+        figures_.push_back(study_figures::course_figure(
+            {.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
+            command_line()));
+        if (const auto& ledger = loop.analysis.ledger)
+            losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
     }
     void write() {
         figures_.push_back(study_figures::loss_figure(losses_, command_line()));
@@ -130,7 +139,8 @@ ExitCode run(const Arguments& arguments) {
         try {
             const auto course = course_of(loop);
             const auto name = figure_name(loop.file) + "_course.csv";
-            if (!arguments.course.empty()) tables::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
+            if (!arguments.course.empty())
+                tables::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
             if (!arguments.figures.empty()) figures.add(loop, course);
         } catch (const UndefinedDataError& error) {
             complain(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
@@ -147,11 +157,14 @@ ExitCode run(const Arguments& arguments) {
 
 void add_jkr_energy(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = group.add_subcommand("energy", "where the energy of loops goes: ledger, error budget, course along the loop");
+    auto* verb =
+        group.add_subcommand("energy", "where the energy of loops goes: ledger, error budget, course along the loop");
     arguments->request.add_to(*verb);
     verb->add_option("--tidy", arguments->tidy, "energies of every contact and cycle of every loop as one CSV table");
-    verb->add_option("--course", arguments->course, "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
-    verb->add_option("--figures", arguments->figures, "folder of figures: the course of each loop, losses against true area");
+    verb->add_option("--course", arguments->course,
+                     "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
+    verb->add_option("--figures", arguments->figures,
+                     "folder of figures: the course of each loop, losses against true area");
     on_named(*verb, action, arguments, explanation, run);
 }
 

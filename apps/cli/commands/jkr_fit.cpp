@@ -12,11 +12,11 @@
 #include "jkr_models.hpp"
 #include "loop_arguments.hpp"
 #include "loop_figures.hpp"
-#include "setae/core/errors.hpp"
-#include "setae/study_figures/loop_figures.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/loop_tables.hpp"
+#include "setae/study_figures/loop_figures.hpp"
 
 namespace setae::cli {
 namespace {
@@ -41,9 +41,12 @@ struct Arguments {
 void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
     const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
         if (!fit) return;
-        const auto cell = [](const Estimate& v, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error); };
-        table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6), cell(fit->work_of_adhesion, 1e3),
-                              fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
+        const auto cell = [](const Estimate& v, double factor) {
+            return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error);
+        };
+        table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6),
+                              cell(fit->work_of_adhesion, 1e3), fmt::format("{:.3f}", fit->correlation),
+                              fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
                               fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
     };
     add(analysis.radius_force);
@@ -54,27 +57,38 @@ void add_branch(tables::TidyTable& table, const char* branch, const loops::Branc
 }
 
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
-    tables::TidyTable table{file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+    tables::TidyTable table{
+        file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
     add_branch(table, "loading", a.loading);
     if (a.unloading) add_branch(table, "unloading", *a.unloading);
     std::string text = tables::as_text(table);
     text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
-    for (const auto& s : a.loading.sensitivity) text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
+    for (const auto& s : a.loading.sensitivity)
+        text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
     text += '\n';
-    const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<28} {}\n", what, value); };
-    const auto value = [](const Estimate& v, const char* unit) { return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2); };
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<28} {}\n", what, value);
+    };
+    const auto value = [](const Estimate& v, const char* unit) {
+        return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2);
+    };
     if (a.contact_points) {
         const auto& points = *a.contact_points;
-        tables::TidyTable beside{"", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
+        tables::TidyTable beside{
+            "", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
         for (const auto& estimate : points.estimates) {
             if (!estimate.contact_point) continue;
             const auto& fit = estimate.fit;
-            beside.rows.push_back({"  " + loops::contact_point_name(estimate.method), fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
-                                   fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error), fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
-                                   fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
+            beside.rows.push_back(
+                {"  " + loops::contact_point_name(estimate.method),
+                 fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
+                 fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error),
+                 fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
+                 fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
         }
         text += tables::as_text(beside);
-        line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm", format_value(points.spread, "m"), 100.0 * points.spread_share,
+        line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
+                                            format_value(points.spread, "m"), 100.0 * points.spread_share,
                                             1e-6 * points.work_by_contact_point));
     }
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
@@ -82,7 +96,8 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
     line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
     line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
-    line("largest contact radius", format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
+    line("largest contact radius",
+         format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
     if (!a.context.applicable_model.empty()) line("model", a.context.applicable_model);
     line("cycles", fmt::format("{}", a.cycles.size()));
     print(text);
@@ -95,7 +110,8 @@ public:
 
     void add(const AnalysedLoop& loop) {
         const auto name = figure_name(loop.file);
-        const study_figures::DrawnLoop drawn{.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+        const study_figures::DrawnLoop drawn{
+            .name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
         for (auto& figure : study_figures::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
         try {
             scans_.push_back({name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
@@ -138,7 +154,8 @@ void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std:
 }
 
 /// Loops among them, with the fit they share where one is wanted.
-ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list, std::optional<loops::GlobalFit>& global) {
+ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
+                   std::optional<loops::GlobalFit>& global) {
     auto fits = output::fits_table();
     FigureFolder figures(arguments);
     const auto models = arguments.models.options();
@@ -170,7 +187,8 @@ ExitCode run(const Arguments& arguments) {
     auto loops = arguments.request;
     std::vector<std::string> curves;
     loops.loops.files.clear();
-    for (const auto& file : arguments.request.loops.expanded()) (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
+    for (const auto& file : arguments.request.loops.expanded())
+        (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
     std::optional<loops::GlobalFit> global;
     std::vector<ExitCode> codes;
     if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
@@ -181,7 +199,9 @@ ExitCode run(const Arguments& arguments) {
     } else if (global) {
         print_shared(*global);
     }
-    return std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); }) ? codes.front() : ExitCode::some_failed;
+    return std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); })
+               ? codes.front()
+               : ExitCode::some_failed;
 }
 
 }  // namespace
@@ -193,7 +213,8 @@ void add_jkr_fit(CLI::App& group, Action& action) {
     arguments->models.add_to(*verb);
     arguments->curve.add_to(*verb);
     verb->add_option("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
-    verb->add_option("--figures", arguments->figures, "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
+    verb->add_option("--figures", arguments->figures,
+                     "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -38,7 +38,8 @@ struct Arguments {
 /// "name=value". @throws InvalidArgument.
 std::pair<std::string, std::string> assignment(const std::string& text, const char* option) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throw InvalidArgument(fmt::format("{} {}: expected NAME=VALUE", option, text));
+    if (equals == std::string::npos || equals == 0)
+        throw InvalidArgument(fmt::format("{} {}: expected NAME=VALUE", option, text));
     return {std::string(trimmed(text.substr(0, equals))), std::string(trimmed(text.substr(equals + 1)))};
 }
 
@@ -49,8 +50,11 @@ std::map<std::string, std::string> assignments(const std::vector<std::string>& t
 }
 
 tables::TableOptions table_options(const Arguments& arguments) {
-    static const std::map<std::string, char> separators{{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}}, decimals{{"point", '.'}, {"comma", ','}};
-    static const std::map<std::string, bytes::Encoding> encodings{{"utf-8", bytes::Encoding::utf8}, {"utf-16", bytes::Encoding::utf16}, {"latin-1", bytes::Encoding::latin1}};
+    static const std::map<std::string, char> separators{
+        {"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}},
+        decimals{{"point", '.'}, {"comma", ','}};
+    static const std::map<std::string, bytes::Encoding> encodings{
+        {"utf-8", bytes::Encoding::utf8}, {"utf-16", bytes::Encoding::utf16}, {"latin-1", bytes::Encoding::latin1}};
     tables::TableOptions options;
     if (!arguments.encoding.empty()) options.encoding = encodings.at(arguments.encoding);
     if (!arguments.separator.empty()) options.separator = separators.at(arguments.separator);
@@ -68,11 +72,17 @@ bool is_foreign_table(const std::string& file) {
 output::Json json_of(const tables::ColumnGuess& guess) {
     output::Json json{{"columns", output::Json::array()}, {"roles", output::Json::array()}};
     for (const auto& column : guess.columns)
-        json["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"first_values", column.first_values}, {"note", column.note}});
+        json["columns"].push_back({{"name", column.name},
+                                   {"unit", column.unit},
+                                   {"first_values", column.first_values},
+                                   {"note", column.note}});
     for (const auto& role : guess.roles) {
         output::Json candidates = output::Json::array();
         for (const auto& candidate : role.candidates)
-            candidates.push_back({{"column", candidate.column + 1}, {"confidence", candidate.confidence}, {"reason", candidate.reason}, {"from_area", candidate.from_area}});
+            candidates.push_back({{"column", candidate.column + 1},
+                                  {"confidence", candidate.confidence},
+                                  {"reason", candidate.reason},
+                                  {"from_area", candidate.from_area}});
         json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
     }
     return json;
@@ -90,7 +100,8 @@ std::string summary(const Table& table) {
             most = defined == 0 ? value : std::max(most, value);
             ++defined;
         }
-        text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(least, column.unit), format_value(most, column.unit),
+        text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(least, column.unit),
+                            format_value(most, column.unit),
                             defined == table.rows() ? "" : fmt::format(", {} of them defined", defined));
     }
     return text;
@@ -111,8 +122,10 @@ std::string first_rows(const Table& table) {
 std::string output_of(const Arguments& arguments, const std::string& file) {
     namespace fs = std::filesystem;
     if (arguments.output.empty()) return {};
-    const bool folder = arguments.output.ends_with('/') || fs::is_directory(arguments.output) || arguments.loops.expanded().size() > 1;
-    return folder ? (fs::path(arguments.output) / (fs::path(file).stem().string() + ".csv")).string() : arguments.output;
+    const bool folder =
+        arguments.output.ends_with('/') || fs::is_directory(arguments.output) || arguments.loops.expanded().size() > 1;
+    return folder ? (fs::path(arguments.output) / (fs::path(file).stem().string() + ".csv")).string()
+                  : arguments.output;
 }
 
 /// The mapping a file is read through: the one named, else what its columns seem to be.
@@ -126,36 +139,47 @@ Understood understood(const Arguments& arguments, const std::string& file) {
     if (!is_foreign_table(file)) return {};
     Understood result{.guess = tables::guess_columns(file, table_options(arguments))};
     if (!arguments.common.json) print(tables::describe(*result.guess));
-    result.mapping = tables::mapping_from(*result.guess, assignments(arguments.columns, "--column"),
-                                      arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record);
+    result.mapping = tables::mapping_from(
+        *result.guess, assignments(arguments.columns, "--column"),
+        arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record);
     return result;
 }
 
 void import(const Arguments& arguments, const std::string& file, output::Json& list) {
     const auto how = understood(arguments, file);
     if (how.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *how.mapping);
-    const auto opened = how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping) : study::open_loop(arguments.loops.source(file));
+    const auto opened = how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping)
+                                    : study::open_loop(arguments.loops.source(file));
     auto metadata = tables::loop_metadata(opened.table);
     metadata.emplace("source", std::filesystem::path(file).filename().string());
     for (const auto& [key, value] : assignments(arguments.entries, "--set")) metadata[key] = value;
     const auto output = output_of(arguments, file);
     if (!output.empty()) {
-        if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty()) std::filesystem::create_directories(folder);
+        if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty())
+            std::filesystem::create_directories(folder);
         tables::write_loop(output, opened.table, metadata);
     }
     if (arguments.common.json) {
-        output::Json json{{"file", file}, {"samples", opened.table.rows()}, {"metadata", metadata}, {"alerts", output::to_json(opened.alerts)}};
-        for (const auto& column : opened.table.columns) json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
+        output::Json json{{"file", file},
+                          {"samples", opened.table.rows()},
+                          {"metadata", metadata},
+                          {"alerts", output::to_json(opened.alerts)}};
+        for (const auto& column : opened.table.columns)
+            json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
         if (how.guess) json["guess"] = json_of(*how.guess);
         if (how.mapping) json["mapping"] = tables::as_toml(*how.mapping);
-        if (opened.clock) json["clock"] = {{"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))}, {"doubt", opened.clock->doubt}};
+        if (opened.clock)
+            json["clock"] = {
+                {"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))},
+                {"doubt", opened.clock->doubt}};
         if (!output.empty()) json["output"] = output;
         list.push_back(json);
         return;
     }
     print(fmt::format("{}: {}{}", file, summary(opened.table), first_rows(opened.table)));
     if (opened.clock)
-        print(fmt::format("  camera's clock   + {:.4g} ± {:.2g} s, by {}\n", opened.clock->offset.value, opened.clock->offset.standard_error, opened.clock->method));
+        print(fmt::format("  camera's clock   + {:.4g} ± {:.2g} s, by {}\n", opened.clock->offset.value,
+                          opened.clock->offset.standard_error, opened.clock->method));
     print(output.empty() ? "nothing written: say where, -o LOOP.csv\n" : fmt::format("{} written\n", output));
     show(opened.alerts);
 }
@@ -172,17 +196,25 @@ ExitCode run(const Arguments& arguments) {
 
 void add_jkr_import(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = group.add_subcommand("import", "turn tables, workbooks and force curves into loop files, columns guessed and shown");
+    auto* verb = group.add_subcommand(
+        "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown");
     arguments->loops.add_to(*verb);
-    verb->add_option("--column", arguments->columns, "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1); also contact_radius, time");
-    verb->add_option("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")->check(CLI::IsMember({"utf-8", "utf-16", "latin-1"}));
-    verb->add_option("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")->check(CLI::IsMember({"tab", "comma", "semicolon", "blank"}));
-    verb->add_option("--decimal", arguments->decimal, "point or comma; default: found")->check(CLI::IsMember({"point", "comma"}));
+    verb->add_option(
+        "--column", arguments->columns,
+        "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1); also contact_radius, time");
+    verb->add_option("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
+        ->check(CLI::IsMember({"utf-8", "utf-16", "latin-1"}));
+    verb->add_option("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")
+        ->check(CLI::IsMember({"tab", "comma", "semicolon", "blank"}));
+    verb->add_option("--decimal", arguments->decimal, "point or comma; default: found")
+        ->check(CLI::IsMember({"point", "comma"}));
     verb->add_option("--header-end", arguments->header_end, "the line behind which numbers begin");
     verb->add_option("--sheet", arguments->sheet, "of a workbook; default: the first that holds a table");
-    verb->add_option("--set", arguments->entries, "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
+    verb->add_option("--set", arguments->entries,
+                     "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
     verb->add_option("--save-map", arguments->save_map, "write the mapping as a template for --map");
-    verb->add_option("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
+    verb->add_option("-o,--output", arguments->output,
+                     "loop file, or folder of loop files; without it nothing is written");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -11,33 +11,47 @@
 namespace setae::cli {
 namespace {
 
-std::string cell(const Estimate& estimate, double factor) { return fmt::format("{:.4g} ± {:.2g}", factor * estimate.value, factor * estimate.standard_error); }
-std::string cell(const loops::Outcome<Estimate>& estimate, double factor) { return estimate ? cell(*estimate, factor) : "–"; }
+std::string cell(const Estimate& estimate, double factor) {
+    return fmt::format("{:.4g} ± {:.2g}", factor * estimate.value, factor * estimate.standard_error);
+}
+std::string cell(const loops::Outcome<Estimate>& estimate, double factor) {
+    return estimate ? cell(*estimate, factor) : "–";
+}
 
 void add_row(tables::TidyTable& table, const loops::ModelFit& fit, double akaike_difference) {
-    table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e-6), cell(fit.work_of_adhesion, 1e3), cell(fit.transition_parameter, 1.0),
-                          fmt::format("{:.3g}", fit.chi2_reduced), fmt::format("{}", fit.n), akaike_difference});
+    table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e-6), cell(fit.work_of_adhesion, 1e3),
+                          cell(fit.transition_parameter, 1.0), fmt::format("{:.3g}", fit.chi2_reduced),
+                          fmt::format("{}", fit.n), akaike_difference});
 }
 
 }  // namespace
 
 void ModelArguments::add_to(CLI::App& verb) {
-    verb.add_option("--model", models, "also fit hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares them");
-    verb.add_option("--branch", branch, "of --model, --profile and --share")->check(CLI::IsMember({"loading", "unloading"}))->capture_default_str();
+    verb.add_option("--model", models,
+                    "also fit hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares them");
+    verb.add_option("--branch", branch, "of --model, --profile and --share")
+        ->check(CLI::IsMember({"loading", "unloading"}))
+        ->capture_default_str();
     verb.add_option("--errors", errors, "of --model and --share: orthogonal_distance, effective_variance, force_only")
-        ->check(CLI::IsMember({"effective_variance", "orthogonal_distance", "force_only"}))->capture_default_str();
+        ->check(CLI::IsMember({"effective_variance", "orthogonal_distance", "force_only"}))
+        ->capture_default_str();
     verb.add_option("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted");
     verb.add_option("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted");
     verb.add_flag("--profile", profile, "intervals of E* and W by profile likelihood");
     verb.add_flag("--crack-speed", crack_speed, "fit G(v) = G0 (1 + (v/v0)^n) to the receding edge");
     verb.add_option("--exponent", exponent, "n held in --crack-speed");
-    verb.add_option("--share", shared, "one fit of all loops that share modulus, work, or both")->check(CLI::IsMember({"modulus", "work"}));
+    verb.add_option("--share", shared, "one fit of all loops that share modulus, work, or both")
+        ->check(CLI::IsMember({"modulus", "work"}));
 }
 
 study::LoopModelOptions ModelArguments::options() const {
     const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
-    study::LoopModelOptions options{.models = models, .profile = profile, .crack_speed = crack_speed, .exponent = exponent,
-                                       .share_contact_modulus = shares("modulus"), .share_work_of_adhesion = shares("work")};
+    study::LoopModelOptions options{.models = models,
+                                    .profile = profile,
+                                    .crack_speed = crack_speed,
+                                    .exponent = exponent,
+                                    .share_contact_modulus = shares("modulus"),
+                                    .share_work_of_adhesion = shares("work")};
     options.branch = branch == "loading" ? loops::LoopBranch::loading : loops::LoopBranch::unloading;
     options.errors = study::fit_errors_named(errors);
     if (!contact_point.empty()) options.contact_point = parse_quantity(contact_point, dimension::length);
@@ -62,25 +76,35 @@ void print_models(const study::LoopModels& models) {
     }
     if (models.comparison) text += "  " + models.comparison->sentence + '\n';
     const auto interval = [](const Estimate& e, double factor, const char* unit) {
-        return e.interval ? fmt::format("{:.4g} … {:.4g} {}", factor * e.interval->lower, factor * e.interval->upper, unit) : std::string("open");
+        return e.interval
+                   ? fmt::format("{:.4g} … {:.4g} {}", factor * e.interval->lower, factor * e.interval->upper, unit)
+                   : std::string("open");
     };
     if (models.profile)
-        text += fmt::format("  profile likelihood, 95 %     E* {}, W {} ({})\n", interval(models.profile->contact_modulus.estimate, 1e-6, "MPa"),
-                            interval(models.profile->work_of_adhesion.estimate, 1e3, "mJ/m²"), models.profile->fit.method);
+        text +=
+            fmt::format("  profile likelihood, 95 %     E* {}, W {} ({})\n",
+                        interval(models.profile->contact_modulus.estimate, 1e-6, "MPa"),
+                        interval(models.profile->work_of_adhesion.estimate, 1e3, "mJ/m²"), models.profile->fit.method);
     if (models.crack_speed)
-        text += fmt::format("  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}; {} points, speeds over a factor {:.3g}\n", cell(models.crack_speed->threshold, 1e3),
-                            cell(models.crack_speed->reference_speed, 1e6), cell(models.crack_speed->exponent, 1.0), models.crack_speed->n, models.crack_speed->speed_ratio);
+        text += fmt::format(
+            "  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}; {} points, speeds over a factor {:.3g}\n",
+            cell(models.crack_speed->threshold, 1e3), cell(models.crack_speed->reference_speed, 1e6),
+            cell(models.crack_speed->exponent, 1.0), models.crack_speed->n, models.crack_speed->speed_ratio);
     for (const auto& failure : models.failures) text += "  " + failure + '\n';
     print(text);
 }
 
 void print_shared(const loops::GlobalFit& fit) {
-    tables::TidyTable table{fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
-                              {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"}, {}};
+    tables::TidyTable table{
+        fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
+        {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"},
+        {}};
     for (const auto& branch : fit.branches)
-        table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3), cell(branch.separate.contact_modulus, 1e-6),
-                              cell(branch.separate.work_of_adhesion, 1e3), fmt::format("{}", branch.n)});
-    print(tables::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio, fit.sharing.p_value));
+        table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3),
+                              cell(branch.separate.contact_modulus, 1e-6), cell(branch.separate.work_of_adhesion, 1e3),
+                              fmt::format("{}", branch.n)});
+    print(tables::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n",
+                                               fit.sharing.f_ratio, fit.sharing.p_value));
 }
 
 }  // namespace setae::cli

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "region_argument.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -31,13 +31,15 @@ struct Arguments {
     std::optional<double> micrometres_a_pixel, frame_rate;
     std::optional<long> first, last;
     std::vector<long> exclude, overlay_frames;
-    double smallest_radius = imaging::ContactFrameOptions{}.smallest_radius, least_confidence = imaging::ContactFrameOptions{}.least_confidence;
+    double smallest_radius = imaging::ContactFrameOptions{}.smallest_radius,
+           least_confidence = imaging::ContactFrameOptions{}.least_confidence;
     bool fringes = false, ignore_stated_pixel_size = false;
 };
 
 imaging::FrameOptions frame_options(const Arguments& a) {
     imaging::FrameOptions options;
-    if (a.micrometres_a_pixel && !a.pixel.empty()) throw InvalidArgument("--um-per-px and --pixel say the same; give one");
+    if (a.micrometres_a_pixel && !a.pixel.empty())
+        throw InvalidArgument("--um-per-px and --pixel say the same; give one");
     if (a.micrometres_a_pixel) options.pixel_size = 1e-6 * *a.micrometres_a_pixel;
     if (!a.pixel.empty()) options.pixel_size = parse_quantity(a.pixel, dimension::length);
     options.frame_rate = a.frame_rate;
@@ -50,12 +52,15 @@ imaging::FrameOptions frame_options(const Arguments& a) {
 
 imaging::RadiusOptions radius_options(const Arguments& a) {
     imaging::RadiusOptions options;
-    options.frame.polarity = a.polarity == "dark" ? imaging::Polarity::dark : a.polarity == "bright" ? imaging::Polarity::bright : imaging::Polarity::automatic;
+    options.frame.polarity = a.polarity == "dark"     ? imaging::Polarity::dark
+                             : a.polarity == "bright" ? imaging::Polarity::bright
+                                                      : imaging::Polarity::automatic;
     options.frame.fringes = a.fringes;
     options.frame.smallest_radius = a.smallest_radius;
     options.frame.least_confidence = a.least_confidence;
     options.threads = a.common.workers();
-    if (!a.exclude.empty() && a.reason.empty()) throw InvalidArgument("--exclude without --reason; say why these frames are left out, such as --reason glare");
+    if (!a.exclude.empty() && a.reason.empty())
+        throw InvalidArgument("--exclude without --reason; say why these frames are left out, such as --reason glare");
     for (const long number : a.exclude) options.excluded.push_back({number, a.reason});
     return options;
 }
@@ -69,13 +74,18 @@ void write_overlays(const Arguments& a, const imaging::FrameSource& source, cons
             throw InvalidArgument(fmt::format("--overlay-frames: no frame {}", number));
     parallel::for_each_index(source.size(), a.common.workers(), [&](std::size_t i) {
         const auto& frame = radii.frames[i];
-        if (!a.overlay_frames.empty() && std::find(a.overlay_frames.begin(), a.overlay_frames.end(), frame.number) == a.overlay_frames.end()) return;
-        imaging::write_overlay((std::filesystem::path(a.overlay) / fmt::format("frame_{:06}.png", frame.number)).string(), source, i, frame);
+        if (!a.overlay_frames.empty() &&
+            std::find(a.overlay_frames.begin(), a.overlay_frames.end(), frame.number) == a.overlay_frames.end())
+            return;
+        imaging::write_overlay(
+            (std::filesystem::path(a.overlay) / fmt::format("frame_{:06}.png", frame.number)).string(), source, i,
+            frame);
     });
 }
 
 output::Json as_json(const imaging::ContactRadii& radii) {
-    const auto quantity = [](const char* name, const char* symbol, double value, double standard_error, const char* unit) {
+    const auto quantity = [](const char* name, const char* symbol, double value, double standard_error,
+                             const char* unit) {
         output::Json json{{"quantity", name}, {"symbol", symbol}, {"value", value}, {"unit", unit}};
         json["standard_error"] = standard_error;
         return json;
@@ -85,21 +95,31 @@ output::Json as_json(const imaging::ContactRadii& radii) {
     json["pixel_size"] = {{"value", radii.pixel_size}, {"unit", "m"}};
     json["frame_rate"] = {{"value", radii.frame_rate}, {"unit", "1/s"}};
     json["polarity"] = to_string(radii.polarity);
-    json["summary"] = {{"frames", s.frames}, {"measured", s.measured}, {"no_contact", s.no_contact}, {"not_found", s.not_found}, {"bad", s.bad},
-                       {"excluded", s.excluded}, {"partial", s.partial}, {"missing", s.missing}};
+    json["summary"] = {{"frames", s.frames},       {"measured", s.measured}, {"no_contact", s.no_contact},
+                       {"not_found", s.not_found}, {"bad", s.bad},           {"excluded", s.excluded},
+                       {"partial", s.partial},     {"missing", s.missing}};
     json["notes"] = radii.notes;
     json["frames"] = output::Json::array();
     for (const auto& f : radii.frames) {
         const auto& c = f.contact;
-        output::Json frame{{"frame", f.number}, {"name", f.name}, {"time", f.time}, {"state", to_string(c.state)}, {"remark", c.reason}};
+        output::Json frame{{"frame", f.number},
+                           {"name", f.name},
+                           {"time", f.time},
+                           {"state", to_string(c.state)},
+                           {"remark", c.reason}};
         frame["contact_radius"] = quantity("contact radius", "a", f.radius, f.standard_error, "m");
         if (c.state == imaging::FrameState::measured) {
             const double pixel = radii.pixel_size;
-            frame["semi_major"] = quantity("semi-major axis", "a1", pixel * c.ellipse.semi_major, pixel * c.ellipse.semi_major_standard_error, "m");
-            frame["semi_minor"] = quantity("semi-minor axis", "a2", pixel * c.ellipse.semi_minor, pixel * c.ellipse.semi_minor_standard_error, "m");
+            frame["semi_major"] = quantity("semi-major axis", "a1", pixel * c.ellipse.semi_major,
+                                           pixel * c.ellipse.semi_major_standard_error, "m");
+            frame["semi_minor"] = quantity("semi-minor axis", "a2", pixel * c.ellipse.semi_minor,
+                                           pixel * c.ellipse.semi_minor_standard_error, "m");
             frame["angle"] = {{"value", c.ellipse.angle}, {"unit", "rad"}};
             frame["roundness"] = quantity("roundness", "a2/a1", c.roundness, c.roundness_standard_error, "1");
-            frame["centre"] = {{"x", pixel * c.ellipse.centre_x}, {"y", pixel * c.ellipse.centre_y}, {"standard_error", pixel * c.ellipse.centre_standard_error}, {"unit", "m"}};
+            frame["centre"] = {{"x", pixel * c.ellipse.centre_x},
+                               {"y", pixel * c.ellipse.centre_y},
+                               {"standard_error", pixel * c.ellipse.centre_standard_error},
+                               {"unit", "m"}};
             frame["confidence"] = c.confidence;
             frame["agreeing_rays"] = c.agreeing_rays;
             frame["visible_share"] = c.visible_share;
@@ -121,16 +141,20 @@ void tell(const imaging::ContactRadii& radii) {
     for (const auto& f : radii.frames) {
         const auto state = f.contact.state;
         if (state != imaging::FrameState::bad_frame && state != imaging::FrameState::not_found) continue;
-        if (++lines <= most_lines) complain(fmt::format("frame {}: {}: {}", f.number, to_string(state), f.contact.reason));
+        if (++lines <= most_lines)
+            complain(fmt::format("frame {}: {}: {}", f.number, to_string(state), f.contact.reason));
     }
-    if (lines > most_lines) complain(fmt::format("{} more frames without a radius; the table says why", lines - most_lines));
+    if (lines > most_lines)
+        complain(fmt::format("{} more frames without a radius; the table says why", lines - most_lines));
     const auto& s = radii.summary;
-    complain(fmt::format("{} frames: {} measured ({} partial), {} without contact, {} not found, {} bad, {} excluded, {} missing", s.frames, s.measured, s.partial, s.no_contact,
-                         s.not_found, s.bad, s.excluded, s.missing));
+    complain(fmt::format(
+        "{} frames: {} measured ({} partial), {} without contact, {} not found, {} bad, {} excluded, {} missing",
+        s.frames, s.measured, s.partial, s.no_contact, s.not_found, s.bad, s.excluded, s.missing));
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (!arguments.overlay_frames.empty() && arguments.overlay.empty()) throw InvalidArgument("--overlay-frames without --overlay, the folder the pictures go to");
+    if (!arguments.overlay_frames.empty() && arguments.overlay.empty())
+        throw InvalidArgument("--overlay-frames without --overlay, the folder the pictures go to");
     const auto options = radius_options(arguments);
     const imaging::FrameSource source(arguments.frames, frame_options(arguments));
     const auto radii = imaging::measure_contact_radii(source, options);
@@ -149,15 +173,18 @@ ExitCode run(const Arguments& arguments) {
 void add_jkr_radius(CLI::App& jkr_group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = jkr_group.add_subcommand("radius", "contact radius in every frame of a recording");
-    verb->add_option("frames", arguments->frames, "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)");
+    verb->add_option("frames", arguments->frames,
+                     "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)");
     verb->add_option("--um-per-px", arguments->micrometres_a_pixel, "size of a pixel in micrometres, such as 1.82");
     verb->add_option("--pixel", arguments->pixel, "the same with its unit, such as \"1.82 um\"");
-    verb->add_flag("--ignore-stated-pixel-size", arguments->ignore_stated_pixel_size, "take --pixel even where a file contradicts it");
+    verb->add_flag("--ignore-stated-pixel-size", arguments->ignore_stated_pixel_size,
+                   "take --pixel even where a file contradicts it");
     verb->add_option("--fps", arguments->frame_rate, "frames a second");
     verb->add_option("--first", arguments->first, "number of the first frame looked at");
     verb->add_option("--last", arguments->last, "number of the last one");
     verb->add_option("--region", arguments->region, "x,y,width,height: the part of the frames looked at, in pixels");
-    verb->add_option("--polarity", arguments->polarity, "whether the contact is dark or bright")->check(CLI::IsMember({"automatic", "dark", "bright"}));
+    verb->add_option("--polarity", arguments->polarity, "whether the contact is dark or bright")
+        ->check(CLI::IsMember({"automatic", "dark", "bright"}));
     verb->add_flag("--fringes", arguments->fringes, "rings around the contact: its edge is the innermost one");
     verb->add_option("--smallest-radius", arguments->smallest_radius, "smaller contacts count as none [px]");
     verb->add_option("--least-confidence", arguments->least_confidence, "of a contact that is reported, 0 to 1");
@@ -165,7 +192,8 @@ void add_jkr_radius(CLI::App& jkr_group, Action& action) {
     verb->add_option("--reason", arguments->reason, "why they are left out");
     verb->add_option("-o,--output", arguments->output, "write OUT.csv");
     verb->add_option("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn");
-    verb->add_option("--overlay-frames", arguments->overlay_frames, "numbers of frames drawn; default all")->delimiter(',');
+    verb->add_option("--overlay-frames", arguments->overlay_frames, "numbers of frames drawn; default all")
+        ->delimiter(',');
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
-#include "setae/bytes/whole_file.hpp"
+#include "setae/output/replicate_report.hpp"
 #include "setae/statistics/forest_plot.hpp"
 #include "setae/study/replicate_reader.hpp"
-#include "setae/output/replicate_report.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -52,18 +52,22 @@ void write_figure(const std::string& path, const study::ReplicateTables& tables,
     if (ending == "csv") return bytes::write_whole_file(path, tables::as_csv(output::replicate_table(tables.data)));
     constexpr std::array endings{"svg", "pdf", "png"};
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-        throw InvalidArgument(fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
+        throw InvalidArgument(
+            fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
     bytes::write_whole_file(path, figures::drawn(figure, ending));
 }
 
-void write_folder(const fs::path& folder, const study::ReplicateTables& tables, const statistics::MixedModel& model, const output::Json& json, const figures::Figure& figure) {
+void write_folder(const fs::path& folder, const study::ReplicateTables& tables, const statistics::MixedModel& model,
+                  const output::Json& json, const figures::Figure& figure) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) throw FileError(fmt::format("{}: cannot make the folder ({})", folder.string(), failure.message()));
     bytes::write_whole_file((folder / "summary.json").string(), json.dump(2) + "\n");
     bytes::write_whole_file((folder / "replicates.csv").string(), tables::as_csv(output::replicate_table(tables.data)));
-    bytes::write_whole_file((folder / "means.csv").string(), tables::as_csv(output::replicate_mean_table(tables.data, model)));
-    for (const char* ending : {"svg", "pdf", "png"}) write_figure((folder / (std::string("forest.") + ending)).string(), tables, figure);
+    bytes::write_whole_file((folder / "means.csv").string(),
+                            tables::as_csv(output::replicate_mean_table(tables.data, model)));
+    for (const char* ending : {"svg", "pdf", "png"})
+        write_figure((folder / (std::string("forest.") + ending)).string(), tables, figure);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -73,7 +77,8 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.exclusions.empty()) rules = study::read_exclusions(arguments.exclusions);
     for (const auto& text : arguments.exclude) rules.push_back(study::parse_exclusion(text));
     const auto tables = study::read_replicates(arguments.files, columns, rules);
-    const auto model = statistics::mixed_model(tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
+    const auto model = statistics::mixed_model(
+        tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
     const auto figure = statistics::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
     auto json = output::to_json(tables.data, model);
     json["bad_rows"] = output::Json::array();
@@ -93,18 +98,28 @@ ExitCode run(const Arguments& arguments) {
 void add_jkr_summary(CLI::App& jkr_group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto& columns = arguments->columns;
-    auto* verb = jkr_group.add_subcommand("summary", "means of repeated fits over spots, lenses and surfaces, with a forest plot");
-    verb->add_option("files", arguments->files, "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header");
-    verb->add_option("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")->capture_default_str();
-    verb->add_option("--group-by", arguments->group_by, "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
+    auto* verb = jkr_group.add_subcommand("summary",
+                                          "means of repeated fits over spots, lenses and surfaces, with a forest plot");
+    verb->add_option(
+        "files", arguments->files,
+        "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header");
+    verb->add_option("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")
+        ->capture_default_str();
+    verb->add_option("--group-by", arguments->group_by,
+                     "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
     verb->add_option("--value", columns.value_column, "column of the values, where --quantity does not find it");
     verb->add_option("--error", columns.error_column, "column of their standard errors, likewise");
     verb->add_option("--unit", columns.unit, "unit of values whose column has none, such as mJ/m2");
-    verb->add_option("--method", columns.method, "fit wanted, where the tables have several; default: the primary one, where they name it");
+    verb->add_option("--method", columns.method,
+                     "fit wanted, where the tables have several; default: the primary one, where they name it");
     verb->add_option("--branch", columns.branch, "branch wanted, where the tables have several, such as loading");
-    verb->add_option("--elastomer", columns.elastomer, "elastomer wanted, where the tables have several; or group by it");
-    verb->add_option("--exclude", arguments->exclude, "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")->allow_extra_args(false);
-    verb->add_option("--exclusions", arguments->exclusions, "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
+    verb->add_option("--elastomer", columns.elastomer,
+                     "elastomer wanted, where the tables have several; or group by it");
+    verb->add_option("--exclude", arguments->exclude,
+                     "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--exclusions", arguments->exclusions,
+                     "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
     verb->add_flag("--each-surface", arguments->each_surface, "variances of each surface by itself, not pooled");
     verb->add_option("--figure", arguments->figure, "forest plot, by its ending .svg, .pdf, .png or .csv");
     verb->add_option("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");

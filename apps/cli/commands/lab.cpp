@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
-#include "setae/simulation/data_set.hpp"
 #include "lab_area.hpp"
 #include "lab_causes.hpp"
 #include "lab_closure.hpp"
 #include "lab_contours.hpp"
 #include "lab_loops.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/simulation/data_set.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -34,14 +34,15 @@ struct MakeArguments {
 };
 
 ExitCode run_make(const MakeArguments& arguments) {
-    if (arguments.file.empty()) throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
+    if (arguments.file.empty())
+        throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
     const auto recipe = simulation::read_recipe(arguments.file, arguments.seed);
     const auto files = simulation::make(recipe, arguments.output, arguments.common.workers());
     if (arguments.common.json)
         print_json({{"recipe", arguments.file}, {"seed", recipe.seed}, {"folder", arguments.output}, {"files", files}});
     else
-        print(fmt::format("{}: {} files, seed {}; analyse them with: setae study {}/study.toml\n", arguments.output, files.size(),
-                          recipe.seed, arguments.output));
+        print(fmt::format("{}: {} files, seed {}; analyse them with: setae study {}/study.toml\n", arguments.output,
+                          files.size(), recipe.seed, arguments.output));
     return ExitCode::done;
 }
 

@@ -26,13 +26,18 @@ constexpr const char* explanation =
 
 ExitCode run(const RepeatedRecipe& arguments) {
     require_recipe(arguments);
-    const auto rows = validation::summary(validation::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
-                                                                                     .first_seed = arguments.seed,
-                                                                                     .folder = arguments.output,
-                                                                                     .threads = arguments.common.workers(),
-                                                                                     .progress = progress_of(arguments.runs)}));
+    const auto rows =
+        validation::summary(validation::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
+                                                                             .first_seed = arguments.seed,
+                                                                             .folder = arguments.output,
+                                                                             .threads = arguments.common.workers(),
+                                                                             .progress = progress_of(arguments.runs)}));
     write_closure(rows, "causes", arguments.output);
-    if (arguments.common.json) print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
+    if (arguments.common.json)
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.runs},
+                    {"first_seed", arguments.seed},
+                    {"rows", json_of(rows)}});
     else print(validation::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
     return ExitCode::done;
 }

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/validation/closure.hpp"
 #include "setae/validation/report.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -32,7 +32,9 @@ struct ClosureArguments : RepeatedRecipe {
 };
 
 validation::ClosureOptions options_of(const ClosureArguments& arguments) {
-    const auto left_out = [&](const char* name) { return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end(); };
+    const auto left_out = [&](const char* name) {
+        return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end();
+    };
     return {.runs = arguments.runs,
             .first_seed = arguments.seed,
             .folder = arguments.output,
@@ -51,11 +53,17 @@ ExitCode run(const ClosureArguments& arguments) {
     if (found.comparisons.empty()) return ExitCode::nothing_done;
     const auto rows = validation::summary(found.comparisons);
     write_closure(rows, "closure", arguments.output);
-    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), validation::comparisons_csv(found.comparisons));
+    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(),
+                            validation::comparisons_csv(found.comparisons));
     if (arguments.common.json)
-        print_json({{"recipe", arguments.recipe}, {"runs", arguments.runs}, {"first_seed", arguments.seed}, {"rows", json_of(rows)}});
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.runs},
+                    {"first_seed", arguments.seed},
+                    {"rows", json_of(rows)}});
     else
-        print(validation::summary_table(rows) + fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs, arguments.seed, arguments.output));
+        print(validation::summary_table(rows) +
+              fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs,
+                          arguments.seed, arguments.output));
     return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -63,14 +71,18 @@ ExitCode run(const ClosureArguments& arguments) {
 
 void add_closure(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<ClosureArguments>();
-    auto* verb = group.add_subcommand("closure", "make and study a recipe many times: bias and coverage of every quantity");
+    auto* verb =
+        group.add_subcommand("closure", "make and study a recipe many times: bias and coverage of every quantity");
     arguments->output = "closure";
     arguments->runs = 25;
     add_options(*verb, *arguments);
     verb->add_flag("--keep", arguments->keep, "leave the data sets in the folder");
-    const std::map<std::string, study::SpectrumMethod> methods{{"average", study::SpectrumMethod::average}, {"likelihood", study::SpectrumMethod::likelihood}};
-    verb->add_option("--spectrum", arguments->spectrum, "what fits and predictions rest on")->transform(CLI::CheckedTransformer(methods));
-    verb->add_option("--without", arguments->without, "leave an ingredient of the likelihood out")->check(CLI::IsMember({"tip-factor", "tip-band"}));
+    const std::map<std::string, study::SpectrumMethod> methods{{"average", study::SpectrumMethod::average},
+                                                               {"likelihood", study::SpectrumMethod::likelihood}};
+    verb->add_option("--spectrum", arguments->spectrum, "what fits and predictions rest on")
+        ->transform(CLI::CheckedTransformer(methods));
+    verb->add_option("--without", arguments->without, "leave an ingredient of the likelihood out")
+        ->check(CLI::IsMember({"tip-factor", "tip-band"}));
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
-#include "setae/validation/contour_summary.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/validation/contour_summary.hpp"
 
 namespace setae::cli {
 namespace {
@@ -30,27 +30,31 @@ struct Arguments {
 };
 
 output::Json json_of(const validation::OverRuns& number) {
-    return {{"count", number.count}, {"mean", output::number(number.mean)}, {"standard_error", output::number(number.standard_error)}, {"worst", output::number(number.worst)}, {"worst_run", number.worst_run}};
+    return {{"count", number.count},
+            {"mean", output::number(number.mean)},
+            {"standard_error", output::number(number.standard_error)},
+            {"worst", output::number(number.worst)},
+            {"worst_run", number.worst_run}};
 }
 
 output::Json json_of(const validation::ContourRow& row) {
     output::Json json{{"kind", row.kind},
-                        {"judged", row.judged},
-                        {"runs", row.runs},
-                        {"refused", row.refused},
-                        {"vacuum_mistaken", row.vacuum_mistaken},
-                        {"completeness", json_of(row.completeness)},
-                        {"rms_error_px", json_of(row.rms_error)},
-                        {"largest_error_px", json_of(row.largest_error)},
-                        {"offset_px", json_of(row.offset)},
-                        {"within_two_errors", json_of(row.within_two_errors)},
-                        {"rms_height_ratio", json_of(row.rms_height_ratio)},
-                        {"floor_ratio", json_of(row.floor_ratio)},
-                        {"overhangs", row.overhangs},
-                        {"overhangs_found", row.overhangs_found},
-                        {"overhangs_false", row.overhangs_false},
-                        {"overhang_depth_ratio", json_of(row.overhang_depth_ratio)},
-                        {"spectrum_ratio", output::Json::array()}};
+                      {"judged", row.judged},
+                      {"runs", row.runs},
+                      {"refused", row.refused},
+                      {"vacuum_mistaken", row.vacuum_mistaken},
+                      {"completeness", json_of(row.completeness)},
+                      {"rms_error_px", json_of(row.rms_error)},
+                      {"largest_error_px", json_of(row.largest_error)},
+                      {"offset_px", json_of(row.offset)},
+                      {"within_two_errors", json_of(row.within_two_errors)},
+                      {"rms_height_ratio", json_of(row.rms_height_ratio)},
+                      {"floor_ratio", json_of(row.floor_ratio)},
+                      {"overhangs", row.overhangs},
+                      {"overhangs_found", row.overhangs_found},
+                      {"overhangs_false", row.overhangs_false},
+                      {"overhang_depth_ratio", json_of(row.overhang_depth_ratio)},
+                      {"spectrum_ratio", output::Json::array()}};
     for (std::size_t band = 0; band < row.spectrum_ratio.size(); ++band) {
         auto ratio = json_of(row.spectrum_ratio[band]);
         ratio["longest_wave_px"] = validation::spectrum_band_ends[band];
@@ -62,7 +66,9 @@ output::Json json_of(const validation::ContourRow& row) {
 ExitCode run(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
-    options.progress = progress_of(options.runs * static_cast<int>(options.kinds.empty() ? validation::contour_kinds(options.size).size() : options.kinds.size()));
+    options.progress = progress_of(options.runs * static_cast<int>(options.kinds.empty()
+                                                                       ? validation::contour_kinds(options.size).size()
+                                                                       : options.kinds.size()));
     const auto trials = validation::contour_trials(options);
     const auto rows = validation::contour_summary(trials);
     if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, validation::contour_trials_csv(trials));
@@ -70,10 +76,13 @@ ExitCode run(const Arguments& arguments) {
         output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"size", options.size}};
         for (const auto& row : rows) json["rows"].push_back(json_of(row));
         json["verdicts"] = output::Json::array();
-        for (const auto& v : validation::contour_verdicts(rows)) json["verdicts"].push_back({{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
+        for (const auto& v : validation::contour_verdicts(rows))
+            json["verdicts"].push_back(
+                {{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
         print_json(json);
     } else {
-        print(validation::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n", options.runs, options.first_seed, options.size));
+        print(validation::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n",
+                                                            options.runs, options.first_seed, options.size));
     }
     return ExitCode::done;
 }
@@ -82,13 +91,19 @@ ExitCode run(const Arguments& arguments) {
 
 void add_lab_contours(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = group.add_subcommand("contours", "trace contours in rendered micrographs of known curves: errors, heights, spectra, overhangs");
+    auto* verb = group.add_subcommand(
+        "contours", "trace contours in rendered micrographs of known curves: errors, heights, spectra, overhangs");
     verb->add_option("-o,--output", arguments->output, "CSV of every trial");
-    verb->add_option("--runs", arguments->options.runs, "pictures of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
+    verb->add_option("--runs", arguments->options.runs, "pictures of each kind")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
     verb->add_option("--seed", arguments->options.first_seed, "of the first run")->capture_default_str();
-    verb->add_option("--size", arguments->options.size, "pixels of a picture's side")->check(CLI::Range(200, 8000))->capture_default_str();
+    verb->add_option("--size", arguments->options.size, "pixels of a picture's side")
+        ->check(CLI::Range(200, 8000))
+        ->capture_default_str();
     verb->add_option("--kind", arguments->options.kinds, "kinds of pictures, by name; default: all");
-    verb->add_option("--pictures", arguments->options.pictures, "folder for every picture with curve and trace drawn in, and the curve's points");
+    verb->add_option("--pictures", arguments->options.pictures,
+                     "folder for every picture with curve and trace drawn in, and the curve's points");
     on_named(*verb, action, arguments, explanation, run);
 }
 

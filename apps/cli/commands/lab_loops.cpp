@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "closure_output.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/report.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -37,9 +37,17 @@ ExitCode run(const Arguments& arguments) {
     comparisons.insert(comparisons.end(), records.begin(), records.end());
     const auto rows = validation::summary(comparisons);
     write_closure(rows, "loop_coverage", arguments.output);
-    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(), validation::comparisons_csv(comparisons));
-    if (arguments.common.json) print_json({{"runs", options.runs}, {"first_seed", options.first_seed}, {"samples", options.samples}, {"rows", json_of(rows)}});
-    else print(validation::summary_table(rows) + fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n", options.runs, options.first_seed, options.samples, arguments.output));
+    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(),
+                            validation::comparisons_csv(comparisons));
+    if (arguments.common.json)
+        print_json({{"runs", options.runs},
+                    {"first_seed", options.first_seed},
+                    {"samples", options.samples},
+                    {"rows", json_of(rows)}});
+    else
+        print(validation::summary_table(rows) +
+              fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n",
+                          options.runs, options.first_seed, options.samples, arguments.output));
     return ExitCode::done;
 }
 
@@ -49,9 +57,13 @@ void add_lab_loops(CLI::App& group, Action& action) {
     auto arguments = std::make_shared<Arguments>();
     auto* verb = group.add_subcommand("loops", "fit many noisy loops that are known: bias and coverage of every fit");
     verb->add_option("-o,--output", arguments->output, "folder of tables and figure")->capture_default_str();
-    verb->add_option("--runs", arguments->options.runs, "loops at each signal-to-noise ratio")->check(CLI::Range(1, 1000000))->capture_default_str();
+    verb->add_option("--runs", arguments->options.runs, "loops at each signal-to-noise ratio")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
     verb->add_option("--seed", arguments->options.first_seed, "of the first run")->capture_default_str();
-    verb->add_option("--samples", arguments->options.samples, "of each branch")->check(CLI::Range(20, 1000000))->capture_default_str();
+    verb->add_option("--samples", arguments->options.samples, "of each branch")
+        ->check(CLI::Range(20, 1000000))
+        ->capture_default_str();
     verb->add_option("--snr", arguments->options.signal_to_noise, "signal-to-noise ratios")->capture_default_str();
     on_named(*verb, action, arguments, explanation, run);
 }

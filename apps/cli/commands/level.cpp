@@ -8,8 +8,8 @@
 #include "heights_output.hpp"
 #include "output_jobs.hpp"
 #include "pipeline_option.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "verbs.hpp"
 
@@ -26,10 +26,14 @@ struct Arguments {
 
 /// Each file and what it is written to; without an output nothing is.
 std::vector<Job> jobs_of(const Arguments& arguments) {
-    if (!arguments.output.empty() && !arguments.folder.empty()) throw InvalidArgument("--output and --output-folder exclude each other");
+    if (!arguments.output.empty() && !arguments.folder.empty())
+        throw InvalidArgument("--output and --output-folder exclude each other");
     if (!arguments.folder.empty()) return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
     if (!arguments.output.empty()) {
-        if (arguments.paths.size() != 1) throw InvalidArgument(fmt::format("{} files for the one output {}; write several to a folder with --output-folder", arguments.paths.size(), arguments.output));
+        if (arguments.paths.size() != 1)
+            throw InvalidArgument(
+                fmt::format("{} files for the one output {}; write several to a folder with --output-folder",
+                            arguments.paths.size(), arguments.output));
         require_heights_ending(arguments.output);
     }
     std::vector<Job> jobs;
@@ -38,10 +42,12 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
 }
 
 /// The channel named, or the first of heights.
-const formats::Channel& chosen_channel(const Arguments& arguments, const std::string& path, const std::vector<formats::Channel>& channels) {
+const formats::Channel& chosen_channel(const Arguments& arguments, const std::string& path,
+                                       const std::vector<formats::Channel>& channels) {
     if (arguments.file.channel) {
         if (*arguments.file.channel < channels.size()) return channels[*arguments.file.channel];
-        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *arguments.file.channel, channels.size()));
+        throw InvalidArgument(
+            fmt::format("{}: no channel {}, it has {}", path, *arguments.file.channel, channels.size()));
     }
     for (const auto& channel : channels)
         if (channel.info.is_height) return channel;
@@ -53,16 +59,21 @@ output::Json level_file(const Arguments& arguments, const processing::Pipeline& 
     const auto options = arguments.file.read_options();
     const auto channels = formats::open(job.input, options);
     const auto& channel = chosen_channel(arguments, job.input, channels);
-    const auto result = processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
+    const auto result =
+        processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
     if (!job.output.empty()) write_heights(job.output, result.measurement);
     show(channel.info.alerts);
-    std::string lines = fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
+    std::string lines =
+        fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
     for (const auto& record : result.records) {
         lines += as_line(record);
         show(record.alerts);
     }
     if (!arguments.common.json) print(lines);
-    return {{"input", job.input}, {"output", job.output.empty() ? output::Json(nullptr) : output::Json(job.output)}, {"channel", channel.info.name}, {"steps", output::to_json(result.records)}};
+    return {{"input", job.input},
+            {"output", job.output.empty() ? output::Json(nullptr) : output::Json(job.output)},
+            {"channel", channel.info.name},
+            {"steps", output::to_json(result.records)}};
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -93,7 +104,8 @@ ExitCode run(const Arguments& arguments) {
 
 void add_level(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("level", "levels, aligns, despikes, filters, crops: processing steps, recorded, on any number of files");
+    auto* verb = program.add_subcommand(
+        "level", "levels, aligns, despikes, filters, crops: processing steps, recorded, on any number of files");
     verb->add_option("files", arguments->paths, "measurements");
     arguments->processing.add_to(*verb);
     verb->add_option("-o,--output", arguments->output, "what the one file is written to, by its ending");

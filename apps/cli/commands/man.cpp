@@ -9,7 +9,8 @@
 namespace setae::cli {
 namespace {
 
-constexpr const char* explanation = "setae man | man -l -            the manual page, from the program's own verbs and options\n";
+constexpr const char* explanation =
+    "setae man | man -l -            the manual page, from the program's own verbs and options\n";
 
 /// Text as roff takes it: backslashes and leading dots escaped, hyphens that copy as such.
 std::string roff(const std::string& text) {
@@ -22,7 +23,8 @@ std::string options_part(const std::vector<ProgramOption>& options) {
     std::string text;
     for (const auto& option : options) {
         std::string flags;
-        for (const auto& flag : option.flags) flags += fmt::format("{}\\fB{}\\fR", flags.empty() ? "" : ", ", roff(flag));
+        for (const auto& flag : option.flags)
+            flags += fmt::format("{}\\fB{}\\fR", flags.empty() ? "" : ", ", roff(flag));
         if (option.takes_value) flags += fmt::format(" \\fI{}\\fR", roff(option.value));
         text += fmt::format(".TP\n{}\n{}\n", flags, roff(option.description));
     }
@@ -44,17 +46,20 @@ struct Arguments {
 };
 
 ExitCode run(const Arguments& arguments) {
-    std::string text = ".TH SETAE 1 \"\" \"setae " SETAE_VERSION "\" \"User Commands\"\n.SH NAME\nsetae \\- from measured roughness to soft adhesion\n"
-                       ".SH SYNOPSIS\n\\fBsetae\\fR \\fIverb\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
-                       "setae reads what stylus, AFM and TEM measured on a rough surface, combines it into one power spectral density, and predicts from it true "
-                       "area, stored elastic energy and the apparent work of adhesion of a soft solid; it analyses JKR loops and compares both. Arguments carry "
-                       "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH VERBS\n";
+    std::string text =
+        ".TH SETAE 1 \"\" \"setae " SETAE_VERSION
+        "\" \"User Commands\"\n.SH NAME\nsetae \\- from measured roughness to soft adhesion\n"
+        ".SH SYNOPSIS\n\\fBsetae\\fR \\fIverb\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
+        "setae reads what stylus, AFM and TEM measured on a rough surface, combines it into one power spectral density, and predicts from it true "
+        "area, stored elastic energy and the apparent work of adhesion of a soft solid; it analyses JKR loops and compares both. Arguments carry "
+        "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH VERBS\n";
     for (const auto& verb : verbs_of(*arguments.program))
         if (!verb.path.empty()) text += verb_part(verb);
-    text += ".SH ENVIRONMENT\n.TP\nSETAE_CACHE\nFolder of results kept between runs; default $XDG_CACHE_HOME/setae, else ~/.cache/setae.\n"
-            ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that stand for now in reports, so that two runs give the same bytes.\n"
-            ".SH EXIT STATUS\n0: all done, alerts included. 1: some items failed, the rest is done. 2: nothing done, or a usage error.\n"
-            ".SH SEE ALSO\nThe tutorial, the guide to studies and the glossary in the folder docs of the sources.\n";
+    text +=
+        ".SH ENVIRONMENT\n.TP\nSETAE_CACHE\nFolder of results kept between runs; default $XDG_CACHE_HOME/setae, else ~/.cache/setae.\n"
+        ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that stand for now in reports, so that two runs give the same bytes.\n"
+        ".SH EXIT STATUS\n0: all done, alerts included. 1: some items failed, the rest is done. 2: nothing done, or a usage error.\n"
+        ".SH SEE ALSO\nThe tutorial, the guide to studies and the glossary in the folder docs of the sources.\n";
     print(text);
     return ExitCode::done;
 }

@@ -33,11 +33,14 @@ std::string value_text(const TextureParameter& row) {
 /// The bandwidth as wavelengths.
 std::string band_text(const TextureParameter& row) {
     if (!row.quantity.band) return "–";
-    return format_value(2.0 * pi / row.quantity.band->upper, "m", 3) + " … " + format_value(2.0 * pi / row.quantity.band->lower, "m", 3);
+    return format_value(2.0 * pi / row.quantity.band->upper, "m", 3) + " … " +
+           format_value(2.0 * pi / row.quantity.band->lower, "m", 3);
 }
 
 std::string title(const MeasuredTexture& measured) {
-    return measured.file + (measured.measurement.empty() || measured.measurement == measured.file ? "" : " (" + measured.measurement + ")");
+    return measured.file + (measured.measurement.empty() || measured.measurement == measured.file
+                                ? ""
+                                : " (" + measured.measurement + ")");
 }
 
 std::string points_text(const TextureParameter& row) { return row.quantity.n ? std::to_string(*row.quantity.n) : "–"; }
@@ -45,7 +48,8 @@ std::string points_text(const TextureParameter& row) { return row.quantity.n ? s
 constexpr std::array columns{"symbol", "quantity", "value", "wavelengths", "filter", "points", "status"};
 
 std::vector<std::string> cells(const TextureParameter& row) {
-    return {row.quantity.symbol, row.quantity.quantity, value_text(row), band_text(row), row.filter, points_text(row), status(row)};
+    return {row.quantity.symbol, row.quantity.quantity, value_text(row), band_text(row),
+            row.filter,          points_text(row),      status(row)};
 }
 
 std::string as_markdown(const MeasuredTexture& measured) {
@@ -70,8 +74,13 @@ std::string tex(const std::string& text) {
         if (c == '_' || c == '%' || c == '&' || c == '#' || c == '$') result += '\\';
         result += c;
     }
-    for (const auto& [from, to] : {std::pair<std::string, std::string>{"±", "$\\pm$"}, {"µ", "$\\mu$"}, {"…", "\\dots{}"}, {"–", "--"}, {"²", "$^2$"}})
-        for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size())) result.replace(at, from.size(), to);
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"±", "$\\pm$"},
+                                   {"µ", "$\\mu$"},
+                                   {"…", "\\dots{}"},
+                                   {"–", "--"},
+                                   {"²", "$^2$"}})
+        for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))
+            result.replace(at, from.size(), to);
     return result;
 }
 
@@ -91,15 +100,18 @@ std::string as_latex(const MeasuredTexture& measured) {
 std::string number(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
 
 std::string as_tsv(const std::vector<MeasuredTexture>& list) {
-    std::string text = "file\tmeasurement\tquantity\tsymbol\tvalue\tstderr\tunit\tfilter\tband_low [1/m]\tband_high [1/m]\tn\tstatus\talert\tsource\n";
+    std::string text =
+        "file\tmeasurement\tquantity\tsymbol\tvalue\tstderr\tunit\tfilter\tband_low [1/m]\tband_high [1/m]\tn\tstatus\talert\tsource\n";
     for (const auto& measured : list)
         for (const auto& row : measured.parameters) {
             const auto& q = row.quantity;
             std::string codes;
             for (const auto& alert : q.alerts) codes += (codes.empty() ? "" : " ") + alert.code;
-            text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", measured.file, measured.measurement, q.quantity, q.symbol,
-                                number(q.estimate.value), number(q.estimate.standard_error), q.unit, row.filter, q.band ? number(q.band->lower) : "",
-                                q.band ? number(q.band->upper) : "", q.n ? std::to_string(*q.n) : "", row.ok() ? "ok" : "warn", codes, q.source);
+            text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", measured.file,
+                                measured.measurement, q.quantity, q.symbol, number(q.estimate.value),
+                                number(q.estimate.standard_error), q.unit, row.filter,
+                                q.band ? number(q.band->lower) : "", q.band ? number(q.band->upper) : "",
+                                q.n ? std::to_string(*q.n) : "", row.ok() ? "ok" : "warn", codes, q.source);
         }
     return text;
 }
@@ -113,15 +125,18 @@ std::string as_text(const MeasuredTexture& measured) {
     return tables::as_text(table) + "\n";
 }
 
-constexpr std::string_view marker = "<!-- what stands above is made by `setae params --documentation docs/parameters.md` -->\n";
+constexpr std::string_view marker =
+    "<!-- what stands above is made by `setae params --documentation docs/parameters.md` -->\n";
 
 std::string rows_of(Standard standard) {
     std::string text = "| symbol | name | formula | unit | clause | validated against |\n|---|---|---|---|---|---|\n";
     for (const auto& row : texture::parameters()) {
         if (row.standard != standard) continue;
         std::string formula(row.formula);
-        for (auto at = formula.find('|'); at != std::string::npos; at = formula.find('|', at + 2)) formula.insert(at, "\\");
-        text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.symbol, row.name, formula, row.unit, row.clause, row.validated);
+        for (auto at = formula.find('|'); at != std::string::npos; at = formula.find('|', at + 2))
+            formula.insert(at, "\\");
+        text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.symbol, row.name, formula, row.unit, row.clause,
+                            row.validated);
     }
     return text + "\n";
 }
@@ -131,7 +146,8 @@ std::string rows_of(Standard standard) {
 std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format) {
     if (format == "tsv") return as_tsv(list);
     std::string text;
-    for (const auto& measured : list) text += format == "md" ? as_markdown(measured) : format == "latex" ? as_latex(measured) : as_text(measured);
+    for (const auto& measured : list)
+        text += format == "md" ? as_markdown(measured) : format == "latex" ? as_latex(measured) : as_text(measured);
     return text;
 }
 
@@ -158,7 +174,8 @@ std::string parameter_page() {
            "and --material-ratio. P, W and R take the\n"
            "first letter's place with `--profile primary|waviness|roughness`. Volumes are per area. Ratios are 0 … 1, not per cent.\n\n"
            "## Areal, ISO 25178-2:2021\n\n" +
-           rows_of(Standard::iso25178) + "## Profile, ISO 21920-2:2021\n\n" + rows_of(Standard::iso21920) + std::string(marker);
+           rows_of(Standard::iso25178) + "## Profile, ISO 21920-2:2021\n\n" + rows_of(Standard::iso21920) +
+           std::string(marker);
 }
 
 std::string parameter_page(const std::string& existing) {

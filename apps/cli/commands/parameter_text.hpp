@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "setae/texture/texture_parameter.hpp"
 #include "setae/output/json.hpp"
+#include "setae/texture/texture_parameter.hpp"
 
 namespace setae::cli {
 

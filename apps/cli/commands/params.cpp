@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "parameter_text.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "surface_options.hpp"
 #include "texture_options.hpp"
 #include "verbs.hpp"
@@ -45,8 +45,9 @@ std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, r
     other.parameters = *spectrum.other_conversion;
     other.spread = {};
     const bool exact = conversion == roughness::Conversion::exact;
-    const auto others = named(output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
-                              exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
+    const auto others = named(
+        output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
+        exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
     list.insert(list.end(), others.begin(), others.end());
     return list;
 }
@@ -60,7 +61,8 @@ ExitCode run_standard(const Arguments& arguments) {
         try {
             for (const auto& source : study::measurement_sources(input)) {
                 const auto prepared = source.prepare();
-                list.push_back({input.file, topography::metadata(prepared.measurement).name, arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
+                list.push_back({input.file, topography::metadata(prepared.measurement).name,
+                                arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
                 alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
             }
         } catch (const Error& error) {
@@ -69,10 +71,8 @@ ExitCode run_standard(const Arguments& arguments) {
         }
     }
     if (list.empty()) return ExitCode::nothing_done;
-    if (arguments.common.json || arguments.texture.format == "json")
-        print_json(parameter_json(list));
-    else
-        print(parameter_text(list, arguments.texture.format));
+    if (arguments.common.json || arguments.texture.format == "json") print_json(parameter_json(list));
+    else print(parameter_text(list, arguments.texture.format));
     for (const auto& measured : list)
         for (const auto& row : measured.parameters)
             for (const auto& alert : row.quantity.alerts)
@@ -111,7 +111,8 @@ ExitCode run(const Arguments& arguments) {
     };
     for (const auto& m : surface.measurements)
         if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m));
-    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "", spectral_quantities(surface, options.conversion));
+    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "",
+         spectral_quantities(surface, options.conversion));
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));
     return code;
@@ -121,10 +122,12 @@ ExitCode run(const Arguments& arguments) {
 
 void add_params(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<Arguments>();
-    auto* verb = program.add_subcommand("params", "roughness parameters of files, from heights and from their combined spectrum");
+    auto* verb = program.add_subcommand("params",
+                                        "roughness parameters of files, from heights and from their combined spectrum");
     arguments->surface.add_to(*verb);
     arguments->texture.add_to(*verb);
-    verb->add_option("--documentation", arguments->documentation, "write the page on the standards' parameters to this file");
+    verb->add_option("--documentation", arguments->documentation,
+                     "write the page on the standards' parameters to this file");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "run_arguments.hpp"
-#include "setae/core/errors.hpp"
-#include "setae/study_figures/write_figures.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/study/study_result.hpp"
+#include "setae/study_figures/write_figures.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -38,7 +38,8 @@ struct PlotArguments {
     bool list = false;
 
     [[nodiscard]] study_figures::FigureWidth figure_width() const {
-        return width == "single" ? study_figures::FigureWidth::single_column : study_figures::FigureWidth::double_column;
+        return width == "single" ? study_figures::FigureWidth::single_column
+                                 : study_figures::FigureWidth::double_column;
     }
 };
 
@@ -46,12 +47,16 @@ std::string ending_of(const std::string& path) {
     auto ending = std::filesystem::path(path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-        throw InvalidArgument(fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
+        throw InvalidArgument(
+            fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
     return ending;
 }
 
 output::Json as_json(const study_figures::StudyFigure& figure) {
-    output::Json json{{"identifier", figure.identifier}, {"name", figure.name}, {"title", figure.title}, {"drawable", figure.drawable()}};
+    output::Json json{{"identifier", figure.identifier},
+                      {"name", figure.name},
+                      {"title", figure.title},
+                      {"drawable", figure.drawable()}};
     if (figure.drawable()) {
         json["caption"] = figure.caption;
         json["width"] = {{"value", 1e-3 * figure.figure.width_mm}, {"unit", "m"}};
@@ -72,20 +77,26 @@ ExitCode list(const PlotArguments& arguments, const std::vector<study_figures::S
     std::size_t width = 0;
     for (const auto& figure : figures) width = std::max(width, figure.identifier.size());
     for (const auto& figure : figures)
-        print(fmt::format("{:<{}}  {}{}\n", figure.identifier, width, figure.title, figure.drawable() ? "" : "; cannot be drawn: " + figure.reason));
+        print(fmt::format("{:<{}}  {}{}\n", figure.identifier, width, figure.title,
+                          figure.drawable() ? "" : "; cannot be drawn: " + figure.reason));
     return ExitCode::done;
 }
 
 ExitCode plot(const PlotArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto result = study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto result =
+        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
     display.finish();
-    const study_figures::GalleryOptions options{.width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
+    const study_figures::GalleryOptions options{
+        .width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
     if (arguments.list) return list(arguments, study_figures::study_figures(result, options));
     const auto figure = study_figures::study_figure(result, arguments.figure, options);
-    if (!figure.drawable()) throw UndefinedDataError(fmt::format("figure {} cannot be drawn: {}", figure.identifier, figure.reason));
+    if (!figure.drawable())
+        throw UndefinedDataError(fmt::format("figure {} cannot be drawn: {}", figure.identifier, figure.reason));
     const auto output = arguments.output.empty() ? figure.name + ".svg" : arguments.output;
     const auto ending = ending_of(output);
-    bytes::write_whole_file(output, ending == "csv" ? study_figures::data_of(figure, arguments.study, arguments.figure_width()) : study_figures::bytes_of(figure, ending, &store));
+    bytes::write_whole_file(output, ending == "csv"
+                                        ? study_figures::data_of(figure, arguments.study, arguments.figure_width())
+                                        : study_figures::bytes_of(figure, ending, &store));
     if (arguments.common.json) {
         auto json = as_json(figure);
         json["file"] = output;
@@ -98,7 +109,8 @@ ExitCode plot(const PlotArguments& arguments, const cache::Store& store, Progres
 
 ExitCode run(const PlotArguments& arguments) {
     if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
-    if (!arguments.list && arguments.figure.empty()) throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
+    if (!arguments.list && arguments.figure.empty())
+        throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
     if (!arguments.output.empty()) (void)ending_of(arguments.output);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
@@ -111,9 +123,14 @@ void add_plot(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<PlotArguments>();
     auto* verb = program.add_subcommand("plot", "draw one figure of a study: SVG, PDF, PNG or its numbers as CSV");
     verb->add_option("study", arguments->study, "TOML file of the study");
-    verb->add_option("--figure", arguments->figure, "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
-    verb->add_option("-o,--output", arguments->output, "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
-    verb->add_option("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")->check(CLI::IsMember({"single", "double"}))->capture_default_str();
+    verb->add_option(
+        "--figure", arguments->figure,
+        "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
+    verb->add_option("-o,--output", arguments->output,
+                     "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
+    verb->add_option("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")
+        ->check(CLI::IsMember({"single", "double"}))
+        ->capture_default_str();
     verb->add_flag("--list", arguments->list, "list the figures of the study, and why one cannot be drawn, then stop");
     arguments->run.add_to(*verb);
     on_named(*verb, action, arguments, explanation, run);

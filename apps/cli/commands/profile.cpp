@@ -9,8 +9,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/processing/line_profile.hpp"
+#include "setae/tables/table_file.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -67,15 +67,17 @@ ExitCode run(const Arguments& arguments) {
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     if (!map) throw InvalidArgument(fmt::format("{}: a line is its own profile; expected a map", arguments.path));
     const auto unit = unit_lengths(arguments.unit, *map);
-    processing::ProfileLine line{parsed_point(arguments.from, "--from", unit), parsed_point(arguments.to, "--to", unit), 0.0, arguments.points};
+    processing::ProfileLine line{parsed_point(arguments.from, "--from", unit), parsed_point(arguments.to, "--to", unit),
+                                 0.0, arguments.points};
     line.width = parsed_width(arguments.width, *map, line);
     const auto profile = processing::line_profile(*map, line);
     Table table;
     const Index n = profile.x.size();
-    table.columns = {{"distance", "m", profile.scan.pixel_size() * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1))},
-                     {"x", "m", profile.x},
-                     {"y", "m", profile.y},
-                     {"height", "m", profile.scan.heights}};
+    table.columns = {
+        {"distance", "m", profile.scan.pixel_size() * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1))},
+        {"x", "m", profile.x},
+        {"y", "m", profile.y},
+        {"height", "m", profile.scan.heights}};
     table.metadata["lines_averaged"] = std::to_string(profile.tracks);
     if (!arguments.output.empty()) tables::write_csv(arguments.output, table);
     if (arguments.common.json) {
@@ -103,7 +105,8 @@ void add_profile(CLI::App& program, Action& action) {
     arguments->file.add_to(*verb);
     verb->add_option("--from", arguments->from, "x,y of its first point");
     verb->add_option("--to", arguments->to, "x,y of its last point");
-    verb->add_option("--unit-xy", arguments->unit, "unit of --from and --to: um, nm, mm …, or px for points of the map");
+    verb->add_option("--unit-xy", arguments->unit,
+                     "unit of --from and --to: um, nm, mm …, or px for points of the map");
     verb->add_option("--width", arguments->width, "average across it, such as 5px or \"300 nm\"");
     verb->add_option("--points", arguments->points, "along it; default: about one a pixel");
     verb->add_option("-o,--output", arguments->output, "write OUT.csv");

@@ -5,9 +5,9 @@
 #include "psd_fit.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
-#include "setae/tables/table_file.hpp"
-#include "setae/spectra/inverse_abel.hpp"
 #include "setae/spectra/abel.hpp"
+#include "setae/spectra/inverse_abel.hpp"
+#include "setae/tables/table_file.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -40,11 +40,17 @@ Table spectrum(const study::SurfaceResult& surface, const Arguments& arguments) 
     table.metadata["window"] = surface.measurements.size() == 1 ? only.spectrum.window : "of each measurement";
     if (surface.measurements.size() == 1 && !arguments.binned && !arguments.isotropic && !arguments.abel) {
         const auto own = spectra::within_band(only.spectrum);
-        table.columns = {{"wavevector", "1/m", own.wavevector}, {"C1D", "m3", own.C1D}, {"standard_error", "m3", own.standard_error}, {"count", "1", own.count}};
+        table.columns = {{"wavevector", "1/m", own.wavevector},
+                         {"C1D", "m3", own.C1D},
+                         {"standard_error", "m3", own.standard_error},
+                         {"count", "1", own.count}};
         return table;
     }
     const auto& c = *surface.combined;
-    table.columns = {{"wavevector", "1/m", c.wavevector}, {"C1D", "m3", c.C1D}, {"standard_error", "m3", c.standard_error}, {"count", "1", c.count},
+    table.columns = {{"wavevector", "1/m", c.wavevector},
+                     {"C1D", "m3", c.C1D},
+                     {"standard_error", "m3", c.standard_error},
+                     {"count", "1", c.count},
                      {"instrument_count", "1", c.instrument_count}};
     return table;
 }
@@ -54,7 +60,8 @@ void add_isotropic(Table& table, const study::SurfaceInput& input, const Argumen
     const auto& q = table.at("wavevector");
     if (const auto map = single_map(input, options)) {
         // its values belong to the mean |q| of each bin; the table has the bins' centres
-        table.columns.push_back({"C_iso", "m4", roughness::values_at(isotropic_curve(*map, options, arguments.common.workers()), q)});
+        table.columns.push_back(
+            {"C_iso", "m4", roughness::values_at(isotropic_curve(*map, options, arguments.common.workers()), q)});
         table.metadata["C_iso"] = "radial mean of the two-dimensional transform";
         return;
     }
@@ -79,10 +86,17 @@ output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
     }
     json["units"] = units;
     for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
-    json["band"] = {{"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
+    json["band"] = {
+        {"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
     json["measurements"] = output::Json::array();
     for (const auto& m : surface.measurements)
-        if (!m.failed()) json["measurements"].push_back({{"file", m.file}, {"name", m.name}, {"q_min", m.spectrum.q_min}, {"q_max", m.spectrum.q_max}, {"window", m.spectrum.window}, {"processing", output::to_json(m.processing)}});
+        if (!m.failed())
+            json["measurements"].push_back({{"file", m.file},
+                                            {"name", m.name},
+                                            {"q_min", m.spectrum.q_min},
+                                            {"q_max", m.spectrum.q_max},
+                                            {"window", m.spectrum.window},
+                                            {"processing", output::to_json(m.processing)}});
     json["alerts"] = output::to_json(alerts_of(surface));
     return json;
 }
@@ -105,7 +119,9 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.output.empty()) {
         if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
         else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
-        else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
+        else
+            throw InvalidArgument(arguments.output +
+                                  ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
     if (arguments.common.json) {
         auto json = as_json(table, surface);

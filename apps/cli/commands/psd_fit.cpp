@@ -76,18 +76,22 @@ std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit) {
 
 void add_model(Table& table, const spectra::SelfAffineFit& fit) {
     const auto curve = spectra::model_curve(fit, table.at("wavevector"));
-    const Array1D extrapolated = Array1D::NullaryExpr(curve.wavevector.size(), [&](Index k) { return curve.extrapolated[static_cast<std::size_t>(k)] ? 1.0 : 0.0; });
+    const Array1D extrapolated = Array1D::NullaryExpr(
+        curve.wavevector.size(), [&](Index k) { return curve.extrapolated[static_cast<std::size_t>(k)] ? 1.0 : 0.0; });
     table.columns.push_back({"C1D_model", "m3", curve.C1D});
     table.columns.push_back({"C1D_model_standard_error", "m3", curve.standard_error});
     table.columns.push_back({"extrapolated", "1", extrapolated});
     for (const auto& q : parameters_of(fit))
-        table.metadata["fit_" + q.quantity] = fmt::format("{:.6g} {} (standard error {:.2g})", q.estimate.value, q.unit, q.estimate.standard_error);
+        table.metadata["fit_" + q.quantity] =
+            fmt::format("{:.6g} {} (standard error {:.2g})", q.estimate.value, q.unit, q.estimate.standard_error);
     table.metadata["fit_range"] = fmt::format("{:.6g} … {:.6g} 1/m", fit.range.lower, fit.range.upper);
     if (fit.parameters.size() > 1) {
         std::string correlations;
         for (Index i = 0; i < fit.correlation.rows(); ++i)
             for (Index j = 0; j < i; ++j)
-                correlations += fmt::format("{}{}, {}: {:.2f}", correlations.empty() ? "" : "; ", fit.parameters[static_cast<std::size_t>(j)], fit.parameters[static_cast<std::size_t>(i)], fit.correlation(i, j));
+                correlations += fmt::format("{}{}, {}: {:.2f}", correlations.empty() ? "" : "; ",
+                                            fit.parameters[static_cast<std::size_t>(j)],
+                                            fit.parameters[static_cast<std::size_t>(i)], fit.correlation(i, j));
         table.metadata["fit_correlation"] = correlations;
     }
 }

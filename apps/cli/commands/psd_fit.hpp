@@ -24,8 +24,8 @@ struct FitOptions {
 /// Its parameters that were fitted.
 [[nodiscard]] std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit);
 
-/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) beside the wavevectors of a table, and the
-/// parameters in its header.
+/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) beside the wavevectors
+/// of a table, and the parameters in its header.
 void add_model(Table& table, const spectra::SelfAffineFit& fit);
 
 [[nodiscard]] output::Json fit_json(const spectra::SelfAffineFit& fit);

@@ -9,10 +9,10 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
+#include "setae/tables/table_file.hpp"
 #include "surface_options.hpp"
 #include "verbs.hpp"
 
@@ -43,7 +43,8 @@ struct ScaleArguments {
         verb.add_flag("--all", all, "also distances that sampling, tip or resolution make unreliable");
         verb.add_flag("--binned", binned, "one measurement in the bins of combined ones too");
         verb.add_option("--bins-per-decade", bins_per_decade, "bins of combined functions")->check(CLI::Range(1, 1000));
-        verb.add_option("--weighting", weighting, "equal, per_instrument or by_count")->check(CLI::IsMember({"equal", "per_instrument", "by_count"}));
+        verb.add_option("--weighting", weighting, "equal, per_instrument or by_count")
+            ->check(CLI::IsMember({"equal", "per_instrument", "by_count"}));
         verb.add_option("-o,--output,--csv", output, "write OUT.csv or OUT.nc");
     }
     [[nodiscard]] spectra::LogGrid grid() const { return {bins_per_decade}; }
@@ -60,27 +61,37 @@ struct Verb {
 
 const topography::HeightMap& map_of(const topography::Measurement& measurement) {
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    if (!map) throw InvalidArgument(topography::label(topography::metadata(measurement)) + ": a line has no area; leave out --area");
+    if (!map)
+        throw InvalidArgument(topography::label(topography::metadata(measurement)) +
+                              ": a line has no area; leave out --area");
     return *map;
 }
 
-scales::FunctionOfScale slope_or_curvature(const topography::Measurement& measurement, const ScaleArguments& arguments) {
-    scales::DifferenceOptions options{.order = arguments.order, .along = scales::along_from_name(arguments.along), .grid = arguments.grid()};
+scales::FunctionOfScale slope_or_curvature(const topography::Measurement& measurement,
+                                           const ScaleArguments& arguments) {
+    scales::DifferenceOptions options{
+        .order = arguments.order, .along = scales::along_from_name(arguments.along), .grid = arguments.grid()};
     options.threads = arguments.common.workers();
     if (!arguments.distance.empty()) {
         std::vector<double> distances;
-        for (const auto& text : CLI::detail::split(arguments.distance, ',')) distances.push_back(parse_quantity(text, dimension::length));
+        for (const auto& text : CLI::detail::split(arguments.distance, ','))
+            distances.push_back(parse_quantity(text, dimension::length));
         std::sort(distances.begin(), distances.end());
         options.distances = Eigen::Map<const Array1D>(distances.data(), static_cast<Index>(distances.size()));
     }
-    return scales::function_of(scales::difference_statistics(measurement, options), scales::statistic_from_name(arguments.statistic));
+    return scales::function_of(scales::difference_statistics(measurement, options),
+                               scales::statistic_from_name(arguments.statistic));
 }
 
-scales::FunctionOfScale autocorrelation_or_slope(const topography::Measurement& measurement, const ScaleArguments& arguments) {
+scales::FunctionOfScale autocorrelation_or_slope(const topography::Measurement& measurement,
+                                                 const ScaleArguments& arguments) {
     const scales::AutocorrelationOptions options{.threads = arguments.common.workers()};
-    if (arguments.area && arguments.slope) throw InvalidArgument("--slope of an area; take the slope of lines, or leave it out");
+    if (arguments.area && arguments.slope)
+        throw InvalidArgument("--slope of an area; take the slope of lines, or leave it out");
     if (arguments.area && !arguments.longest.empty())
-        return scales::autocorrelation_of_area(topography::tiled(map_of(measurement)), parse_quantity(arguments.longest, dimension::length), arguments.grid(), std::size_t{1} << 28, options);
+        return scales::autocorrelation_of_area(topography::tiled(map_of(measurement)),
+                                               parse_quantity(arguments.longest, dimension::length), arguments.grid(),
+                                               std::size_t{1} << 28, options);
     if (arguments.area) return scales::autocorrelation_of_area(map_of(measurement), arguments.grid(), options);
     const auto lines = scales::autocorrelation_along_lines(measurement, options);
     return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
@@ -93,13 +104,18 @@ scales::FunctionOfScale autocorrelation_of_large_map(const topography::TiledMap&
         const auto lines = scales::autocorrelation_of_lines(map, bytes, options);
         return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
     }
-    if (arguments.longest.empty()) throw InvalidArgument(topography::label(map.metadata) + ": the area of a map that is read by bands; expected --longest, the longest distance looked at");
-    return scales::autocorrelation_of_area(map, parse_quantity(arguments.longest, dimension::length), arguments.grid(), bytes, options);
+    if (arguments.longest.empty())
+        throw InvalidArgument(
+            topography::label(map.metadata) +
+            ": the area of a map that is read by bands; expected --longest, the longest distance looked at");
+    return scales::autocorrelation_of_area(map, parse_quantity(arguments.longest, dimension::length), arguments.grid(),
+                                           bytes, options);
 }
 
 scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, const ScaleArguments& arguments) {
     const scales::VariableBandwidthOptions options{.threads = arguments.common.workers()};
-    return arguments.area ? scales::variable_bandwidth_of_area(map_of(measurement), options) : scales::variable_bandwidth_along_lines(measurement, options);
+    return arguments.area ? scales::variable_bandwidth_of_area(map_of(measurement), options)
+                          : scales::variable_bandwidth_along_lines(measurement, options);
 }
 
 /// What was found, and of which measurement.
@@ -110,11 +126,16 @@ struct Found {
     bool some_failed = false;
 };
 
-scales::FunctionOfScale large_map_function(const study::LargeMap& large, const ScaleArguments& arguments, FunctionOfLargeMap function) {
+scales::FunctionOfScale large_map_function(const study::LargeMap& large, const ScaleArguments& arguments,
+                                           FunctionOfLargeMap function) {
     if (!function)
-        throw InvalidArgument(topography::label(large.map.metadata) + ": this function needs the map as a whole, which is larger than --memory allows; allow more or crop it");
-    const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(arguments.surface.analysis().largest_map));
-    return function(topography::detrended(large.map, large.trend, lines_together, arguments.common.workers()), arguments);
+        throw InvalidArgument(
+            topography::label(large.map.metadata) +
+            ": this function needs the map as a whole, which is larger than --memory allows; allow more or crop it");
+    const auto lines_together =
+        topography::lines_in(large.map, static_cast<std::size_t>(arguments.surface.analysis().largest_map));
+    return function(topography::detrended(large.map, large.trend, lines_together, arguments.common.workers()),
+                    arguments);
 }
 
 /// One measurement at a time, so that maps need not all fit into memory. What fails is printed, and the others go on.
@@ -140,7 +161,8 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
             for (const auto& source : study::measurement_sources(input))
                 attempt([&] {
                     if (study::too_large(source, options)) {
-                        take(large_map_function(*source.by_bands, arguments, verb.of_large_map), source.by_bands->alerts);
+                        take(large_map_function(*source.by_bands, arguments, verb.of_large_map),
+                             source.by_bands->alerts);
                         return;
                     }
                     const auto prepared = source.prepare();
@@ -157,13 +179,18 @@ Table table_of(Found& found, const ScaleArguments& arguments) {
     found.alerts.insert(found.alerts.end(), combined.alerts.begin(), combined.alerts.end());
     if (found.functions.size() == 1 && !arguments.binned) {
         const auto only = scales::within_limit(found.functions.front());
-        table.columns = {{"distance", "m", only.distance}, {only.quantity, only.unit, only.value}, {"count", only.count_unit, only.count}};
+        table.columns = {{"distance", "m", only.distance},
+                         {only.quantity, only.unit, only.value},
+                         {"count", only.count_unit, only.count}};
         return table;
     }
     table.metadata["weighting"] = arguments.weighting;
     found.contributors = combined.contributors;
-    table.columns = {{"distance", "m", combined.distance}, {combined.quantity, combined.unit, combined.value}, {"standard_error", combined.unit, combined.standard_error},
-                     {"count", "1", combined.count},       {"instrument_count", "1", combined.instrument_count}};
+    table.columns = {{"distance", "m", combined.distance},
+                     {combined.quantity, combined.unit, combined.value},
+                     {"standard_error", combined.unit, combined.standard_error},
+                     {"count", "1", combined.count},
+                     {"instrument_count", "1", combined.instrument_count}};
     return table;
 }
 
@@ -176,7 +203,9 @@ output::Json as_json(const Table& table, const Found& found) {
     json["units"] = units;
     json["measurements"] = output::Json::array();
     for (const auto& function : found.functions)
-        json["measurements"].push_back({{"file", function.metadata.file}, {"name", function.metadata.name}, {"reliable_from", output::number(function.reliable_from)}});
+        json["measurements"].push_back({{"file", function.metadata.file},
+                                        {"name", function.metadata.name},
+                                        {"reliable_from", output::number(function.reliable_from)}});
     if (!found.contributors.empty()) json["contributors"] = found.contributors;
     json["alerts"] = output::to_json(found.alerts);
     return json;
@@ -189,7 +218,9 @@ ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
     if (!arguments.output.empty()) {
         if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
         else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
-        else throw InvalidArgument(arguments.output + ": cannot tell the format from the name; expected an ending .nc or .csv");
+        else
+            throw InvalidArgument(arguments.output +
+                                  ": cannot tell the format from the name; expected an ending .nc or .csv");
     }
     if (arguments.common.json) print_json(as_json(table, found));
     else if (arguments.output.empty()) print(tables::as_csv(table));
@@ -198,17 +229,22 @@ ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
 }
 
 ExitCode run_sdrp(const ScaleArguments& arguments) { return run(arguments, {slope_or_curvature, nullptr}); }
-ExitCode run_acf(const ScaleArguments& arguments) { return run(arguments, {autocorrelation_or_slope, autocorrelation_of_large_map}); }
+ExitCode run_acf(const ScaleArguments& arguments) {
+    return run(arguments, {autocorrelation_or_slope, autocorrelation_of_large_map});
+}
 ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, {bandwidth, nullptr}); }
 
 }  // namespace
 
 void add_sdrp(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<ScaleArguments>();
-    auto* verb = program.add_subcommand("sdrp", "slope and curvature at every scale, of one measurement or combined from several");
+    auto* verb = program.add_subcommand(
+        "sdrp", "slope and curvature at every scale, of one measurement or combined from several");
     arguments->add_to(*verb);
-    verb->add_option("--distance", arguments->distance, "length of the stencil, such as 100nm, or several: 10nm,100nm; default ten a decade");
-    verb->add_option("--order", arguments->order, "of the derivative: 1 slope, 2 curvature, 3")->check(CLI::Range(1, 3));
+    verb->add_option("--distance", arguments->distance,
+                     "length of the stencil, such as 100nm, or several: 10nm,100nm; default ten a decade");
+    verb->add_option("--order", arguments->order, "of the derivative: 1 slope, 2 curvature, 3")
+        ->check(CLI::Range(1, 3));
     verb->add_option("--statistic", arguments->statistic, "rms, variance, mean, skewness, kurtosis, minimum, maximum");
     verb->add_option("--along", arguments->along, "x, y or both")->check(CLI::IsMember({"x", "y", "both"}));
     on_named(*verb, action, arguments, sdrp_explanation, run_sdrp);
@@ -216,7 +252,8 @@ void add_sdrp(CLI::App& program, Action& action) {
 
 void add_acf(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<ScaleArguments>();
-    auto* verb = program.add_subcommand("acf", "height-difference autocorrelation of one measurement, or combined from several");
+    auto* verb =
+        program.add_subcommand("acf", "height-difference autocorrelation of one measurement, or combined from several");
     arguments->add_to(*verb);
     verb->add_flag("--area", arguments->area, "maps over all directions, not along their lines");
     verb->add_option("--longest", arguments->longest, "longest distance of --area, which maps read by bands need");
@@ -226,7 +263,8 @@ void add_acf(CLI::App& program, Action& action) {
 
 void add_vbw(CLI::App& program, Action& action) {
     auto arguments = std::make_shared<ScaleArguments>();
-    auto* verb = program.add_subcommand("vbw", "rms height left in cells of every size, of one measurement or combined from several");
+    auto* verb = program.add_subcommand(
+        "vbw", "rms height left in cells of every size, of one measurement or combined from several");
     arguments->add_to(*verb);
     verb->add_flag("--area", arguments->area, "planes in rectangles of maps, not lines in pieces of their scan lines");
     on_named(*verb, action, arguments, vbw_explanation, run_vbw);

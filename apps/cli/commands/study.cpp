@@ -10,12 +10,12 @@
 #include "interruption.hpp"
 #include "run_arguments.hpp"
 #include "run_time.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/study_figures/write_figures.hpp"
-#include "setae/bytes/whole_file.hpp"
-#include "setae/report/report.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/report/report.hpp"
+#include "setae/study_figures/write_figures.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -58,12 +58,14 @@ void show_alerts(const study::StudyResult& result) {
     std::vector<std::pair<std::string, std::size_t>> kinds;
     const auto code_of = [](const auto& row) { return std::get<std::string>(row[0]); };
     for (const auto& row : alerts.rows) {
-        const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == code_of(row); });
+        const auto known =
+            std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == code_of(row); });
         if (known == kinds.end()) kinds.emplace_back(code_of(row), 1);
         else ++known->second;
     }
     for (const auto& [code, count] : kinds) {
-        const auto& first = *std::find_if(alerts.rows.begin(), alerts.rows.end(), [&, &name = code](const auto& row) { return code_of(row) == name; });
+        const auto& first = *std::find_if(alerts.rows.begin(), alerts.rows.end(),
+                                          [&, &name = code](const auto& row) { return code_of(row) == name; });
         complain(fmt::format("{}: {}: {}{}", code, std::get<std::string>(first[1]), std::get<std::string>(first[2]),
                              count > 1 ? fmt::format(" (and {} more in alerts.csv)", count - 1) : std::string()));
     }
@@ -72,7 +74,8 @@ void show_alerts(const study::StudyResult& result) {
 /// Removes what says that results are complete, until they are again, and what writers that were killed left.
 void remove_marks(const std::string& folder) {
     std::error_code ignored;
-    for (const char* name : {"report.html", "study.json"}) std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+    for (const char* name : {"report.html", "study.json"})
+        std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
     bytes::remove_leftovers(folder);
     bytes::remove_leftovers((std::filesystem::path(folder) / "figures").string());
 }
@@ -92,29 +95,39 @@ ExitCode show_plan(const Arguments& arguments) {
     options.threads = arguments.common.workers();
     options.store = &store;
     const auto steps = study::planned_steps(study, options);
-    const auto state = [](const study::PlannedStep& step) { return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do"; };
-    const auto count = [&](const std::string& what) { return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; }); };
+    const auto state = [](const study::PlannedStep& step) {
+        return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do";
+    };
+    const auto count = [&](const std::string& what) {
+        return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; });
+    };
     if (arguments.common.json) {
-        output::Json json{{"study", study.path}, {"output", study.output}, {"cache", store.folder()}, {"steps", output::Json::array()}};
+        output::Json json{{"study", study.path},
+                          {"output", study.output},
+                          {"cache", store.folder()},
+                          {"steps", output::Json::array()}};
         for (const auto& step : steps) {
             json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
             if (!step.error.empty()) json["steps"].back()["error"] = step.error;
         }
         print_json(json);
     } else {
-        for (const auto& step : steps) print(fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
-        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n", steps.size(), count("to do"), count("kept"),
-                          count("fails"), study.output));
+        for (const auto& step : steps)
+            print(
+                fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
+        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n",
+                          steps.size(), count("to do"), count("kept"), count("fails"), study.output));
     }
     return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
 /// Draws every figure of a study; returns how many failed.
-int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const study::Study& study, const Arguments& arguments, const cache::Store& store,
-                 ProgressDisplay& display) {
+int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const study::Study& study,
+                 const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
     constexpr double share_of_figures = 0.2;
     const auto before = display.last();
-    const auto drawable = std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); });
+    const auto drawable =
+        std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); });
     auto step = before;
     step.total += static_cast<std::size_t>(drawable);
     step.stage = "figure";
@@ -139,13 +152,17 @@ int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const s
         // one missing program fails them all alike
         if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
     }
-    if (failed > 1) complain(fmt::format("{} more figures are missing files likewise; their numbers are in the CSV files and in report.html", failed - 1));
+    if (failed > 1)
+        complain(fmt::format(
+            "{} more figures are missing files likewise; their numbers are in the CSV files and in report.html",
+            failed - 1));
     return failed;
 }
 
 /// What makes the same results again: nothing in it that changes none of them.
 std::string command_of(const Arguments& arguments) {
-    return "setae study " + shell_word(arguments.file) + (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
+    return "setae study " + shell_word(arguments.file) +
+           (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
 }
 
 ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
@@ -155,7 +172,8 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
     // a folder that holds them holds all the rest, too
     remove_marks(result.study.output);
-    const int failed_figures = arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
+    const int failed_figures =
+        arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
     display.finish();
     show_failures(result);
     output::write_results(result);
@@ -189,7 +207,8 @@ void add_study(CLI::App& program, Action& action) {
     verb->add_option("--output", arguments->output, "folder of the results; default: beside the study");
     verb->add_flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
     arguments->run.add_to(*verb);
-    verb->add_flag("--dry-run", arguments->dry_run, "list the steps and what of them is kept from earlier runs, then stop");
+    verb->add_flag("--dry-run", arguments->dry_run,
+                   "list the steps and what of them is kept from earlier runs, then stop");
     on_named(*verb, action, arguments, explanation, run);
 }
 

@@ -13,11 +13,16 @@ void SurfaceOptions::add_measurements_to(CLI::App& verb) {
     verb.add_option("files", files, "measurements of one surface: files or containers");
     file.add_to(verb);
     processing.add_to(verb);
-    verb.add_option("--instrument", instrument, "stylus, afm, tem or optical")->check(CLI::IsMember({"stylus", "afm", "tem", "optical"}));
+    verb.add_option("--instrument", instrument, "stylus, afm, tem or optical")
+        ->check(CLI::IsMember({"stylus", "afm", "tem", "optical"}));
     verb.add_option("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
     verb.add_option("--resolution", resolution, "shortest wavelength the instrument shows");
-    verb.add_option("--trend", trend, "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
-    verb.add_option("--memory", memory, "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")->check(CLI::PositiveNumber);
+    verb.add_option(
+        "--trend", trend,
+        "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
+    verb.add_option("--memory", memory,
+                    "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")
+        ->check(CLI::PositiveNumber);
 }
 
 void SurfaceOptions::add_to(CLI::App& verb) {
@@ -25,9 +30,11 @@ void SurfaceOptions::add_to(CLI::App& verb) {
     verb.add_option("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
     verb.add_option("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
     verb.add_option("--window", window, "automatic, none, hann, blackman_harris");
-    verb.add_option("--contours", contours, "sinc_corrected or segments")->check(CLI::IsMember({"sinc_corrected", "segments"}));
+    verb.add_option("--contours", contours, "sinc_corrected or segments")
+        ->check(CLI::IsMember({"sinc_corrected", "segments"}));
     verb.add_option("--conversion", conversion, "exact or eq11")->check(CLI::IsMember({"exact", "eq11"}));
-    verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")->check(CLI::Range(0, 1000000));
+    verb.add_option("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")
+        ->check(CLI::Range(0, 1000000));
 }
 
 study::SurfaceInput SurfaceOptions::surface() const {
@@ -66,7 +73,8 @@ study::AnalysisOptions SurfaceOptions::analysis() const {
     return options;
 }
 
-std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input, const study::AnalysisOptions& options) {
+std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input,
+                                                const study::AnalysisOptions& options) {
     if (input.measurements.size() != 1) return std::nullopt;
     const auto members = study::measurement_sources(input.measurements.front());
     if (members.size() != 1 || study::too_large(members.front(), options)) return std::nullopt;
@@ -75,7 +83,8 @@ std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input
     return map ? std::optional(*map) : std::nullopt;
 }
 
-roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const study::AnalysisOptions& options, parallel::Threads threads) {
+roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const study::AnalysisOptions& options,
+                                         parallel::Threads threads) {
     spectra::SpectrumOptions spectrum;
     spectrum.window = options.window;
     spectrum.threads = threads;
@@ -84,7 +93,8 @@ roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const
 }
 
 ExitCode report_failures(const study::SurfaceResult& surface) {
-    const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); });
+    const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
+                                      [](const auto& m) { return m.failed(); });
     for (const auto& m : surface.measurements)
         if (m.failed()) complain(m.error);
     if (surface.failed()) {

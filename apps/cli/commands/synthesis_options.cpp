@@ -10,17 +10,18 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/tables/power_spectrum_table.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::cli {
 namespace {
 
 double wavevector_of(const std::string& wavelength, const char* option) {
     const double length = parse_quantity(wavelength, dimension::length);
-    if (!(length > 0.0)) throw InvalidArgument(fmt::format("{} {}: expected a positive wavelength", option, wavelength));
+    if (!(length > 0.0))
+        throw InvalidArgument(fmt::format("{} {}: expected a positive wavelength", option, wavelength));
     return 2.0 * pi / length;
 }
 
@@ -58,7 +59,9 @@ spectra::SpectralDensity without_longer(spectra::SpectralDensity density, double
 spectra::SpectralDensity from_table(const std::string& path, bool line) {
     const auto columns = tables::read_table(path).columns;
     if (columns.size() >= 2 && columns[1].unit == "m4") {
-        if (columns[0].unit != "1/m") throw InvalidArgument(fmt::format("{}: first column '{}' in '{}', expected wavevectors in 1/m", path, columns[0].name, columns[0].unit));
+        if (columns[0].unit != "1/m")
+            throw InvalidArgument(fmt::format("{}: first column '{}' in '{}', expected wavevectors in 1/m", path,
+                                              columns[0].name, columns[0].unit));
         const auto C_iso = spectra::tabulated_density(columns[0].values, columns[1].values);
         const auto& q = columns[0].values;
         return line ? spectra::profile_density(C_iso, {q[0], q[q.size() - 1]}) : C_iso;
@@ -73,14 +76,16 @@ spectra::SpectralDensity from_table(const std::string& path, bool line) {
     Array1D nodes(n + 1), values(n + 1);
     nodes << q, cutoff;
     const Array1D inverted = spectra::isotropic_from_profile(q, C1D, cutoff);
-    values << inverted, inverted[n - 1] * std::pow(cutoff / q[n - 1], std::log(inverted[n - 1] / inverted[n - 2]) / std::log(q[n - 1] / q[n - 2]));
+    values << inverted, inverted[n - 1] * std::pow(cutoff / q[n - 1], std::log(inverted[n - 1] / inverted[n - 2]) /
+                                                                          std::log(q[n - 1] / q[n - 2]));
     return spectra::tabulated_density(nodes, values);
 }
 
 }  // namespace
 
 synthesis::ExpectedRoughness SynthesisPlan::expected() const {
-    return line ? synthesis::expected_roughness(density, synthesis::LineGrid{grid.nx, grid.size_x}) : synthesis::expected_roughness(density, grid, options);
+    return line ? synthesis::expected_roughness(density, synthesis::LineGrid{grid.nx, grid.size_x})
+                : synthesis::expected_roughness(density, grid, options);
 }
 
 topography::Measurement SynthesisPlan::make() const {
@@ -98,13 +103,16 @@ void SynthesisOptions::add_to(CLI::App& verb) {
     verb.add_option("--rms-slope", rms_slope, "of the spectrum");
     verb.add_option("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"");
     verb.add_option("--spectrum", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
-    verb.add_option("--pixels", pixels, "points along x and y, such as 1024x512; one number for both")->capture_default_str();
+    verb.add_option("--pixels", pixels, "points along x and y, such as 1024x512; one number for both")
+        ->capture_default_str();
     verb.add_option("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"");
-    verb.add_option("--window-of", window_of, "make a periodic surface of this extent and write --size of it, which is not periodic");
+    verb.add_option("--window-of", window_of,
+                    "make a periodic surface of this extent and write --size of it, which is not periodic");
     verb.add_option("--seed", seed, "same seed, same surface")->capture_default_str();
     verb.add_flag("--line", line, "a line on such a surface");
     verb.add_flag("--exact-rms", exact_rms, "scale the heights to the spectrum's rms height, or to --rms-height");
-    verb.add_option("--amplitudes", amplitudes, "gaussian, or exact: every mode as the spectrum says")->check(CLI::IsMember({"gaussian", "exact"}));
+    verb.add_option("--amplitudes", amplitudes, "gaussian, or exact: every mode as the spectrum says")
+        ->check(CLI::IsMember({"gaussian", "exact"}));
     verb.add_option("--stretch", stretch, "features this many times longer along --angle")->capture_default_str();
     verb.add_option("--angle", angle, "of the long direction against x, degrees")->capture_default_str();
 }
@@ -119,18 +127,28 @@ SynthesisPlan SynthesisOptions::plan(parallel::Threads threads) const {
     if (!window_of.empty()) {
         if (line) throw InvalidArgument("--window-of is for surfaces; leave it out with --line");
         const auto whole = lengths(window_of);
-        const auto count = [&](std::size_t i) { return static_cast<Index>(std::llround(whole[i] / extent[i] * static_cast<double>(points[i]))); };
+        const auto count = [&](std::size_t i) {
+            return static_cast<Index>(std::llround(whole[i] / extent[i] * static_cast<double>(points[i])));
+        };
         plan.window = points;
         const Index nx = count(0), ny = count(1);
-        const double pixel_x = extent[0] / static_cast<double>(points[0]), pixel_y = extent[1] / static_cast<double>(points[1]);
+        const double pixel_x = extent[0] / static_cast<double>(points[0]),
+                     pixel_y = extent[1] / static_cast<double>(points[1]);
         plan.grid = {nx, ny, pixel_x * static_cast<double>(nx), pixel_y * static_cast<double>(ny)};
         if (nx < points[0] || ny < points[1])
-            throw InvalidArgument(fmt::format("--window-of {} is smaller than --size {}; expected a window no larger than the surface", window_of, size));
+            throw InvalidArgument(
+                fmt::format("--window-of {} is smaller than --size {}; expected a window no larger than the surface",
+                            window_of, size));
     }
-    plan.options = {.key = {seed}, .amplitudes = amplitudes == "exact" ? synthesis::Amplitudes::exact : synthesis::Amplitudes::gaussian,
-                    .anisotropy = {stretch, angle * pi / 180.0}, .threads = threads};
+    plan.options = {
+        .key = {seed},
+        .amplitudes = amplitudes == "exact" ? synthesis::Amplitudes::exact : synthesis::Amplitudes::gaussian,
+        .anisotropy = {stretch, angle * pi / 180.0},
+        .threads = threads};
     plan.density = spectrum.empty() ? self_affine(plan.grid) : from_table(spectrum, line);
-    if (exact_rms) plan.options.exact_rms_height = rms_height.empty() ? plan.expected().rms_height : parse_quantity(rms_height, dimension::length);
+    if (exact_rms)
+        plan.options.exact_rms_height =
+            rms_height.empty() ? plan.expected().rms_height : parse_quantity(rms_height, dimension::length);
     return plan;
 }
 
@@ -139,20 +157,28 @@ spectra::SpectralDensity SynthesisOptions::self_affine(const synthesis::SurfaceG
         throw InvalidArgument("no spectrum; expected --hurst, --rolloff and --short-cutoff, or --spectrum table.csv");
     if (rms_height.empty() + rms_slope.empty() + plateau.empty() != 2)
         throw InvalidArgument("how rough? expected one of --rms-height, --rms-slope and --plateau");
-    spectra::SelfAffine model{1.0, wavevector_of(rolloff, "--rolloff"), *hurst, wavevector_of(short_cutoff, "--short-cutoff")};
+    spectra::SelfAffine model{1.0, wavevector_of(rolloff, "--rolloff"), *hurst,
+                              wavevector_of(short_cutoff, "--short-cutoff")};
     (void)spectra::density(model);
     const double longest = long_cutoff.empty() ? 0.0 : wavevector_of(long_cutoff, "--long-cutoff");
     if (longest > model.rolloff_wavevector * (1.0 + 1e-12))
-        throw InvalidArgument(fmt::format("--long-cutoff {} is shorter than --rolloff {}; expected it longer, or no other than it", long_cutoff, rolloff));
+        throw InvalidArgument(
+            fmt::format("--long-cutoff {} is shorter than --rolloff {}; expected it longer, or no other than it",
+                        long_cutoff, rolloff));
     // moments of the unit plateau without the wavevectors that are cut
-    const double unit_height = spectra::moment(model, 0.0) - longest * longest / 2.0, unit_slope = spectra::moment(model, 2.0) - std::pow(longest, 4.0) / 4.0;
+    const double unit_height = spectra::moment(model, 0.0) - longest * longest / 2.0,
+                 unit_slope = spectra::moment(model, 2.0) - std::pow(longest, 4.0) / 4.0;
     if (!plateau.empty()) model.plateau = parse_quantity(plateau, dimension::power_spectrum_2d);
-    else if (!rms_height.empty()) model.plateau = 2.0 * pi * std::pow(parse_quantity(rms_height, dimension::length), 2.0) / unit_height;
+    else if (!rms_height.empty())
+        model.plateau = 2.0 * pi * std::pow(parse_quantity(rms_height, dimension::length), 2.0) / unit_height;
     else model.plateau = 2.0 * pi * std::pow(parse_quantity(rms_slope, dimension::none), 2.0) / unit_slope;
     const auto C_iso = without_longer(spectra::density(model), longest);
     if (!line) return C_iso;
-    if (longest > 0.0) throw InvalidArgument("--long-cutoff is for surfaces; a line crosses its long waves at any angle, give --spectrum with C1D instead");
-    return spectra::profile_density(C_iso, {std::min(0.01 * model.rolloff_wavevector, 2.0 * pi / grid.size_x), model.short_wavevector});
+    if (longest > 0.0)
+        throw InvalidArgument(
+            "--long-cutoff is for surfaces; a line crosses its long waves at any angle, give --spectrum with C1D instead");
+    return spectra::profile_density(
+        C_iso, {std::min(0.01 * model.rolloff_wavevector, 2.0 * pi / grid.size_x), model.short_wavevector});
 }
 
 }  // namespace setae::cli

@@ -11,7 +11,7 @@ namespace setae::cli {
 /// What is to be made: spectrum, grid, and the window written where that is not the whole surface.
 struct SynthesisPlan {
     spectra::SpectralDensity density;  ///< C_iso of a surface, C1D of a line
-    synthesis::SurfaceGrid grid;         ///< of a line: nx and size_x
+    synthesis::SurfaceGrid grid;       ///< of a line: nx and size_x
     synthesis::SurfaceOptions options;
     bool line = false;
     std::optional<std::array<Index, 2>> window;  ///< points of it, from the surface's first point on
@@ -32,7 +32,8 @@ struct SynthesisOptions {
     double stretch = 1.0, angle = 0.0;
 
     void add_to(CLI::App& verb);
-    /// @throws InvalidArgument for options that are missing, malformed or contradict each other; as the reader of spectra.
+    /// @throws InvalidArgument for options that are missing, malformed or contradict each other; as the reader of
+    /// spectra.
     [[nodiscard]] SynthesisPlan plan(parallel::Threads threads) const;
 
 private:

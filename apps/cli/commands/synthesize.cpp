@@ -47,7 +47,8 @@ MadeRoughness measured(const topography::HeightMap& map) {
     const double mean = mean_over_rows(nx, [&](Index i) { return h.row(i).mean(); });
     const double square = mean_over_rows(nx, [&](Index i) { return (h.row(i) - mean).square().mean(); });
     const double along_x = mean_over_rows(nx - 1, [&](Index i) { return (h.row(i + 1) - h.row(i)).square().mean(); });
-    const double along_y = mean_over_rows(nx, [&](Index i) { return (h.row(i).tail(ny - 1) - h.row(i).head(ny - 1)).square().mean(); });
+    const double along_y =
+        mean_over_rows(nx, [&](Index i) { return (h.row(i).tail(ny - 1) - h.row(i).head(ny - 1)).square().mean(); });
     return {std::sqrt(square), std::sqrt(along_x / (pixel[0] * pixel[0]) + along_y / (pixel[1] * pixel[1]))};
 }
 
@@ -55,7 +56,8 @@ MadeRoughness measured(const topography::LineScan& scan) {
     const auto& h = scan.heights;
     const Array1D squares = (h - pairwise_sum(h) / static_cast<double>(h.size())).square();
     const Array1D slopes = ((h.tail(h.size() - 1) - h.head(h.size() - 1)) / scan.pixel_size()).square();
-    return {std::sqrt(pairwise_sum(squares) / static_cast<double>(h.size())), std::sqrt(pairwise_sum(slopes) / static_cast<double>(slopes.size()))};
+    return {std::sqrt(pairwise_sum(squares) / static_cast<double>(h.size())),
+            std::sqrt(pairwise_sum(slopes) / static_cast<double>(slopes.size()))};
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -65,8 +67,9 @@ ExitCode run(const Arguments& arguments) {
     const auto expected = plan.expected();
     const auto measurement = plan.make();
     write_heights(arguments.output, measurement);
-    const auto made = std::holds_alternative<topography::HeightMap>(measurement) ? measured(std::get<topography::HeightMap>(measurement))
-                                                                                 : measured(std::get<topography::LineScan>(measurement));
+    const auto made = std::holds_alternative<topography::HeightMap>(measurement)
+                          ? measured(std::get<topography::HeightMap>(measurement))
+                          : measured(std::get<topography::LineScan>(measurement));
     const Quantity quantities[] = {output::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
                                    output::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
                                    output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
@@ -77,7 +80,8 @@ ExitCode run(const Arguments& arguments) {
         for (const auto& q : quantities) print("  " + as_line(q));
         return ExitCode::done;
     }
-    output::Json json{{"output", arguments.output}, {"points", points}, {"periodic", !plan.window}, {"seed", plan.options.key.seed}};
+    output::Json json{
+        {"output", arguments.output}, {"points", points}, {"periodic", !plan.window}, {"seed", plan.options.key.seed}};
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) json["size"] = map->size;
     else json["size"] = std::get<topography::LineScan>(measurement).size;
     for (const auto& q : quantities) json["quantities"].push_back(output::to_json(q));

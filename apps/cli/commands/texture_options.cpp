@@ -12,37 +12,51 @@ using texture::ProfileKind;
 using texture::TextureParameter;
 
 void TextureOptions::add_to(CLI::App& verb) {
-    verb.add_option("--standard", standard, "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
+    verb.add_option("--standard", standard,
+                    "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
         ->check(CLI::IsMember({"iso25178", "iso21920"}));
     verb.add_option("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um");
-    verb.add_option("--l-filter", l_filter, "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)");
-    verb.add_option("--section-length", section_length, "iso21920: length of a section; default the L-filter's nesting index, else all");
-    verb.add_option("--profile", kind, "iso21920: primary, waviness or roughness (default)")->check(CLI::IsMember({"primary", "waviness", "roughness"}));
-    verb.add_option("--averages", averages, "iso21920: over the evaluation length (2021, default) or over sections (ISO 4287:1997)")
+    verb.add_option(
+        "--l-filter", l_filter,
+        "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)");
+    verb.add_option("--section-length", section_length,
+                    "iso21920: length of a section; default the L-filter's nesting index, else all");
+    verb.add_option("--profile", kind, "iso21920: primary, waviness or roughness (default)")
+        ->check(CLI::IsMember({"primary", "waviness", "roughness"}));
+    verb.add_option("--averages", averages,
+                    "iso21920: over the evaluation length (2021, default) or over sections (ISO 4287:1997)")
         ->check(CLI::IsMember({"evaluation_length", "sections"}));
-    verb.add_option("--mean-line", mean_line, "iso21920: heights from their mean (default) or from zero, for profiles an instrument filtered")
+    verb.add_option("--mean-line", mean_line,
+                    "iso21920: heights from their mean (default) or from zero, for profiles an instrument filtered")
         ->check(CLI::IsMember({"mean", "zero"}));
-    verb.add_option("--between", between, "material ratio of triangles between points (linear, default) or of points (nothing)")->check(CLI::IsMember({"linear", "nothing"}));
-    verb.add_option("--material-height", material_height, "c of Smr(c), Rmr(c) over the mean, such as 0.2um; default 0");
-    verb.add_option("--material-ratio", material_ratio, "p of Smc(p), Rmc(p), 0 … 1; default 0.5, the median")->check(CLI::Range(0.0, 1.0));
+    verb.add_option("--between", between,
+                    "material ratio of triangles between points (linear, default) or of points (nothing)")
+        ->check(CLI::IsMember({"linear", "nothing"}));
+    verb.add_option("--material-height", material_height,
+                    "c of Smr(c), Rmr(c) over the mean, such as 0.2um; default 0");
+    verb.add_option("--material-ratio", material_ratio, "p of Smc(p), Rmc(p), 0 … 1; default 0.5, the median")
+        ->check(CLI::Range(0.0, 1.0));
     verb.add_option("--format", format, "how a standard's parameters are written: text (default), md, tsv, latex, json")
         ->check(CLI::IsMember({"text", "md", "tsv", "latex", "json"}));
 }
 
 bool TextureOptions::asked() const {
     if (!standard.empty()) return true;
-    for (const auto& option : {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height})
+    for (const auto& option :
+         {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height})
         if (!option.empty() || material_ratio)
-            throw InvalidArgument("--s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, --material-height and "
-                                  "--material-ratio are of a standard's parameters; "
-                                  "give --standard iso25178 or --standard iso21920");
+            throw InvalidArgument(
+                "--s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, --material-height and "
+                "--material-ratio are of a standard's parameters; "
+                "give --standard iso25178 or --standard iso21920");
     return false;
 }
 
 texture::Filters TextureOptions::filters() const {
     texture::Filters filters;
     if (!s_filter.empty()) filters.s_filter = parse_quantity(s_filter, dimension::length);
-    if (l_filter == "default" && standard != "iso21920") throw InvalidArgument("--l-filter default is of iso21920; give a length, such as 0.8mm");
+    if (l_filter == "default" && standard != "iso21920")
+        throw InvalidArgument("--l-filter default is of iso21920; give a length, such as 0.8mm");
     if (!l_filter.empty() && l_filter != "default") filters.l_filter = parse_quantity(l_filter, dimension::length);
     return filters;
 }
@@ -50,7 +64,9 @@ texture::Filters TextureOptions::filters() const {
 texture::ProfileOptions TextureOptions::profile() const {
     texture::ProfileOptions options;
     options.filters = filters();
-    options.kind = kind == "primary" ? ProfileKind::primary : kind == "waviness" ? ProfileKind::waviness : ProfileKind::roughness;
+    options.kind = kind == "primary"    ? ProfileKind::primary
+                   : kind == "waviness" ? ProfileKind::waviness
+                                        : ProfileKind::roughness;
     if (!section_length.empty()) options.section_length = parse_quantity(section_length, dimension::length);
     if (averages == "sections") options.averages = texture::Averages::sections;
     if (mean_line == "zero") options.mean_line = texture::MeanLine::zero;
@@ -88,7 +104,9 @@ std::vector<TextureParameter> mean_over_lines(const std::vector<std::vector<Text
 
 }  // namespace
 
-std::vector<TextureParameter> TextureOptions::of_line(const texture::MeasurementView& line, texture::ProfileOptions options, parallel::Threads threads) const {
+std::vector<TextureParameter> TextureOptions::of_line(const texture::MeasurementView& line,
+                                                      texture::ProfileOptions options,
+                                                      parallel::Threads threads) const {
     if (l_filter == "default") {
         const auto setting = texture::default_setting(line, threads);
         options.filters.l_filter = setting.section_length;
@@ -97,18 +115,23 @@ std::vector<TextureParameter> TextureOptions::of_line(const texture::Measurement
     return texture::profile_parameters(line, options, threads);
 }
 
-std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Measurement& measurement, parallel::Threads threads) const {
+std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Measurement& measurement,
+                                                            parallel::Threads threads) const {
     const auto of_lines = profile();
-    if (standard == "iso25178") return texture::areal_parameters(measurement, {.filters = of_lines.filters,
-                                                      .between = of_lines.between,
-                                                      .material_height = of_lines.material_height,
-                                                      .material_ratio = of_lines.material_ratio}, threads);
+    if (standard == "iso25178")
+        return texture::areal_parameters(measurement,
+                                         {.filters = of_lines.filters,
+                                          .between = of_lines.between,
+                                          .material_height = of_lines.material_height,
+                                          .material_ratio = of_lines.material_ratio},
+                                         threads);
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     if (!map) return of_line(measurement, of_lines, threads);
     std::vector<std::vector<TextureParameter>> lines;
     for (const auto& line : topography::line_scans(*map))
         if ((line.heights == line.heights).count() > 1) lines.push_back(of_line(line, of_lines, threads));
-    if (lines.empty()) throw UndefinedDataError(topography::label(map->metadata) + ": no scan line has two defined heights");
+    if (lines.empty())
+        throw UndefinedDataError(topography::label(map->metadata) + ": no scan line has two defined heights");
     return mean_over_lines(lines);
 }
 

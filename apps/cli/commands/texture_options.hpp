@@ -8,7 +8,8 @@ namespace setae::cli {
 
 /// Options of `setae params --standard`: which parameters, behind which filters, written how.
 struct TextureOptions {
-    std::string standard, s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height;
+    std::string standard, s_filter, l_filter, section_length, kind, averages, mean_line, between, format,
+        material_height;
     std::optional<double> material_ratio;
 
     void add_to(CLI::App& verb);
@@ -17,13 +18,17 @@ struct TextureOptions {
     /// @throws InvalidArgument where only options of them are given.
     [[nodiscard]] bool asked() const;
 
-    /// Parameters of one measurement; of a map by ISO 21920-2 the mean over its scan lines, with the standard error of their spread.
-    [[nodiscard]] std::vector<texture::TextureParameter> parameters_of(const topography::Measurement& measurement, parallel::Threads threads) const;
+    /// Parameters of one measurement; of a map by ISO 21920-2 the mean over its scan lines, with the standard error of
+    /// their spread.
+    [[nodiscard]] std::vector<texture::TextureParameter> parameters_of(const topography::Measurement& measurement,
+                                                                       parallel::Threads threads) const;
 
 private:
     [[nodiscard]] texture::Filters filters() const;
     [[nodiscard]] texture::ProfileOptions profile() const;
-    [[nodiscard]] std::vector<texture::TextureParameter> of_line(const texture::MeasurementView& line, texture::ProfileOptions options, parallel::Threads threads) const;
+    [[nodiscard]] std::vector<texture::TextureParameter> of_line(const texture::MeasurementView& line,
+                                                                 texture::ProfileOptions options,
+                                                                 parallel::Threads threads) const;
 };
 
 }  // namespace setae::cli

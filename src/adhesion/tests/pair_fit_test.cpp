@@ -64,7 +64,10 @@ TEST(WorkFit, CoversTheTruthAsOftenAsItSays) {
         for (auto& p : points) p.measured.value += noise(random);
         const auto fit = fit_work_of_adhesion(points);
         plain += std::abs(fit.work_of_adhesion.value - 0.08) < 2.131 * fit.work_of_adhesion.standard_error ? 1 : 0;
-        weighted += std::abs(fit.weighted->work_of_adhesion.value - 0.08) < 1.960 * fit.weighted->work_of_adhesion.standard_error ? 1 : 0;
+        weighted += std::abs(fit.weighted->work_of_adhesion.value - 0.08) <
+                            1.960 * fit.weighted->work_of_adhesion.standard_error
+                        ? 1
+                        : 0;
     }
     EXPECT_NEAR(plain / double(draws), 0.95, 0.033);
     EXPECT_NEAR(weighted / double(draws), 0.95, 0.033);
@@ -96,7 +99,8 @@ TEST(WorkFit, RefusesASinglePair) { EXPECT_THROW((void)fit_work_of_adhesion({pai
 
 TEST(LineFit, HasTheTextbookStandardErrors) {
     // Anscombe's first set, Am. Stat. 27 (1973) 17: slope 0.5001 ± 0.1179, intercept 3.0001 ± 1.1247, R² 0.6665
-    const auto fit = fit_line({10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5}, {8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68});
+    const auto fit = fit_line({10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5},
+                              {8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68});
     EXPECT_NEAR(fit.slope.value, 0.5001, 5e-5);
     EXPECT_NEAR(fit.slope.standard_error, 0.1179, 5e-5);
     EXPECT_NEAR(fit.intercept.value, 3.0001, 5e-5);
@@ -110,12 +114,14 @@ TEST(FreeEnergies, RecoverWhatEachSurfaceStores) {
     for (int s = 0; s < 3; ++s)
         for (const double modulus : {0.9e6, 1.4e6, 2.5e6, 13e6}) {
             const double r = 1.1 + 0.2 * s, u = 1e-9 * (1 + s);
-            points.push_back({"s" + std::to_string(s), std::max(0.0, 0.037 * r - 0.025 * (r - 1.0) - modulus * u), r, 0.025 * (r - 1.0), modulus});
+            points.push_back({"s" + std::to_string(s), std::max(0.0, 0.037 * r - 0.025 * (r - 1.0) - modulus * u), r,
+                              0.025 * (r - 1.0), modulus});
         }
     const auto fit = fit_with_free_energies(points);
     EXPECT_NEAR(fit.work_of_adhesion, 0.037, 1e-6);
     EXPECT_NEAR(fit.r_squared, 1.0, 1e-6);
-    for (std::size_t s = 0; s < 3; ++s) EXPECT_NEAR(fit.energy_per_modulus[s].second, 1e-9 * static_cast<double>(1 + s), 1e-12);
+    for (std::size_t s = 0; s < 3; ++s)
+        EXPECT_NEAR(fit.energy_per_modulus[s].second, 1e-9 * static_cast<double>(1 + s), 1e-12);
 }
 
 }  // namespace

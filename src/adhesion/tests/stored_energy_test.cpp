@@ -19,8 +19,9 @@ topography::HeightMap wave(Index nx, Index ny, int kx, int ky, double amplitude)
     topography::HeightMap map{Array2D(nx, ny), {2e-6, 3e-6}, true};
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j)
-            map.heights(i, j) = amplitude * std::cos(2.0 * pi * (kx * static_cast<double>(i) / static_cast<double>(nx) +
-                                                                 ky * static_cast<double>(j) / static_cast<double>(ny)));
+            map.heights(i, j) = amplitude * std::cos(2.0 * pi *
+                                                     (kx * static_cast<double>(i) / static_cast<double>(nx) +
+                                                      ky * static_cast<double>(j) / static_cast<double>(ny)));
     return map;
 }
 
@@ -44,7 +45,8 @@ TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
     const spectra::SelfAffine model{5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
-    const roughness::SpectrumCurve curve{q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, roughness::Density::C_iso};
+    const roughness::SpectrumCurve curve{
+        q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, roughness::Density::C_iso};
     const auto p = roughness::spectral_parameters(curve);
     EXPECT_LT(stored_energy(1e6, curve), stored_energy_bound(1e6, p.rms_height, p.rms_slope));
     EXPECT_GT(stored_energy(1e6, curve), 0.3 * stored_energy_bound(1e6, p.rms_height, p.rms_slope));
@@ -55,7 +57,8 @@ TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
 roughness::CumulativeParameters rough(double factor) {
     const spectra::SelfAffine model{factor * 5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
     const Array1D q = Array1D::LinSpaced(200, std::log(1e4), std::log(model.short_wavevector)).exp();
-    return roughness::cumulative_parameters({q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, roughness::Density::C_iso});
+    return roughness::cumulative_parameters(
+        {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, roughness::Density::C_iso});
 }
 
 TEST(ScaleBalance, RunsFromNothingToTheWhole) {
@@ -67,8 +70,9 @@ TEST(ScaleBalance, RunsFromNothingToTheWhole) {
     EXPECT_NEAR(balance.work_share[0], 0.0, 1e-12);
     EXPECT_NEAR(balance.work_share[last], 1.0, 1e-12);
     // all roughness together is the balance (7) itself; none is the flat surface
-    const auto whole = modified_balance(0.037, 0.025, {roughness::gaussian_area_ratio(below.rms_slope[last]),
-                                                       1e6 * below.elastic_energy_per_modulus[last]});
+    const auto whole = modified_balance(
+        0.037, 0.025,
+        {roughness::gaussian_area_ratio(below.rms_slope[last]), 1e6 * below.elastic_energy_per_modulus[last]});
     EXPECT_NEAR(balance.gained[0] - balance.stored[0], whole.raw, 1e-12);
     EXPECT_NEAR(balance.gained[last], 0.037, 1e-12);
     EXPECT_NEAR(balance.stored[last], 0.0, 1e-15);

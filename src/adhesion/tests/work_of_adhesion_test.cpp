@@ -16,7 +16,9 @@ TEST(ModifiedBalance, OfAFlatSurfaceIsTheIntrinsicWork) {
 TEST(ModifiedBalance, WithoutStiffnessGivesTheNumbersOfTableS1) {
     // THEORY §11: W_app(E → 0) with W_int 37, γ1 25 mJ/m² for the slopes of Table S1
     for (const auto& [slope, expected] : {std::pair{0.39, 37.85}, {1.46, 45.26}, {1.15, 42.70}, {1.07, 42.08}})
-        EXPECT_NEAR(1e3 * modified_balance(0.037, 0.025, {roughness::gaussian_area_ratio(slope), 0.0}).raw, expected, 0.005) << slope;
+        EXPECT_NEAR(1e3 * modified_balance(0.037, 0.025, {roughness::gaussian_area_ratio(slope), 0.0}).raw, expected,
+                    0.005)
+            << slope;
 }
 
 TEST(ModifiedBalance, IsFlooredAtZeroAndSaysSo) {
@@ -34,13 +36,15 @@ TEST(ModifiedBalance, RefusesWhatHasNoMeaning) {
 
 TEST(Balances, DifferByTheStretchingOfTheSoftSide) {
     const ConformalState state{1.5, 0.01};
-    EXPECT_NEAR(balance_without_area_change(0.037, state).raw - modified_balance(0.037, 0.025, state).raw, 0.0125, 1e-15);
+    EXPECT_NEAR(balance_without_area_change(0.037, state).raw - modified_balance(0.037, 0.025, state).raw, 0.0125,
+                1e-15);
     EXPECT_NEAR(persson_tosatti_balance(0.037, 1.0, 0.01).raw, balance_without_area_change(0.037, state).raw, 1e-15);
 }
 
 TEST(GeneralBalance, EqualsTheModifiedOneForAConstantSurfaceEnergy) {
     const ConformalState state{1.688, 0.004};
-    EXPECT_NEAR(general_balance(0.037, SurfaceEnergyLaw::constant(0.025), state).raw, modified_balance(0.037, 0.025, state).raw, 1e-16);
+    EXPECT_NEAR(general_balance(0.037, SurfaceEnergyLaw::constant(0.025), state).raw,
+                modified_balance(0.037, 0.025, state).raw, 1e-16);
 }
 
 TEST(GeneralBalance, OfASurfaceStressLawHasItsClosedForm) {
@@ -48,7 +52,8 @@ TEST(GeneralBalance, OfASurfaceStressLawHasItsClosedForm) {
     const double r = 1.5, chi = 0.02, w = 0.037, gamma = 0.025;
     const double expected = (w + chi * (r - 1.0)) * r - gamma * (r - 1.0) - 0.5 * chi * (r - 1.0) * (r - 1.0) - 0.003;
     EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}).raw, expected, 1e-16);
-    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}, 0.001).raw, expected - 0.001 * r, 1e-16);
+    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}, 0.001).raw,
+                expected - 0.001 * r, 1e-16);
 }
 
 TEST(SurfaceEnergyLaw, IsLinearBetweenItsNodesAndConstantBeyond) {

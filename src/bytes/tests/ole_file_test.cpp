@@ -18,7 +18,11 @@ std::string counting(std::size_t size) {
     return content;
 }
 
-const Members streams{{"large", counting(9001)}, {"small", counting(130)}, {"empty", ""}, {"other", counting(65)}, {"exact", counting(4096)}};
+const Members streams{{"large", counting(9001)},
+                      {"small", counting(130)},
+                      {"empty", ""},
+                      {"other", counting(65)},
+                      {"exact", counting(4096)}};
 
 TEST(OleFile, GivesStreamsOfEverySizeWholeAndInParts) {
     for (const unsigned shift : {9u, 12u}) {
@@ -27,7 +31,8 @@ TEST(OleFile, GivesStreamsOfEverySizeWholeAndInParts) {
         for (const auto& [name, content] : streams) {
             const auto stream = file.stream(name);
             EXPECT_EQ(stream.all(), content) << name;
-            for (std::size_t at = 0; at + 60 < content.size(); at += 37) ASSERT_EQ(stream.bytes(at, 60), content.substr(at, 60)) << name << ' ' << at;
+            for (std::size_t at = 0; at + 60 < content.size(); at += 37)
+                ASSERT_EQ(stream.bytes(at, 60), content.substr(at, 60)) << name << ' ' << at;
         }
     }
 }
@@ -53,7 +58,8 @@ TEST(OleFile, ChainsInCirclesAreRefused) {
 }
 
 TEST(OleFile, LongListsOfTableSectorsAreFollowed) {
-    const auto big = counting(24 << 20);  // 49152 sectors need 388 of table, 109 fit into the header and 127 into each further sector
+    const auto big = counting(
+        24 << 20);  // 49152 sectors need 388 of table, 109 fit into the header and 127 into each further sector
     const OleFile file(memory_source("a", CompoundFile({{"big", big}}).content()), "X");
     EXPECT_EQ(file.stream("big").all(), big);
 }

@@ -21,7 +21,8 @@ TEST(Leftovers, OfDeadWritersGoAndAllElseStays) {
     if (dead == 0) _exit(0);
     ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
     const auto touch = [&](const std::string& name) { std::ofstream(folder / name) << "x"; };
-    const auto of_dead = "study.json." + std::to_string(dead) + ".0.part", of_us = "study.json." + std::to_string(getpid()) + ".0.part";
+    const auto of_dead = "study.json." + std::to_string(dead) + ".0.part",
+               of_us = "study.json." + std::to_string(getpid()) + ".0.part";
     for (const auto& name : {of_dead, of_us, std::string("notes.part"), std::string("study.json")}) touch(name);
     remove_leftovers(folder.string());
     EXPECT_FALSE(fs::exists(folder / of_dead));

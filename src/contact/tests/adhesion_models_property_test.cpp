@@ -19,7 +19,8 @@ double power_of_ten(double lowest, double highest) {
 }
 
 AdhesiveContact any_contact() {
-    return {.radius = power_of_ten(-9, 0), .contact_modulus = power_of_ten(2, 12), .work_of_adhesion = power_of_ten(-6, 1)};
+    return {
+        .radius = power_of_ten(-9, 0), .contact_modulus = power_of_ten(2, 12), .work_of_adhesion = power_of_ten(-6, 1)};
 }
 
 // away from the folds, where inverses lose half the digits, and for a long range from what rounding leaves of the load
@@ -31,9 +32,11 @@ RC_GTEST_PROP(MaugisDugdaleProperty, RadiusUndoesForceAndDisplacement, ()) {
                                           .work_of_adhesion = plain.work_of_adhesion,
                                           .cohesive_stress = maugis_dugdale::cohesive_stress(lambda, plain)};
     const double a = jkr::maugis_units(plain).length * power_of_ten(0.1, 3);
-    RC_ASSERT(std::abs(maugis_dugdale::contact_radius_at_force(maugis_dugdale::force(a, contact), contact) / a - 1.0) < 1e-10);
-    RC_ASSERT(std::abs(maugis_dugdale::contact_radius_at_displacement(maugis_dugdale::displacement(a, contact), contact) / a -
-                       1.0) < 1e-10);
+    RC_ASSERT(std::abs(maugis_dugdale::contact_radius_at_force(maugis_dugdale::force(a, contact), contact) / a - 1.0) <
+              1e-10);
+    RC_ASSERT(
+        std::abs(maugis_dugdale::contact_radius_at_displacement(maugis_dugdale::displacement(a, contact), contact) / a -
+                 1.0) < 1e-10);
 }
 
 RC_GTEST_PROP(MaugisDugdaleProperty, PullOffWeakensFromDmtToJkrAsTheRangeShrinks, ()) {
@@ -53,11 +56,12 @@ RC_GTEST_PROP(LargeStrainProperty, RadiusUndoesForceAndDisplacementOutsideTheFol
     const double share = 1e-3 * *rc::gen::inRange(50, 990);
     const double at_load = load_fold + share * (contact.radius - load_fold);
     const double at_grips = grips_fold + share * (contact.radius - grips_fold);
-    RC_ASSERT(std::abs(large_strain::contact_radius_at_force(large_strain::force(at_load, contact), contact) / at_load - 1.0) <
-              1e-10);
-    RC_ASSERT(std::abs(large_strain::contact_radius_at_displacement(large_strain::displacement(at_grips, contact), contact) /
-                           at_grips -
+    RC_ASSERT(std::abs(large_strain::contact_radius_at_force(large_strain::force(at_load, contact), contact) / at_load -
                        1.0) < 1e-10);
+    RC_ASSERT(
+        std::abs(large_strain::contact_radius_at_displacement(large_strain::displacement(at_grips, contact), contact) /
+                     at_grips -
+                 1.0) < 1e-10);
 }
 
 RC_GTEST_PROP(DmtProperty, RadiusUndoesForceAndDisplacement, ()) {
@@ -76,7 +80,8 @@ RC_GTEST_PROP(TransitionProperty, RadiusUndoesForce, ()) {
 }
 
 RC_GTEST_PROP(CrackSpeedProperty, SpeedUndoesEnergyReleaseRate, ()) {
-    const crack_speed::Law law{.threshold = power_of_ten(-3, 2), .reference_speed = power_of_ten(-10, -2), .exponent = power_of_ten(-1, 0)};
+    const crack_speed::Law law{
+        .threshold = power_of_ten(-3, 2), .reference_speed = power_of_ten(-10, -2), .exponent = power_of_ten(-1, 0)};
     const double v = law.reference_speed * power_of_ten(-2, 4);
     RC_ASSERT(std::abs(crack_speed::speed(crack_speed::energy_release_rate(v, law), law) / v - 1.0) < 1e-10);
 }

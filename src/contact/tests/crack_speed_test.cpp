@@ -34,11 +34,13 @@ TEST(CrackSpeed, IsUndefinedBelowTheThreshold) {
 TEST(CrackSpeed, DerivativeIsTheSlope) {
     for (const double v : {1e-8, 1e-6, 1e-4}) {
         const double step = 1e-4 * v;  // error O(step²/v²) = 1e-8
-        const double slope = (energy_release_rate(v + step, rubber) - energy_release_rate(v - step, rubber)) / (2.0 * step);
+        const double slope =
+            (energy_release_rate(v + step, rubber) - energy_release_rate(v - step, rubber)) / (2.0 * step);
         EXPECT_NEAR(energy_release_rate_derivative(v, rubber) / slope, 1.0, 1e-7);
     }
     EXPECT_TRUE(std::isinf(energy_release_rate_derivative(0.0, rubber)));
-    EXPECT_DOUBLE_EQ(energy_release_rate_derivative(0.0, {.threshold = 3.0, .reference_speed = 2.0, .exponent = 1.0}), 1.5);
+    EXPECT_DOUBLE_EQ(energy_release_rate_derivative(0.0, {.threshold = 3.0, .reference_speed = 2.0, .exponent = 1.0}),
+                     1.5);
 }
 
 TEST(CrackSpeed, OfSeriesEqualsThatOfEachValue) {

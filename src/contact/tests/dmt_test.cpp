@@ -57,7 +57,8 @@ TEST(Dmt, OfSeriesEqualsThatOfEachValue) {
     const Array1D displacements = Array1D::LinSpaced(5, -1e-11, 1e-9);
     EXPECT_EQ(contact_radius_at_force(loads, tip)[3], contact_radius_at_force(loads[3], tip));
     EXPECT_EQ(displacement_at_force(loads, tip)[4], displacement_at_force(loads[4], tip));
-    EXPECT_EQ(contact_radius_at_displacement(displacements, tip)[2], contact_radius_at_displacement(displacements[2], tip));
+    EXPECT_EQ(contact_radius_at_displacement(displacements, tip)[2],
+              contact_radius_at_displacement(displacements[2], tip));
     EXPECT_EQ(force_at_displacement(displacements, tip)[1], force_at_displacement(displacements[1], tip));
     EXPECT_TRUE(std::isnan(force_at_displacement(displacements, tip)[0]));
 }

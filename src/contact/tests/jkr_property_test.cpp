@@ -16,17 +16,20 @@ double power_of_ten(int lowest, int highest) {
 
 /// From atomic tips to hand-sized lenses, from gels to diamond.
 Contact any_contact() {
-    return {.radius = power_of_ten(-9, 0), .contact_modulus = power_of_ten(2, 12), .work_of_adhesion = power_of_ten(-6, 1)};
+    return {
+        .radius = power_of_ten(-9, 0), .contact_modulus = power_of_ten(2, 12), .work_of_adhesion = power_of_ten(-6, 1)};
 }
 
-// The square root at a fold turns rounding of 1e-16 in force or displacement into 1e-8 in radius, so radii stay 1 % away.
+// The square root at a fold turns rounding of 1e-16 in force or displacement into 1e-8 in radius, so radii stay 1 %
+// away.
 RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementOutsideTheFold, ()) {
     const Contact contact = any_contact();
     const double excess = 1.0 + power_of_ten(-2, 6);
     const double at_load = excess * pull_off_at_fixed_load(contact).contact_radius;
     RC_ASSERT(std::abs(contact_radius_at_force(force(at_load, contact), contact) / at_load - 1.0) < 1e-12);
     const double at_grips = excess * pull_off_at_fixed_grips(contact).contact_radius;
-    RC_ASSERT(std::abs(contact_radius_at_displacement(displacement(at_grips, contact), contact) / at_grips - 1.0) < 1e-12);
+    RC_ASSERT(std::abs(contact_radius_at_displacement(displacement(at_grips, contact), contact) / at_grips - 1.0) <
+              1e-12);
 }
 
 RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementInsideTheFold, ()) {
@@ -36,7 +39,8 @@ RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementInsideTheFold, ()) {
     const double from_force = contact_radius_at_force(force(at_load, contact), contact, Branch::inner);
     RC_ASSERT(std::abs(from_force / at_load - 1.0) < 1e-12);
     const double at_grips = share * pull_off_at_fixed_grips(contact).contact_radius;
-    const double from_displacement = contact_radius_at_displacement(displacement(at_grips, contact), contact, Branch::inner);
+    const double from_displacement =
+        contact_radius_at_displacement(displacement(at_grips, contact), contact, Branch::inner);
     RC_ASSERT(std::abs(from_displacement / at_grips - 1.0) < 1e-11);
 }
 
@@ -48,7 +52,8 @@ RC_GTEST_PROP(JkrProperty, IsTheSameInMaugisUnits, ()) {
     const double scaled_displacement = radius * radius - 2.0 / 3.0 * std::sqrt(6.0 * radius);
     const double size = radius * radius * radius + 1.0;
     RC_ASSERT(std::abs(force(radius * scales.length, contact) / scales.force - scaled_force) < 1e-12 * size);
-    RC_ASSERT(std::abs(displacement(radius * scales.length, contact) / scales.height - scaled_displacement) < 1e-12 * size);
+    RC_ASSERT(std::abs(displacement(radius * scales.length, contact) / scales.height - scaled_displacement) <
+              1e-12 * size);
 }
 
 }  // namespace

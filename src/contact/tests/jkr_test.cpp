@@ -36,7 +36,8 @@ TEST(JkrRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
     }
     for (const double factor : {1e-6, 0.01, 0.5, 0.99, 1.0 - 1e-6}) {
         const double a = fold * factor;
-        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens), lens, Branch::inner) / a, 1.0, 1e-9) << factor;
+        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens), lens, Branch::inner) / a, 1.0, 1e-9)
+            << factor;
     }
 }
 
@@ -106,7 +107,8 @@ TEST(JkrState, ImpliesItsRadiusWithoutWorkOfAdhesion) {
 TEST(JkrEnergyReleaseRate, EqualsWorkOfAdhesionInEquilibrium) {
     for (const double a : {5e-6, 5e-5, 2e-4}) {
         EXPECT_NEAR(energy_release_rate_at_force(a, force(a, lens), bodies) / lens.work_of_adhesion, 1.0, 1e-9);
-        EXPECT_NEAR(energy_release_rate_at_displacement(a, displacement(a, lens), bodies) / lens.work_of_adhesion, 1.0, 1e-9);
+        EXPECT_NEAR(energy_release_rate_at_displacement(a, displacement(a, lens), bodies) / lens.work_of_adhesion, 1.0,
+                    1e-9);
         EXPECT_NEAR(force_at(a, displacement(a, lens), bodies) / force(a, lens), 1.0, 1e-9);
     }
 }
@@ -125,7 +127,8 @@ TEST(JkrRetraction, IsEquationOneWrittenWithThePullOffForce) {
     const double shares[] = {-0.999, -0.5, 0.0, 2.0};
     for (const double share : shares) {
         const double a = retraction_contact_radius(share * pull_off, pull_off, bodies);
-        const double a3 = 0.75 * lens.radius * pull_off / lens.contact_modulus * (share + 2.0 + 2.0 * std::sqrt(share + 1.0));
+        const double a3 =
+            0.75 * lens.radius * pull_off / lens.contact_modulus * (share + 2.0 + 2.0 * std::sqrt(share + 1.0));
         EXPECT_NEAR(a * a * a / a3, 1.0, 1e-13);
         EXPECT_NEAR(a / contact_radius_at_force(share * pull_off, lens), 1.0, 1e-13);
     }
@@ -133,12 +136,13 @@ TEST(JkrRetraction, IsEquationOneWrittenWithThePullOffForce) {
 
 TEST(JkrPullOff, GivesBackTheWorkOfAdhesionUnderEitherControl) {
     EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_load(lens).force, lens.radius), 0.05, 1e-15);
-    EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_grips(lens).force, lens.radius, Control::fixed_grips), 0.05,
-                1e-15);
+    EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_grips(lens).force, lens.radius, Control::fixed_grips),
+                0.05, 1e-15);
 }
 
 TEST(JkrPullOff, LiesOnTheEquilibriumCurve) {
-    for (const State& state : {pull_off_at_fixed_load(lens), pull_off_at_fixed_grips(lens), jump_in_at_fixed_grips(lens)}) {
+    for (const State& state :
+         {pull_off_at_fixed_load(lens), pull_off_at_fixed_grips(lens), jump_in_at_fixed_grips(lens)}) {
         EXPECT_NEAR(force(state.contact_radius, lens) / state.force, 1.0, 1e-12);
         EXPECT_NEAR(displacement(state.contact_radius, lens), state.displacement, 1e-12 * 1e-6);
     }

@@ -38,7 +38,8 @@ TEST(LargeStrain, TendsToJkrWithTheSquareOfTheRadius) {
     // a stiff lens: W/(E*R) = 4e-8
     const Contact stiff{.radius = 1.25e-3, .contact_modulus = 1e9, .work_of_adhesion = 0.05};
     EXPECT_NEAR(pull_off_at_fixed_load(stiff).force / jkr::pull_off_at_fixed_load(stiff).force, 1.0, 1e-4);
-    EXPECT_NEAR(pull_off_at_fixed_grips(stiff).displacement / jkr::pull_off_at_fixed_grips(stiff).displacement, 1.0, 1e-4);
+    EXPECT_NEAR(pull_off_at_fixed_grips(stiff).displacement / jkr::pull_off_at_fixed_grips(stiff).displacement, 1.0,
+                1e-4);
 }
 
 TEST(LargeStrainRadius, AtForceUndoesForceOnBothBranches) {
@@ -75,7 +76,8 @@ TEST(LargeStrainRadius, StaysBelowTheSphereRadius) {
 
 TEST(LargeStrainRadius, IsUndefinedBeyondTheFolds) {
     EXPECT_TRUE(std::isnan(contact_radius_at_force(pull_off_at_fixed_load(gel).force * (1.0 + 1e-12), gel)));
-    EXPECT_TRUE(std::isnan(contact_radius_at_displacement(pull_off_at_fixed_grips(gel).displacement * (1.0 + 1e-12), gel)));
+    EXPECT_TRUE(
+        std::isnan(contact_radius_at_displacement(pull_off_at_fixed_grips(gel).displacement * (1.0 + 1e-12), gel)));
     EXPECT_TRUE(std::isnan(force_at_displacement(pull_off_at_fixed_grips(gel).displacement * 1.1, gel)));
     EXPECT_TRUE(std::isnan(contact_radius_at_force(1e-9, gel, Branch::inner)));
     EXPECT_TRUE(std::isnan(contact_radius_at_displacement(1e-9, gel, Branch::inner)));
@@ -99,14 +101,16 @@ TEST(LargeStrainPullOff, IsTheLeastOfTheCurve) {
 TEST(LargeStrainEnergyReleaseRate, EqualsWorkOfAdhesionInEquilibrium) {
     for (const double x : {0.05, 0.4, 0.95}) {
         const double a = x * gel.radius;
-        EXPECT_NEAR(energy_release_rate_at_force(a, force(a, gel), {gel.radius, gel.contact_modulus}) / 0.05, 1.0, 1e-10);
+        EXPECT_NEAR(energy_release_rate_at_force(a, force(a, gel), {gel.radius, gel.contact_modulus}) / 0.05, 1.0,
+                    1e-10);
     }
 }
 
 TEST(LargeStrain, ForceIsTheWorkOfDisplacementWithTheEdgeHeld) {
     // along equilibrium dF/da = (dF/dδ at fixed a) dδ/da + ..., and without adhesion dF = 2aE* dδ (the edge is regular)
     const double a = 1.3, step = 1e-5;
-    const double slope = (force(a + step, dry) - force(a - step, dry)) / (displacement(a + step, dry) - displacement(a - step, dry));
+    const double slope =
+        (force(a + step, dry) - force(a - step, dry)) / (displacement(a + step, dry) - displacement(a - step, dry));
     EXPECT_NEAR(slope / (2.0 * a * dry.contact_modulus), 1.0, 1e-8);
 }
 
@@ -114,7 +118,8 @@ TEST(LargeStrain, OfSeriesEqualsThatOfEachValue) {
     const Array1D loads = Array1D::LinSpaced(5, -2e-6, 1e-5);
     const Array1D displacements = Array1D::LinSpaced(5, -1e-5, 5e-5);
     EXPECT_EQ(contact_radius_at_force(loads, gel)[4], contact_radius_at_force(loads[4], gel));
-    EXPECT_EQ(contact_radius_at_displacement(displacements, gel)[3], contact_radius_at_displacement(displacements[3], gel));
+    EXPECT_EQ(contact_radius_at_displacement(displacements, gel)[3],
+              contact_radius_at_displacement(displacements[3], gel));
     EXPECT_EQ(force_at_displacement(displacements, gel)[3], force_at_displacement(displacements[3], gel));
 }
 
@@ -123,11 +128,13 @@ TEST(LargeStrain, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)displacement(2.0 * gel.radius, gel), InvalidArgument);
     EXPECT_THROW((void)force(-1e-6, gel), InvalidArgument);
     EXPECT_THROW((void)force(undefined, gel), InvalidArgument);
-    EXPECT_THROW((void)energy_release_rate_at_force(gel.radius, 0.0, {gel.radius, gel.contact_modulus}), InvalidArgument);
-    for (const Contact& bad : {Contact{.radius = -1.0, .contact_modulus = 1.0}, Contact{.radius = 1.0, .contact_modulus = 0.0},
-                               Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = -1.0},
-                               Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = undefined},
-                               Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = 1e7}})
+    EXPECT_THROW((void)energy_release_rate_at_force(gel.radius, 0.0, {gel.radius, gel.contact_modulus}),
+                 InvalidArgument);
+    for (const Contact& bad :
+         {Contact{.radius = -1.0, .contact_modulus = 1.0}, Contact{.radius = 1.0, .contact_modulus = 0.0},
+          Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = -1.0},
+          Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = undefined},
+          Contact{.radius = 1.0, .contact_modulus = 1.0, .work_of_adhesion = 1e7}})
         EXPECT_THROW((void)contact_radius_at_force(0.0, bad), InvalidArgument);
 }
 

@@ -31,13 +31,16 @@ TEST(Layer, OfGreatThicknessIsAHalfSpace) {
     }
     EXPECT_NEAR(pull_off_at_fixed_load(lens, thick).force / jkr::pull_off_at_fixed_load(lens).force, 1.0, 1e-4);
     const Factors none = rubber().factors(0.0);
-    for (const double factor : {none.stiffness, none.dry_displacement, none.dry_force, none.edge}) EXPECT_NEAR(factor, 1.0, 1e-12);
+    for (const double factor : {none.stiffness, none.dry_displacement, none.dry_force, none.edge})
+        EXPECT_NEAR(factor, 1.0, 1e-12);
 }
 
 TEST(Layer, LeavesThePublishedPolynomialAtSecondOrder) {
-    // Dimitriadis et al. 2002, Eq. 12 (ν = 1/2): F over Hertz's at the same δ, χ = √(Rδ)/h; the first order agrees within
-    // the 1 % of their fit, and what is missing grows as χ²
-    const auto published = [](double chi) { return 1.0 + chi * (1.133 + chi * (1.283 + chi * (0.769 + chi * 0.0975))); };
+    // Dimitriadis et al. 2002, Eq. 12 (ν = 1/2): F over Hertz's at the same δ, χ = √(Rδ)/h; the first order agrees
+    // within the 1 % of their fit, and what is missing grows as χ²
+    const auto published = [](double chi) {
+        return 1.0 + chi * (1.133 + chi * (1.283 + chi * (0.769 + chi * 0.0975)));
+    };
     const Layer layer(1.0, 0.5);
     EXPECT_NEAR(layer.factor_slopes(0.0).stiffness / 1.133, 1.0, 0.01);
     const auto missing = [&](double a) {
@@ -46,14 +49,15 @@ TEST(Layer, LeavesThePublishedPolynomialAtSecondOrder) {
         return 1.0 - published(chi) * std::pow(factors.dry_displacement, 1.5) / factors.dry_force;
     };
     EXPECT_NEAR(missing(0.05), 0.0, 1e-3);
-    EXPECT_NEAR(missing(0.2), 0.009, 1e-3);   // χ = 0.19
-    EXPECT_NEAR(missing(0.5), 0.055, 1e-3);   // χ = 0.42
-    EXPECT_NEAR(missing(1.0), 0.135, 1e-3);   // χ = 0.75
+    EXPECT_NEAR(missing(0.2), 0.009, 1e-3);  // χ = 0.19
+    EXPECT_NEAR(missing(0.5), 0.055, 1e-3);  // χ = 0.42
+    EXPECT_NEAR(missing(1.0), 0.135, 1e-3);  // χ = 0.75
 }
 
 TEST(Layer, OfIncompressibleRubberTendsToThinFilmFlow) {
-    // a thin incompressible layer, bonded below and free to slide above, resists a flat punch as a film in Stokes flow of
-    // mobility h³/(3G): F = (π/8) 3G a⁴/h³ δ, G = E*/4, that is s = (3π/64) (a/h)³ (1 + c h/a)⁴ with an edge layer of width c h
+    // a thin incompressible layer, bonded below and free to slide above, resists a flat punch as a film in Stokes flow
+    // of mobility h³/(3G): F = (π/8) 3G a⁴/h³ δ, G = E*/4, that is s = (3π/64) (a/h)³ (1 + c h/a)⁴ with an edge layer
+    // of width c h
     const Layer layer(1.0, 0.5);
     const auto edge_width = [&](double a) {
         return a * (std::pow(layer.factors(a).stiffness / (3.0 * pi / 64.0 * a * a * a), 0.25) - 1.0);
@@ -87,7 +91,8 @@ TEST(Layer, WithoutAdhesionLoadsAsAPunchOfItsRadius) {
 
 TEST(Layer, SlopesAreThoseOfTheFactors) {
     const double a = 7e-5, step = 1e-9;
-    const Factors before = rubber().factors(a - step), after = rubber().factors(a + step), slope = rubber().factor_slopes(a);
+    const Factors before = rubber().factors(a - step), after = rubber().factors(a + step),
+                  slope = rubber().factor_slopes(a);
     EXPECT_NEAR((after.stiffness - before.stiffness) / (2.0 * step) / slope.stiffness, 1.0, 1e-6);
     EXPECT_NEAR((after.dry_displacement - before.dry_displacement) / (2.0 * step) / slope.dry_displacement, 1.0, 1e-6);
     EXPECT_NEAR((after.dry_force - before.dry_force) / (2.0 * step) / slope.dry_force, 1.0, 1e-6);
@@ -96,8 +101,10 @@ TEST(Layer, SlopesAreThoseOfTheFactors) {
 
 TEST(LayerEnergyReleaseRate, EqualsWorkOfAdhesionInEquilibrium) {
     for (const double a : {1e-5, 6e-5, 1.9e-4})
-        EXPECT_NEAR(energy_release_rate_at_force(a, force(a, lens, rubber()), {lens.radius, lens.contact_modulus}, rubber()) / 0.05,
-                    1.0, 1e-9);
+        EXPECT_NEAR(
+            energy_release_rate_at_force(a, force(a, lens, rubber()), {lens.radius, lens.contact_modulus}, rubber()) /
+                0.05,
+            1.0, 1e-9);
 }
 
 TEST(LayerRadius, AtForceUndoesForceOnBothBranches) {
@@ -108,7 +115,8 @@ TEST(LayerRadius, AtForceUndoesForceOnBothBranches) {
     }
     for (const double factor : {0.01, 0.3, 0.9, 0.99}) {
         const double a = fold * factor;
-        EXPECT_NEAR(contact_radius_at_force(force(a, lens, rubber()), lens, rubber(), Branch::inner) / a, 1.0, 1e-10) << factor;
+        EXPECT_NEAR(contact_radius_at_force(force(a, lens, rubber()), lens, rubber(), Branch::inner) / a, 1.0, 1e-10)
+            << factor;
     }
 }
 
@@ -116,17 +124,20 @@ TEST(LayerRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
     const double fold = pull_off_at_fixed_grips(lens, rubber()).contact_radius;
     for (const double factor : {1.01, 1.5, 4.0}) {
         const double a = fold * factor;
-        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens, rubber()), lens, rubber()) / a, 1.0, 1e-10) << factor;
+        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens, rubber()), lens, rubber()) / a, 1.0, 1e-10)
+            << factor;
     }
     for (const double factor : {0.01, 0.3, 0.9, 0.99}) {
         const double a = fold * factor;
-        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens, rubber()), lens, rubber(), Branch::inner) / a, 1.0, 1e-10)
+        EXPECT_NEAR(contact_radius_at_displacement(displacement(a, lens, rubber()), lens, rubber(), Branch::inner) / a,
+                    1.0, 1e-10)
             << factor;
     }
 }
 
 TEST(LayerRadius, IsUndefinedBeyondTheFolds) {
-    EXPECT_TRUE(std::isnan(contact_radius_at_force(pull_off_at_fixed_load(lens, rubber()).force * (1.0 + 1e-9), lens, rubber())));
+    EXPECT_TRUE(std::isnan(
+        contact_radius_at_force(pull_off_at_fixed_load(lens, rubber()).force * (1.0 + 1e-9), lens, rubber())));
     EXPECT_TRUE(std::isnan(contact_radius_at_displacement(
         pull_off_at_fixed_grips(lens, rubber()).displacement * (1.0 + 1e-9), lens, rubber())));
     EXPECT_TRUE(std::isnan(contact_radius_at_force(1e-6, lens, rubber(), Branch::inner)));

@@ -70,7 +70,8 @@ TEST(MaugisDugdaleRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
         if (fold < 0.1 * unit) continue;  // too flat for ten digits
         for (const double factor : {0.3, 0.5, 0.9, 0.99}) {
             const double a = fold * factor;
-            EXPECT_NEAR(contact_radius_at_displacement(displacement(a, contact), contact, Branch::inner) / a, 1.0, 1e-10)
+            EXPECT_NEAR(contact_radius_at_displacement(displacement(a, contact), contact, Branch::inner) / a, 1.0,
+                        1e-10)
                 << lambda << ' ' << factor;
         }
     }
@@ -90,8 +91,8 @@ TEST(MaugisDugdaleRadius, IsUndefinedWhereThereIsNoEquilibrium) {
     }
     // without a fold there is no inner branch at all
     const Contact long_range = with(0.5);
-    EXPECT_TRUE(std::isnan(contact_radius_at_displacement(0.99 * pull_off_at_fixed_grips(long_range).displacement, long_range,
-                                                          Branch::inner)));
+    EXPECT_TRUE(std::isnan(contact_radius_at_displacement(0.99 * pull_off_at_fixed_grips(long_range).displacement,
+                                                          long_range, Branch::inner)));
 }
 
 TEST(MaugisDugdaleRadius, ReachesZeroWithTheCohesiveZoneStillActing) {
@@ -103,7 +104,8 @@ TEST(MaugisDugdaleRadius, ReachesZeroWithTheCohesiveZoneStillActing) {
         EXPECT_NEAR(small.displacement, vanished.displacement, 1e-10);
         EXPECT_TRUE(std::isinf(vanished.zone_ratio));
         EXPECT_LT(vanished.force, 0.0);
-        EXPECT_NEAR(zone_radius(0.0, with(lambda)) / zone_radius(1e-6 * jkr::maugis_units(lens).length, with(lambda)), 1.0, 1e-6);
+        EXPECT_NEAR(zone_radius(0.0, with(lambda)) / zone_radius(1e-6 * jkr::maugis_units(lens).length, with(lambda)),
+                    1.0, 1e-6);
     }
 }
 
@@ -144,7 +146,8 @@ TEST(MaugisDugdaleLimit, IsJkrToSecondOrderInTheRange) {
     const auto jkr_force = [](double a) { return a * a * a - std::sqrt(6.0 * a * a * a); };
     const auto jkr_displacement = [](double a) { return a * a - 2.0 / 3.0 * std::sqrt(6.0 * a); };
     for (const double a : {0.6, 1.2, 3.0}) {
-        EXPECT_NEAR(observed_order(reduced_state(a, 100.0).force - jkr_force(a), reduced_state(a, 400.0).force - jkr_force(a), 4.0),
+        EXPECT_NEAR(observed_order(reduced_state(a, 100.0).force - jkr_force(a),
+                                   reduced_state(a, 400.0).force - jkr_force(a), 4.0),
                     2.0, 0.02);
         EXPECT_NEAR(observed_order(reduced_state(a, 100.0).displacement - jkr_displacement(a),
                                    reduced_state(a, 400.0).displacement - jkr_displacement(a), 4.0),
@@ -178,8 +181,8 @@ TEST(MaugisDugdale, HoldsAtTheEndsOfItsDomain) {
         EXPECT_NEAR(reduced_pull_off_at_fixed_load(lambda).force, limit, 1e-12);
         EXPECT_NEAR(reduced_pull_off_at_fixed_grips(lambda).displacement, lambda < 1.0 ? 0.0 : -0.908560296416, 1e-10);
         for (const double a : {1e-6, 1.0, 1e6})
-            EXPECT_NEAR(reduced_state(a, lambda).displacement, lambda < 1.0 ? a * a : a * a - 2.0 / 3.0 * std::sqrt(6.0 * a),
-                        1e-14 * (1.0 + a * a));
+            EXPECT_NEAR(reduced_state(a, lambda).displacement,
+                        lambda < 1.0 ? a * a : a * a - 2.0 / 3.0 * std::sqrt(6.0 * a), 1e-14 * (1.0 + a * a));
         EXPECT_TRUE(std::isnan(contact_radius_at_force(std::numeric_limits<double>::infinity(), with(lambda))));
     }
     // the radius at pull-off is resolved down to λ = 1e-5, where it is 2.09 λ as at 1e-3 and 1e-4
@@ -203,8 +206,8 @@ TEST(MaugisDugdale, OpensToItsRangeAtTheEndOfTheZone) {
         const double a = pull_off_at_fixed_load(contact).contact_radius, c = zone_radius(a, contact);
         const double angle = std::acos(a / c);
         const double parabola = ((c * c - 2.0 * a * a) * angle + a * std::sqrt(c * c - a * a)) / (pi * contact.radius);
-        const double opened = 4.0 * contact.cohesive_stress / (pi * contact.contact_modulus) *
-                              (std::sqrt(c * c - a * a) * angle - c + a);
+        const double opened =
+            4.0 * contact.cohesive_stress / (pi * contact.contact_modulus) * (std::sqrt(c * c - a * a) * angle - c + a);
         EXPECT_NEAR((parabola + opened) / cohesive_range(contact), 1.0, 1e-10);
     }
 }
@@ -262,7 +265,8 @@ TEST(MaugisDugdale, SlopesAreThoseOfTheStates) {
             EXPECT_NEAR(slopes.force_by_radius, (right.force - left.force) / (2.0 * da), scale);
             EXPECT_NEAR(slopes.displacement_by_radius, (right.displacement - left.displacement) / (2.0 * da), scale);
             EXPECT_NEAR(slopes.force_by_transition, (above.force - below.force) / (2.0 * dl), scale);
-            EXPECT_NEAR(slopes.displacement_by_transition, (above.displacement - below.displacement) / (2.0 * dl), scale);
+            EXPECT_NEAR(slopes.displacement_by_transition, (above.displacement - below.displacement) / (2.0 * dl),
+                        scale);
         }
     EXPECT_THROW((void)reduced_slopes(0.0, 1.0), InvalidArgument);
 }

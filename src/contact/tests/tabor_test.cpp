@@ -25,9 +25,9 @@ TEST(Tabor, AgreesWithTheCohesiveStressOfALennardJonesLaw) {
                                           .contact_modulus = tip.contact_modulus,
                                           .work_of_adhesion = tip.work_of_adhesion,
                                           .cohesive_stress = lennard_jones_stress(tip.work_of_adhesion, atomic_range)};
-    EXPECT_NEAR(maugis_dugdale::transition_parameter(dugdale) /
-                    transition_parameter(jkr::tabor_parameter(tip, atomic_range)),
-                1.0, 1e-14);
+    EXPECT_NEAR(
+        maugis_dugdale::transition_parameter(dugdale) / transition_parameter(jkr::tabor_parameter(tip, atomic_range)),
+        1.0, 1e-14);
     // Maugis: the zone reaches over 0.97 z0
     EXPECT_NEAR(maugis_dugdale::cohesive_range(dugdale) / atomic_range, 0.974, 5e-4);
 }

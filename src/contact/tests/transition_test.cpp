@@ -66,7 +66,8 @@ TEST(Transition, IsUndefinedBeyondPullOff) {
 
 TEST(Transition, DeviatesFromMaugisAndDugdaleByWhatItsHeaderSays) {
     double everywhere = 0.0;
-    for (const double lambda : {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0}) everywhere = std::max(everywhere, deviation(lambda, -0.95));
+    for (const double lambda : {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0})
+        everywhere = std::max(everywhere, deviation(lambda, -0.95));
     EXPECT_LT(everywhere, 0.016);
     EXPECT_GT(everywhere, 0.014);  // so that the header does not overstate it
     for (const double lambda : {1.5, 2.0, 5.0, 20.0, 100.0}) EXPECT_LT(deviation(lambda, -0.95), 0.007) << lambda;
@@ -78,7 +79,8 @@ TEST(Transition, DeviatesFromMaugisAndDugdaleByWhatItsHeaderSays) {
 }
 
 TEST(Transition, ShareFollowsFromTheTransitionParameterAndBack) {
-    for (const double lambda : {1e-3, 0.1, 1.0, 5.0}) EXPECT_NEAR(transition_parameter(transition_share(lambda)) / lambda, 1.0, 1e-10);
+    for (const double lambda : {1e-3, 0.1, 1.0, 5.0})
+        EXPECT_NEAR(transition_parameter(transition_share(lambda)) / lambda, 1.0, 1e-10);
     EXPECT_NEAR(transition_parameter(0.5), -0.924 * std::log(0.49), 1e-15);
 }
 

@@ -97,7 +97,8 @@ TEST(NearestMatch, FindsAMisspeltKeyAndOnlyThat) {
 }
 
 TEST(FormatErrorMessage, BeginsWithWhere) {
-    EXPECT_STREQ(FormatError("a.txt", {.line = 12}, "got 'x', expected a number").what(), "a.txt:12: got 'x', expected a number");
+    EXPECT_STREQ(FormatError("a.txt", {.line = 12}, "got 'x', expected a number").what(),
+                 "a.txt:12: got 'x', expected a number");
     EXPECT_STREQ(FormatError("a.di", {.offset = 4096}, "truncated").what(), "a.di: at byte 4096: truncated");
 }
 
@@ -106,7 +107,9 @@ TEST(Utf8Length, KnowsCharactersFromOtherBytes) {
     EXPECT_EQ(utf8_length("\u00b5m"), 2);
     EXPECT_EQ(utf8_length("\u2212"), 3);
     EXPECT_EQ(utf8_length("\U0001F98E"), 4);
-    for (const char* broken : {"\x80", "\xc0\x80", "\xc3", "\xe2\x88", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe0\x80\x80"}) EXPECT_EQ(utf8_length(broken), 0);
+    for (const char* broken :
+         {"\x80", "\xc0\x80", "\xc3", "\xe2\x88", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe0\x80\x80"})
+        EXPECT_EQ(utf8_length(broken), 0);
 }
 
 TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {

@@ -51,7 +51,8 @@ TEST(ChiSquaredExceedance, AgreesWithItsClosedForms) {
 }
 
 TEST(Satterthwaite, OfEqualTermsAddsTheirFreedom) {
-    EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{2.0, 4.0}, VarianceTerm{2.0, 4.0}}), 8.0, 1e-12);
+    EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{2.0, 4.0}, VarianceTerm{2.0, 4.0}}), 8.0,
+                1e-12);
     EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{1.0, 3.0}, VarianceTerm{1.0}}), 12.0, 1e-12);
     EXPECT_TRUE(std::isinf(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{1.0}})));
 }
@@ -67,9 +68,11 @@ TEST(Propagated, BalanceOfAdhesionAgreesWithTwentyThousandDraws) {
     // W_app = W_int r − γ1 (r − 1) − E u with the published ± of a polished surface on a soft elastomer, r, u exact
     constexpr double ratio = 1.07125, energy = 0.177e-9;
     const auto balance = [](const Array1D& x) { return x[0] * ratio - x[1] * (ratio - 1.0) - x[2] * energy; };
-    const std::array inputs{Estimate{0.0370, 0.0037, "given"}, Estimate{0.025, 0.005, "given"}, Estimate{13.37e6, 1.17e6, "given"}};
+    const std::array inputs{Estimate{0.0370, 0.0037, "given"}, Estimate{0.025, 0.005, "given"},
+                            Estimate{13.37e6, 1.17e6, "given"}};
     const auto linear = propagated(balance, inputs);
-    const double exact = std::sqrt(std::pow(ratio * 0.0037, 2) + std::pow((ratio - 1.0) * 0.005, 2) + std::pow(energy * 1.17e6, 2));
+    const double exact =
+        std::sqrt(std::pow(ratio * 0.0037, 2) + std::pow((ratio - 1.0) * 0.005, 2) + std::pow(energy * 1.17e6, 2));
     EXPECT_NEAR(linear.standard_error / exact, 1.0, 1e-9);
     EXPECT_EQ(linear.method, "delta");
     std::mt19937_64 engine(5);
@@ -78,7 +81,8 @@ TEST(Propagated, BalanceOfAdhesionAgreesWithTwentyThousandDraws) {
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < draws; ++i) {
         Array1D x(3);
-        for (std::size_t k = 0; k < 3; ++k) x[static_cast<Index>(k)] = inputs[k].value + inputs[k].standard_error * normal(engine);
+        for (std::size_t k = 0; k < 3; ++k)
+            x[static_cast<Index>(k)] = inputs[k].value + inputs[k].standard_error * normal(engine);
         const double difference = balance(x) - linear.value;
         sum += difference;
         squares += difference * difference;
@@ -94,7 +98,8 @@ TEST(Propagated, SeesTheCovarianceOfAFit) {
     Array2D covariance(2, 2);
     covariance << 1.0, -2.0, -2.0, 4.0;
     const Array1D line = (Array1D(2) << 3.0, 1.0).finished();
-    EXPECT_NEAR(propagated([](const Array1D& p) { return 2.0 * p[0] + p[1]; }, line, covariance).standard_error, 0.0, 1e-7);
+    EXPECT_NEAR(propagated([](const Array1D& p) { return 2.0 * p[0] + p[1]; }, line, covariance).standard_error, 0.0,
+                1e-7);
     EXPECT_NEAR(propagated([](const Array1D& p) { return p[1]; }, line, covariance).standard_error, 2.0, 1e-9);
     EXPECT_THROW((void)propagated([](const Array1D& p) { return p[0]; }, line, Array2D::Zero(1, 1)), InvalidArgument);
 }
@@ -116,7 +121,8 @@ TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
     const auto bca = bca_interval(0.0, replicas, symmetric), percentile = percentile_interval(replicas);
     EXPECT_NEAR(bca.lower, percentile.lower, 1e-9);
     EXPECT_NEAR(bca.upper, percentile.upper, 1e-9);
-    // members whose absence lowers the value more than others' raises it: influence skewed upwards, interval moved upwards
+    // members whose absence lowers the value more than others' raises it: influence skewed upwards, interval moved
+    // upwards
     const auto skewed = bca_interval(0.0, replicas, std::vector<LeaveOneOut>{{-2.0, 1.0, 1.0}});
     EXPECT_GT(skewed.upper, bca.upper);
     EXPECT_GT(skewed.lower, bca.lower);

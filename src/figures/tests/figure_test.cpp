@@ -32,7 +32,9 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 /// A folder for one test.
 struct Folder {
-    std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("setae_figures_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) /
+        ("setae_figures_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     Folder() {
         std::filesystem::remove_all(path);
         std::filesystem::create_directories(path);
@@ -72,7 +74,8 @@ TEST(GnuplotScript, SetsQuantitiesItalicAndUnitsUpright) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].x = {"slope h'_rms_ \\*x", "1"};
     figure.panels[0].y = {"*W", "mJ/m2"};
-    EXPECT_NE(script_of(figure).find("set label 'slope h''_{rms}_{} *x' at screen"), std::string::npos) << script_of(figure);
+    EXPECT_NE(script_of(figure).find("set label 'slope h''_{rms}_{} *x' at screen"), std::string::npos)
+        << script_of(figure);
     EXPECT_NE(script_of(figure).find("set label '{/:Italic W} (mJ m^{−2})'"), std::string::npos);
     figure.panels[0].y.unit = "N m^-1 um2/kg";
     EXPECT_NE(script_of(figure).find("(N m^{−1} µm^{2} kg^{−1})"), std::string::npos) << script_of(figure);
@@ -81,7 +84,9 @@ TEST(GnuplotScript, SetsQuantitiesItalicAndUnitsUpright) {
 TEST(GnuplotScript, ShowsLabelsLetterByLetter) {
     auto series = rising("it's {1}_2^3 @ & ~ \\ \"q\" α\nset output 'gone'\x01\xff\xc3");
     const auto script = script_of(figure_of(series));
-    EXPECT_NE(script.find("title 'it''s \\{1\\}\\_2\\^3 \\@ \\& \\~ \\\\ \"q\" α set output ''gone''   '"), std::string::npos) << script;
+    EXPECT_NE(script.find("title 'it''s \\{1\\}\\_2\\^3 \\@ \\& \\~ \\\\ \"q\" α set output ''gone''   '"),
+              std::string::npos)
+        << script;
     auto figure = figure_of(rising("a"));
     figure.panels[0].title = "5_%";
     figure.panels[0].x = {.quantity = "instrument", .tick_labels = {"AFM_1", "5 %"}};
@@ -92,8 +97,11 @@ TEST(GnuplotScript, ShowsLabelsLetterByLetter) {
 }
 
 TEST(GnuplotScript, InterruptsALineWhereThereIsNoNumber) {
-    Series series{.label = "a", .x = Array1D{{1.0, 2.0, 3.0, 4.0, 5.0}}, .y = Array1D{{1.0, undefined, undefined, 4.0, -5.0}}};
-    EXPECT_NE(script_of(figure_of(series)).find("<< END_OF_DATA\n1 1 1 1 1 1\n\n4 4 4 4 4 4\n\nEND_OF_DATA"), std::string::npos) << script_of(figure_of(series));
+    Series series{
+        .label = "a", .x = Array1D{{1.0, 2.0, 3.0, 4.0, 5.0}}, .y = Array1D{{1.0, undefined, undefined, 4.0, -5.0}}};
+    EXPECT_NE(script_of(figure_of(series)).find("<< END_OF_DATA\n1 1 1 1 1 1\n\n4 4 4 4 4 4\n\nEND_OF_DATA"),
+              std::string::npos)
+        << script_of(figure_of(series));
     series.y = Array1D::Constant(5, undefined);
     EXPECT_NE(script_of(figure_of(series)).find("plot NaN notitle"), std::string::npos);
     EXPECT_NE(script_of(figure_of({})).find("plot NaN notitle"), std::string::npos);
@@ -106,12 +114,18 @@ TEST(GnuplotScript, EndsErrorBarsThatReachBelowALogarithmicAxisAtIt) {
     series.upper = Array1D{{2.0, 4.0, 12.0}};
     auto figure = figure_of(series);
     figure.panels[0].y.from = 0.5;
-    EXPECT_NE(script_of(figure).find("\n1 1 0.5 2 1 1\n10 3 2 4 10 10\n100 9 9 12 100 100\n"), std::string::npos) << script_of(figure);
+    EXPECT_NE(script_of(figure).find("\n1 1 0.5 2 1 1\n10 3 2 4 10 10\n100 9 9 12 100 100\n"), std::string::npos)
+        << script_of(figure);
 }
 
 TEST(GnuplotScript, HoldsBandsInsideThePanel) {
     // x from 0 to 4, upper from 1e-3 by five decades to 100: the panel shows x from 1 to 3 and y up to 1
-    Series band{.label = "band", .x = Array1D{{0.0, 4.0}}, .y = {}, .lower = Array1D{{-1.0, 1e-3}}, .upper = Array1D{{1e-3, 100.0}}, .mark = Mark::band};
+    Series band{.label = "band",
+                .x = Array1D{{0.0, 4.0}},
+                .y = {},
+                .lower = Array1D{{-1.0, 1e-3}},
+                .upper = Array1D{{1e-3, 100.0}},
+                .mark = Mark::band};
     auto figure = figure_of(band);
     figure.panels[0].x = {.quantity = "x", .from = 1.0, .to = 3.0};
     figure.panels[0].y.from = 1e-4;
@@ -188,7 +202,8 @@ TEST(GnuplotScript, RefusesWhatCannotBeDrawn) {
         (void)script_of(figure_of(series));
         FAIL();
     } catch (const InvalidArgument& error) {
-        EXPECT_NE(std::string(error.what()).find("series 'short': 3 values of x and 2 of y"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("series 'short': 3 values of x and 2 of y"), std::string::npos)
+            << error.what();
     }
     series = rising("band without ends");
     series.mark = Mark::band;
@@ -240,13 +255,15 @@ TEST(Draw, ShowsItsData) {
     draw(empty, folder / "empty.png");
     const auto full = content_of(folder / "full.svg"), bare = content_of(folder / "empty.svg");
     // three series of three symbols each beside the legends, white ones below the hollow
-    EXPECT_GE(count(full, "<use xlink:href") , count(bare, "<use xlink:href") + 3 * 6);
+    EXPECT_GE(count(full, "<use xlink:href"), count(bare, "<use xlink:href") + 3 * 6);
     EXPECT_NE(full.find(">_{} &lt;b> &amp; α"), std::string::npos);
     EXPECT_EQ(bare.find("hollow"), std::string::npos);
     EXPECT_NE(bare.find("wavevector"), std::string::npos);
     const auto image = content_of(folder / "full.png");
     ASSERT_EQ(image.substr(0, 8), "\x89PNG\r\n\x1a\n");
-    const auto number = [&](std::size_t at) { return static_cast<unsigned char>(image[at + 2]) * 256 + static_cast<unsigned char>(image[at + 3]); };
+    const auto number = [&](std::size_t at) {
+        return static_cast<unsigned char>(image[at + 2]) * 256 + static_cast<unsigned char>(image[at + 3]);
+    };
     EXPECT_NEAR(number(16), 178.0 / 25.4 * 300.0, 1.0);
     EXPECT_NEAR(number(20), 65.0 / 25.4 * 300.0, 1.0);
     EXPECT_GT(image.size(), content_of(folder / "empty.png").size() + 5000);
@@ -274,7 +291,9 @@ TEST(Draw, RepeatsWhatAFailingGnuplotSays) {
         draw(everything(), folder / "a.svg");
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find("a.svg: gnuplot failed: line 7: undefined terminal"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("a.svg: gnuplot failed: line 7: undefined terminal"),
+                  std::string::npos)
+            << error.what();
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
 }
@@ -306,20 +325,27 @@ TEST(GnuplotScript, TellsDashesFromSymbolsAndPalesWhatIsPale) {
     series.dash = 2;
     series.opacity = 0.5;
     series.line_width = 0.7;
-    EXPECT_NE(script_of(figure_of(series)).find("with lines lc rgb '#80D55E00' lw 0.7 dt (2,4) title 'a'"), std::string::npos) << script_of(figure_of(series));
+    EXPECT_NE(script_of(figure_of(series)).find("with lines lc rgb '#80D55E00' lw 0.7 dt (2,4) title 'a'"),
+              std::string::npos)
+        << script_of(figure_of(series));
 }
 
 TEST(GnuplotScript, FillsTheAreaWithinALoop) {
     auto series = rising("loop");
     series.mark = Mark::area;
-    EXPECT_NE(script_of(figure_of(series)).find("using 1:2 with filledcurves closed fs transparent solid 0.25 noborder lc rgb '#0072B2' title 'loop'"), std::string::npos)
+    EXPECT_NE(
+        script_of(figure_of(series))
+            .find(
+                "using 1:2 with filledcurves closed fs transparent solid 0.25 noborder lc rgb '#0072B2' title 'loop'"),
+        std::string::npos)
         << script_of(figure_of(series));
 }
 
 TEST(GnuplotScript, PutsNotesBesideTheirPlaces) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].notes = {{.text = "it's 5 %", .x = 10.0, .y = 3.0, .side = Note::Side::right}};
-    EXPECT_NE(script_of(figure).find("set label 'it''s 5 %' at first 10,3 left offset 0.6,0"), std::string::npos) << script_of(figure);
+    EXPECT_NE(script_of(figure).find("set label 'it''s 5 %' at first 10,3 left offset 0.6,0"), std::string::npos)
+        << script_of(figure);
 }
 
 TEST(GnuplotScript, LeavesOutNumbersOfBareAxes) {
@@ -353,7 +379,9 @@ TEST(GnuplotScript, DrawsMapsInOneScaleAlongBothAxes) {
     EXPECT_NE(script.find("set xrange [0:2]"), std::string::npos);
     EXPECT_NE(script.find("set cbrange [0:5]"), std::string::npos);
     EXPECT_NE(script.find("\n1.75 0.75 5\n"), std::string::npos) << script;
-    const auto margin = [&](const char* name) { return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21)); };
+    const auto margin = [&](const char* name) {
+        return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21));
+    };
     EXPECT_NEAR((margin("r") - margin("l")) * 85.0, 2.0 * (margin("t") - margin("b")) * 65.0, 1e-2);
     auto figure = map_figure();
     figure.panels[0].map->width = 0.0;
@@ -364,7 +392,9 @@ TEST(GnuplotScript, PutsPanelsWhereTheyAreTold) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].place = Place{0.5, 0.25, 0.5, 0.75};
     const auto script = script_of(figure);
-    const auto margin = [&](const char* name) { return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21)); };
+    const auto margin = [&](const char* name) {
+        return std::stod(script.substr(script.find(std::string("set ") + name + "margin at screen ") + 21));
+    };
     EXPECT_GT(margin("l"), 0.5);
     EXPECT_LT(margin("t"), 0.75);
     EXPECT_GT(margin("t"), 0.68);
@@ -372,7 +402,9 @@ TEST(GnuplotScript, PutsPanelsWhereTheyAreTold) {
 
 TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
     auto figure = figure_of(rising("a label of some length"));
-    const auto right = [&] { return std::stod(script_of(figure).substr(script_of(figure).find("set rmargin at screen ") + 22)); };
+    const auto right = [&] {
+        return std::stod(script_of(figure).substr(script_of(figure).find("set rmargin at screen ") + 22));
+    };
     const double before = right();
     figure.panels[0].legend_beside = true;
     EXPECT_LT(right() * 85.0, before * 85.0 - 30.0);
@@ -409,15 +441,21 @@ TEST(FigureData, AreARowAPoint) {
     figure.panels[1].series[0].names = {"first", "second", "third"};
     write_data(figure, folder / "a.csv");
     const auto text = content_of(folder / "a.csv");
-    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right");
-    EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",,wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",third,wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"), std::string::npos) << text;
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right");
+    EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",,wavevector *q*,1/m,10,*C*_{1D},m3,3,,4,,\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",third,wavevector *q*,1,100,*C*_{1D},m3,9,8,10,,\n"),
+              std::string::npos)
+        << text;
     EXPECT_EQ(count(text, "\n"), 7u);
 }
 
 TEST(FigureData, HoldTheCellsOfMaps) {
     const auto text = data_text(map_figure());
-    EXPECT_EQ(text.substr(0, text.find('\n')), "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right,value quantity,value unit,value");
+    EXPECT_EQ(
+        text.substr(0, text.find('\n')),
+        "panel,series,name,x quantity,x unit,x,y quantity,y unit,y,lower,upper,left,right,value quantity,value unit,value");
     EXPECT_NE(text.find("\n1,map,,*x*,um,1.75,*y*,um,0.75,,,,,height *h*,nm,5\n"), std::string::npos) << text;
     EXPECT_NE(text.find("\n1,map,,*x*,um,0.25,*y*,um,0.25,,,,,height *h*,nm,\n"), std::string::npos) << text;
     EXPECT_EQ(count(text, "\n"), 9u);

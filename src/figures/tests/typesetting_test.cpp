@@ -10,7 +10,11 @@ namespace {
 std::string shown(std::string_view quantity) {
     std::string text;
     for (const auto& span : spans_of(quantity))
-        text += std::string("[") + (span.italic ? "/" : "") + (span.place == Span::Place::lowered ? "_" : span.place == Span::Place::raised ? "^" : "") + span.text + "]";
+        text += std::string("[") + (span.italic ? "/" : "") +
+                (span.place == Span::Place::lowered  ? "_"
+                 : span.place == Span::Place::raised ? "^"
+                                                     : "") +
+                span.text + "]";
     return text;
 }
 

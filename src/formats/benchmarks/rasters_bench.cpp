@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "storage/raster.hpp"
 #include "sample_files.hpp"
+#include "storage/raster.hpp"
 
-// Heights of 512 MB files in the page cache beside what the machine needs for the same bytes at least: a bare read() of the file
-// into fresh memory, fresh memory of the heights' size touched once, and a copy of the heights. Peaks and CPU time are those of the process.
+// Heights of 512 MB files in the page cache beside what the machine needs for the same bytes at least: a bare read() of
+// the file into fresh memory, fresh memory of the heights' size touched once, and a copy of the heights. Peaks and CPU
+// time are those of the process.
 using namespace setae::tests;
 
 namespace setae::formats {
@@ -33,7 +34,8 @@ const std::string& file_path() {
         for (std::size_t i = 0; i < block.size(); ++i) block[i] = static_cast<std::uint16_t>(0x3c00u + i % 997);
         auto name = folder.path("heights.raw");
         std::ofstream file(name, std::ios::binary);
-        for (std::uint64_t written = 0; written < file_bytes; written += 2 * block.size()) file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(2 * block.size()));
+        for (std::uint64_t written = 0; written < file_bytes; written += 2 * block.size())
+            file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(2 * block.size()));
         if (!file.flush()) throw std::runtime_error("no room for the file of the benchmark");
         return name;
     }();
@@ -68,7 +70,8 @@ void heights(benchmark::State& state, Sample sample, bool by_columns = false, In
     const auto source = bytes::file_source(file_path());
     const auto raster = raster_of(sample, by_columns, width);
     const double bytes = 8.0 * static_cast<double>(raster.nx) * static_cast<double>(raster.ny);
-    state.counters["peak/heights"] = peak_of([&] { benchmark::DoNotOptimize(read_raster(source, raster, {.factor = 1e-9})); }) / bytes;
+    state.counters["peak/heights"] =
+        peak_of([&] { benchmark::DoNotOptimize(read_raster(source, raster, {.factor = 1e-9})); }) / bytes;
     for (auto _ : state) benchmark::DoNotOptimize(read_raster(source, raster, {.factor = 1e-9}));
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file_bytes));
 }
@@ -76,7 +79,8 @@ void heights(benchmark::State& state, Sample sample, bool by_columns = false, In
 /// The same by the way of a format's reader, with the checks every measurement goes through.
 void channel(benchmark::State& state, Sample sample) {
     const auto raster = raster_of(sample, false, columns);
-    const auto one = raster_channel({.name = "heights", .format = "raw", .size = {1e-3, 1e-3}, .unit = "m"}, bytes::file_source(file_path()), raster, {.factor = 1e-9});
+    const auto one = raster_channel({.name = "heights", .format = "raw", .size = {1e-3, 1e-3}, .unit = "m"},
+                                    bytes::file_source(file_path()), raster, {.factor = 1e-9});
     const double bytes = 8.0 * static_cast<double>(raster.nx) * static_cast<double>(raster.ny);
     state.counters["peak/heights"] = peak_of([&] { benchmark::DoNotOptimize(one.read()); }) / bytes;
     for (auto _ : state) benchmark::DoNotOptimize(one.read());
@@ -122,14 +126,29 @@ void copied_heights(benchmark::State& state) {
 BENCHMARK(bare_read)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(fresh_memory)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(copied_heights)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(heights, float32, Sample::float32)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(heights, float64, Sample::float64)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(heights, float32, Sample::float32)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(heights, float64, Sample::float64)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(heights, int16, Sample::int16)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK_CAPTURE(heights, int32, Sample::int32)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(channel, float32, Sample::float32)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(channel, float32, Sample::float32)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(channel, int16, Sample::int16)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(heights, float32_odd_width, Sample::float32, false, 11587)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(heights, float32_by_columns, Sample::float32, true)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(heights, float32_odd_width, Sample::float32, false, 11587)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(heights, float32_by_columns, Sample::float32, true)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace setae::formats

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -24,7 +24,9 @@ const std::string& matrix_text() {
         std::string made = "# Channel: Z\n# Width: 30 µm\n# Height: 30 µm\n# Value units: m\n";
         made.reserve(wanted_bytes + (1 << 20));
         for (int row = 0; made.size() < wanted_bytes; ++row)
-            for (int i = 0; i < 3000; ++i) fmt::format_to(std::back_inserter(made), "{:.6g}{}", 1e-7 * std::sin(0.01 * i) + 1e-8 * std::cos(0.37 * i * row), i < 2999 ? '\t' : '\n');
+            for (int i = 0; i < 3000; ++i)
+                fmt::format_to(std::back_inserter(made), "{:.6g}{}",
+                               1e-7 * std::sin(0.01 * i) + 1e-8 * std::cos(0.37 * i * row), i < 2999 ? '\t' : '\n');
         return made;
     }();
     return text;
@@ -37,7 +39,9 @@ const std::string& matrix_path() {
     return path;
 }
 
-void count_bytes(benchmark::State& state, std::size_t bytes) { state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes)); }
+void count_bytes(benchmark::State& state, std::size_t bytes) {
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes));
+}
 
 void copy_alone(benchmark::State& state) {
     const auto& text = matrix_text();
@@ -53,7 +57,9 @@ void count_lines_alone(benchmark::State& state) {
     const auto& text = matrix_text();
     for (auto _ : state) {
         std::size_t lines = 0;
-        for (const char *at = text.data(), *end = at + text.size(); (at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)))); ++at) ++lines;
+        for (const char *at = text.data(), *end = at + text.size();
+             (at = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)))); ++at)
+            ++lines;
         benchmark::DoNotOptimize(lines);
     }
     count_bytes(state, text.size());
@@ -88,7 +94,8 @@ void write_matrix(benchmark::State& state) {
 /// x, y in two columns, a million lines.
 void read_columns(benchmark::State& state) {
     std::string text = "x [um]\th [nm]\n";
-    for (int i = 0; i < 1'000'000; ++i) fmt::format_to(std::back_inserter(text), "{:.6f}\t{:.6f}\n", 1e-4 * i, 0.01 * (i % 997));
+    for (int i = 0; i < 1'000'000; ++i)
+        fmt::format_to(std::back_inserter(text), "{:.6f}\t{:.6f}\n", 1e-4 * i, 0.01 * (i % 997));
     const auto source = bytes::memory_source("columns", text);
     for (auto _ : state) benchmark::DoNotOptimize(open(source, {}));
     count_bytes(state, text.size());
@@ -98,7 +105,9 @@ void read_columns(benchmark::State& state) {
 void read_points(benchmark::State& state) {
     std::string text = "x [um]\ty [um]\tz [nm]\n";
     for (int i = 0; i < 1000; ++i)
-        for (int j = 0; j < 1000; ++j) fmt::format_to(std::back_inserter(text), "{:.3f}\t{:.3f}\t{:.6f}\n", 0.01 * i, 0.01 * j, 0.01 * ((i * j) % 997));
+        for (int j = 0; j < 1000; ++j)
+            fmt::format_to(std::back_inserter(text), "{:.3f}\t{:.3f}\t{:.6f}\n", 0.01 * i, 0.01 * j,
+                           0.01 * ((i * j) % 997));
     const auto source = bytes::memory_source("points", text);
     for (auto _ : state) benchmark::DoNotOptimize(open(source, {}));
     count_bytes(state, text.size());

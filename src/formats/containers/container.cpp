@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/archive_writer.hpp"
 #include "container_index.hpp"
 #include "container_yaml.hpp"
+#include "setae/bytes/archive_writer.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
@@ -34,8 +34,9 @@ ContainerGeneration generation_of(const bytes::Archive& archive, const Container
     if (only_processed(container)) return ContainerGeneration::skeleton;
     if (!archive.has(json_index)) return ContainerGeneration::yaml;
     const auto text = archive.read(json_index);
-    return text.find("\"creation_time\"") != std::string::npos || text.find("\"creator\"") != std::string::npos ? ContainerGeneration::both
-                                                                                                             : ContainerGeneration::json;
+    return text.find("\"creation_time\"") != std::string::npos || text.find("\"creator\"") != std::string::npos
+               ? ContainerGeneration::both
+               : ContainerGeneration::json;
 }
 
 std::string readme(const Container& container) {
@@ -64,7 +65,8 @@ json pruned(const json& value) {
             result.push_back(std::move(kept));
             continue;
         }
-        const bool says_nothing = kept.is_null() || (kept.is_structured() && kept.empty()) || (kept.is_string() && kept.get_ref<const std::string&>().empty());
+        const bool says_nothing = kept.is_null() || (kept.is_structured() && kept.empty()) ||
+                                  (kept.is_string() && kept.get_ref<const std::string&>().empty());
         if (!says_nothing) result[key] = std::move(kept);
     }
     return result;
@@ -78,7 +80,9 @@ std::string shown(const json& root, const std::string& pointer) {
 void compare_indices(const json& before, const json& after, std::vector<std::string>& differences) {
     for (const auto& step : json::diff(before, after)) {
         const auto pointer = step.at("path").get<std::string>();
-        differences.push_back(fmt::format("{}: {:.200} became {:.200}", pointer.substr(pointer.starts_with('/') ? 1 : 0), shown(before, pointer), shown(after, pointer)));
+        differences.push_back(fmt::format("{}: {:.200} became {:.200}",
+                                          pointer.substr(pointer.starts_with('/') ? 1 : 0), shown(before, pointer),
+                                          shown(after, pointer)));
     }
 }
 
@@ -93,13 +97,13 @@ bool same_bytes(const bytes::Source& a, const bytes::Source& b) {
 void compare_members(const bytes::Archive& before, const bytes::Archive& after, std::vector<std::string>& differences) {
     for (const auto& name : before.names()) {
         if (is_index(name) || name.ends_with('/')) continue;
-        if (!after.has(name))
-            differences.push_back(fmt::format("member {}: became absent", name));
+        if (!after.has(name)) differences.push_back(fmt::format("member {}: became absent", name));
         else if (!same_bytes(before.member(name), after.member(name)))
             differences.push_back(fmt::format("member {}: differs", name));
     }
     for (const auto& name : after.names())
-        if (!is_index(name) && name != "README.txt" && !before.has(name)) differences.push_back(fmt::format("member {}: is new", name));
+        if (!is_index(name) && name != "README.txt" && !before.has(name))
+            differences.push_back(fmt::format("member {}: is new", name));
 }
 
 // ---- the schema -----------------------------------------------------------------------------------------------------
@@ -107,13 +111,16 @@ void compare_members(const bytes::Archive& before, const bytes::Archive& after, 
 class Violations {
 public:
     void require(bool condition, const std::string& place, const std::string& what) {
-        if (!condition) alerts_.push_back({"NOT_IN_SCHEMA", place, what, "contact.engineering may refuse the container; complete the index"});
+        if (!condition)
+            alerts_.push_back(
+                {"NOT_IN_SCHEMA", place, what, "contact.engineering may refuse the container; complete the index"});
     }
     /// A field that was kept because it is not what stands there by the schema.
     void refuse_kept(const std::string& extra, const std::string& place, std::initializer_list<const char*> keys) {
         if (extra.empty()) return;
         const auto kept = json::parse(extra);
-        for (const auto* key : keys) require(!kept.contains(key), fmt::format("{}/{}", place, key), "is not what stands there by the schema");
+        for (const auto* key : keys)
+            require(!kept.contains(key), fmt::format("{}/{}", place, key), "is not what stands there by the schema");
     }
     [[nodiscard]] std::vector<Alert> take() { return std::move(alerts_); }
 
@@ -125,7 +132,8 @@ bool is_date(const std::string& text) {
     if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
     for (std::size_t i = 0; i < text.size(); ++i)
         if (i != 4 && i != 7 && (text[i] < '0' || text[i] > '9')) return false;
-    return text.substr(5, 2) >= "01" && text.substr(5, 2) <= "12" && text.substr(8, 2) >= "01" && text.substr(8, 2) <= "31";
+    return text.substr(5, 2) >= "01" && text.substr(5, 2) <= "12" && text.substr(8, 2) >= "01" &&
+           text.substr(8, 2) <= "31";
 }
 
 void check(const std::optional<ContainerAuthor>& author, const std::string& place, Violations& violations) {
@@ -134,26 +142,35 @@ void check(const std::optional<ContainerAuthor>& author, const std::string& plac
 
 void check(const ContainerTopography& topography, const std::string& place, Violations& violations) {
     violations.require(!topography.name.empty(), place + "/name", "no name");
-    violations.require(!topography.datafile.original.empty() || !topography.datafile.squeezed.empty(), place + "/datafile", "no file is named");
+    violations.require(!topography.datafile.original.empty() || !topography.datafile.squeezed.empty(),
+                       place + "/datafile", "no file is named");
     violations.require(!topography.size.empty(), place + "/size", "no size");
-    violations.require(topography.measurement_date.empty() || is_date(topography.measurement_date), place + "/measurement_date",
+    violations.require(topography.measurement_date.empty() || is_date(topography.measurement_date),
+                       place + "/measurement_date",
                        fmt::format("'{}' is no date such as 2016-02-15", topography.measurement_date));
     check(topography.created_by, place, violations);
-    violations.refuse_kept(topography.extra, place, {"name", "datafile", "size", "unit", "data_source", "has_undefined_data", "fill_undefined_data_mode", "detrend_mode",
-                                                     "is_periodic", "created_by", "description", "tags", "instrument", "height_scale"});
+    violations.refuse_kept(
+        topography.extra, place,
+        {"name", "datafile", "size", "unit", "data_source", "has_undefined_data", "fill_undefined_data_mode",
+         "detrend_mode", "is_periodic", "created_by", "description", "tags", "instrument", "height_scale"});
 }
 
 void check(const ContainerSurface& surface, const std::string& place, Violations& violations) {
     violations.require(!surface.name.empty(), place + "/name", "no name");
     check(surface.created_by, place, violations);
     for (std::size_t i = 0; i < surface.properties.size(); ++i)
-        violations.require(!surface.properties[i].name.empty() && surface.properties[i].value, fmt::format("{}/properties/{}", place, i), "a property without name or value");
+        violations.require(!surface.properties[i].name.empty() && surface.properties[i].value,
+                           fmt::format("{}/properties/{}", place, i), "a property without name or value");
     if (const auto& publication = surface.publication) {
-        const bool whole = !publication->url.empty() && !publication->license.empty() && !publication->authors.empty() && publication->version && !publication->date.empty();
+        const bool whole = !publication->url.empty() && !publication->license.empty() &&
+                           !publication->authors.empty() && publication->version && !publication->date.empty();
         violations.require(whole, place + "/publication", "a publication has url, license, authors, version and date");
     }
-    violations.refuse_kept(surface.extra, place, {"name", "category", "created_by", "description", "tags", "is_published", "publication", "properties", "topographies"});
-    for (std::size_t i = 0; i < surface.topographies.size(); ++i) check(surface.topographies[i], fmt::format("{}/topographies/{}", place, i), violations);
+    violations.refuse_kept(surface.extra, place,
+                           {"name", "category", "created_by", "description", "tags", "is_published", "publication",
+                            "properties", "topographies"});
+    for (std::size_t i = 0; i < surface.topographies.size(); ++i)
+        check(surface.topographies[i], fmt::format("{}/topographies/{}", place, i), violations);
 }
 
 }  // namespace
@@ -185,7 +202,9 @@ ContainerFile read_container(const bytes::Source& source) {
     return file;
 }
 
-bytes::Source container_member(const bytes::Source& source, const std::string& name) { return bytes::Archive(source).member(name); }
+bytes::Source container_member(const bytes::Source& source, const std::string& name) {
+    return bytes::Archive(source).member(name);
+}
 
 void write_container(const std::string& path, const Container& container, const std::vector<ContainerMember>& members) {
     const auto index = index_of(container);
@@ -195,7 +214,8 @@ void write_container(const std::string& path, const Container& container, const 
     };
     add_text(json_index, index.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
     add_text(yaml_index, yaml_from_json(index));
-    const bool has_readme = std::any_of(members.begin(), members.end(), [](const ContainerMember& member) { return member.name == "README.txt"; });
+    const bool has_readme = std::any_of(members.begin(), members.end(),
+                                        [](const ContainerMember& member) { return member.name == "README.txt"; });
     if (!has_readme) add_text("README.txt", readme(container));
     for (const auto& member : members) written.push_back({member.name, member.content});
     bytes::write_archive(path, written);
@@ -204,7 +224,8 @@ void write_container(const std::string& path, const Container& container, const 
 std::vector<Alert> schema_violations(const Container& container) {
     Violations violations;
     violations.refuse_kept(container.extra, "", {"versions", "surfaces", "created_at"});
-    for (std::size_t i = 0; i < container.surfaces.size(); ++i) check(container.surfaces[i], fmt::format("surfaces/{}", i), violations);
+    for (std::size_t i = 0; i < container.surfaces.size(); ++i)
+        check(container.surfaces[i], fmt::format("surfaces/{}", i), violations);
     return violations.take();
 }
 

@@ -23,9 +23,10 @@ double rms(const Array1D& heights) {
     return std::sqrt(defined.select((heights - mean).square(), 0.0).sum() / count);
 }
 
-/// Whether a processed copy holds what the index says was done to the original: the same to a thousandth, which other programs' fits of
-/// trends stay within.
-std::optional<std::string> difference_of_copy(const topography::Measurement& original, const topography::Measurement& copy, const std::string& detrend_mode) {
+/// Whether a processed copy holds what the index says was done to the original: the same to a thousandth, which other
+/// programs' fits of trends stay within.
+std::optional<std::string> difference_of_copy(const topography::Measurement& original,
+                                              const topography::Measurement& copy, const std::string& detrend_mode) {
     constexpr double tolerance = 1e-3;
     if (topography::shape(original) != topography::shape(copy)) return "they differ in the number of points";
     const auto trend = trend_of(detrend_mode).value_or(topography::Trend::mean);
@@ -33,10 +34,13 @@ std::optional<std::string> difference_of_copy(const topography::Measurement& ori
     const auto found = topography::all_heights(topography::detrended(copy, trend));
     const double rms_expected = rms(expected), rms_found = rms(found);
     if (std::abs(rms_found / rms_expected - 1.0) > tolerance)
-        return fmt::format("its rms height is {}, that of the original {}", format_value(rms_found, "m"), format_value(rms_expected, "m"));
+        return fmt::format("its rms height is {}, that of the original {}", format_value(rms_found, "m"),
+                           format_value(rms_expected, "m"));
     const auto both = (expected == expected) && (found == found);
     const double largest = both.select((found - expected).abs(), 0.0).maxCoeff();
-    if (largest > tolerance * rms_expected * 10.0) return fmt::format("its rms height is that of the original, but points differ by up to {}", format_value(largest, "m"));
+    if (largest > tolerance * rms_expected * 10.0)
+        return fmt::format("its rms height is that of the original, but points differ by up to {}",
+                           format_value(largest, "m"));
     return std::nullopt;
 }
 
@@ -59,26 +63,33 @@ public:
         }
         report_.channels.push_back(channel.info);
         if (repeats_scale(archive_, topography))
-            report_.alerts.push_back({"SCALE_TWICE", place,
-                                      fmt::format("the index repeats the height scale {} that {} carries itself; setae applies it once", *topography.height_scale, topography.datafile.original),
-                                      "`setae container write` takes it out of the index; programs that apply both have heights wrong by this factor"});
+            report_.alerts.push_back(
+                {"SCALE_TWICE", place,
+                 fmt::format("the index repeats the height scale {} that {} carries itself; setae applies it once",
+                             *topography.height_scale, topography.datafile.original),
+                 "`setae container write` takes it out of the index; programs that apply both have heights wrong by this factor"});
         if (channel.info.is_height) heights(channel, surface, topography, place);
     }
 
 private:
-    void heights(const Channel& channel, const ContainerSurface& surface, const ContainerTopography& topography, const std::string& place) {
+    void heights(const Channel& channel, const ContainerSurface& surface, const ContainerTopography& topography,
+                 const std::string& place) {
         const auto& [original, squeezed, rest] = topography.datafile;
         try {
             const auto measurement = channel.read();
             if (original.empty() || squeezed.empty() || !archive_.has(original)) return;
-            const bool filled = !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
+            const bool filled =
+                !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
             if (filled && topography::all_heights(measurement).isNaN().any()) return;
             const auto copy = container_channel(source_, archive_, surface, copy_alone(topography));
             if (const auto difference = difference_of_copy(measurement, copy.read(), topography.detrend_mode))
-                report_.alerts.push_back({"COPY_DIFFERS", place, fmt::format("the processed copy {} is not the original {}: {}", squeezed, original, *difference),
-                                          "the original is used; find out which of the two is right"});
+                report_.alerts.push_back(
+                    {"COPY_DIFFERS", place,
+                     fmt::format("the processed copy {} is not the original {}: {}", squeezed, original, *difference),
+                     "the original is used; find out which of the two is right"});
         } catch (const Error& error) {
-            report_.alerts.push_back({"UNREADABLE_MEMBER", place, error.what(), "the other measurements are not affected; repair or replace this one"});
+            report_.alerts.push_back({"UNREADABLE_MEMBER", place, error.what(),
+                                      "the other measurements are not affected; repair or replace this one"});
         }
     }
 
@@ -106,7 +117,8 @@ private:
 std::vector<std::string> differences_after_writing(const bytes::Source& source, const ContainerFile& file) {
     const TemporaryFile written;
     std::vector<ContainerMember> members;
-    for (const auto& name : file.members) members.push_back({name, [source, name] { return container_member(source, name); }});
+    for (const auto& name : file.members)
+        members.push_back({name, [source, name] { return container_member(source, name); }});
     write_container(written.path(), file.container, members);
     return container_differences(source, bytes::file_source(written.path()));
 }
@@ -118,7 +130,8 @@ ContainerReport check_container(const bytes::Source& source) {
     report.file = read_container(source);
     report.alerts = report.file.alerts;
     for (auto& violation : schema_violations(report.file.container)) {
-        const bool told = std::any_of(report.alerts.begin(), report.alerts.end(), [&](const Alert& alert) { return alert.subject == violation.subject; });
+        const bool told = std::any_of(report.alerts.begin(), report.alerts.end(),
+                                      [&](const Alert& alert) { return alert.subject == violation.subject; });
         if (!told) report.alerts.push_back(std::move(violation));
     }
     Check check(source, report);

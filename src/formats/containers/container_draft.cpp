@@ -25,7 +25,8 @@ using topography::Measurement;
 
 bool is_taken(const ContainerDraft& draft, const std::string& name) {
     if (name == "index.json" || name == "meta.yml") return true;
-    return std::any_of(draft.members.begin(), draft.members.end(), [&](const ContainerMember& member) { return member.name == name; });
+    return std::any_of(draft.members.begin(), draft.members.end(),
+                       [&](const ContainerMember& member) { return member.name == name; });
 }
 
 /// The name, or the name behind the first number that makes it the only one.
@@ -39,11 +40,15 @@ std::string free_name(const ContainerDraft& draft, const std::string& name) {
 std::string member_name(std::size_t number, const std::string& path) {
     auto name = std::filesystem::path(path).filename().string();
     for (auto& character : name)
-        if (!std::isalnum(static_cast<unsigned char>(character)) && character != '.' && character != '-' && character != '_') character = '-';
+        if (!std::isalnum(static_cast<unsigned char>(character)) && character != '.' && character != '-' &&
+            character != '_')
+            character = '-';
     return fmt::format("{}-{}", number, name);
 }
 
-std::string copy_name(const std::string& original) { return std::filesystem::path(original).replace_extension().string() + "-squeezed.nc"; }
+std::string copy_name(const std::string& original) {
+    return std::filesystem::path(original).replace_extension().string() + "-squeezed.nc";
+}
 
 // ---- what the index says of a file ----------------------------------------------------------------------------------
 
@@ -51,7 +56,9 @@ std::string copy_name(const std::string& original) { return std::filesystem::pat
 std::string index_unit(const std::string& unit, bool numbers_rest_on_it, const std::string& path) {
     for (const char* known : {"m", "mm", "µm", "nm", "Å", "pm"})
         if (unit == known) return unit;
-    if (numbers_rest_on_it) throw InvalidArgument(fmt::format("{}: containers know no unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
+    if (numbers_rest_on_it)
+        throw InvalidArgument(
+            fmt::format("{}: containers know no unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
     return unit == "cm" ? "mm" : "µm";
 }
 
@@ -65,33 +72,38 @@ std::string detrend_mode(topography::Trend trend) {
     throw InvalidArgument("containers cannot say that nothing is to be removed; expected mean, tilt or parabola");
 }
 
-constexpr std::array<const char*, 12> months{"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"};
+constexpr std::array<const char*, 12> months{"jan", "feb", "mar", "apr", "may", "jun",
+                                             "jul", "aug", "sep", "oct", "nov", "dec"};
 
 std::string iso_date(int year, int month, int day) {
     const bool possible = year >= 1900 && year < 2100 && month >= 1 && month <= 12 && day >= 1 && day <= 31;
     return possible ? fmt::format("{:04}-{:02}-{:02}", year, month, day) : std::string{};
 }
 
-/// 2016-02-15 from the ways that leave no doubt to write it: 2016-02-15…, 2016/02/15, 15.02.2016, Feb 15 2016, 15 Feb 2016; else nothing.
+/// 2016-02-15 from the ways that leave no doubt to write it: 2016-02-15…, 2016/02/15, 15.02.2016, Feb 15 2016, 15 Feb
+/// 2016; else nothing.
 std::string date_of(const std::string& time) {
     std::array<int, 3> numbers{};
     char first = 0, second = 0;
-    const auto fields = [&](const char* pattern) { return std::sscanf(time.c_str(), pattern, &numbers[0], &first, &numbers[1], &second, &numbers[2]) == 5 && first == second; };
-    if (fields("%4d%c%2d%c%2d") && (first == '-' || first == '/') && numbers[0] > 31) return iso_date(numbers[0], numbers[1], numbers[2]);
+    const auto fields = [&](const char* pattern) {
+        return std::sscanf(time.c_str(), pattern, &numbers[0], &first, &numbers[1], &second, &numbers[2]) == 5 &&
+               first == second;
+    };
+    if (fields("%4d%c%2d%c%2d") && (first == '-' || first == '/') && numbers[0] > 31)
+        return iso_date(numbers[0], numbers[1], numbers[2]);
     if (fields("%2d%c%2d%c%4d") && first == '.') return iso_date(numbers[2], numbers[1], numbers[0]);
     std::vector<std::string_view> words;
     const auto lower = bytes::lowered(time);
     tables::split_cells(lower, ' ', words);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto month = std::find_if(months.begin(), months.end(), [&](const char* name) { return words[i].starts_with(name); });
+        const auto month =
+            std::find_if(months.begin(), months.end(), [&](const char* name) { return words[i].starts_with(name); });
         if (month == months.end()) continue;
         int day = 0, year = 0;
         for (std::size_t k = i == 0 ? 0 : i - 1; k < std::min(i + 4, words.size()); ++k) {
             const int number = std::atoi(std::string(words[k]).c_str());
-            if (number >= 1900)
-                year = number;
-            else if (day == 0 && words[k].find(':') == std::string_view::npos)
-                day = number;
+            if (number >= 1900) year = number;
+            else if (day == 0 && words[k].find(':') == std::string_view::npos) day = number;
         }
         return iso_date(year, static_cast<int>(month - months.begin()) + 1, day);
     }
@@ -110,7 +122,8 @@ double without_rounding(double number) { return std::stod(fmt::format("{:.15g}",
 
 ContainerLength in_nanometres(double length) { return {.value = without_rounding(length / units::nm), .unit = "nm"}; }
 
-std::optional<ContainerInstrument> container_instrument(topography::Instrument instrument, const topography::Instrument& given) {
+std::optional<ContainerInstrument> container_instrument(topography::Instrument instrument,
+                                                        const topography::Instrument& given) {
     if (!given.name.empty()) instrument.name = given.name;
     if (!given.type.empty()) instrument.type = given.type;
     if (given.tip_radius) instrument.tip_radius = given.tip_radius;
@@ -128,18 +141,24 @@ std::optional<ContainerInstrument> container_instrument(topography::Instrument i
 std::size_t chosen_channel(const StoredMeasurement& measurement, const std::vector<Channel>& channels) {
     if (measurement.channel) {
         if (*measurement.channel < channels.size()) return *measurement.channel;
-        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", measurement.path, *measurement.channel, channels.size()));
+        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", measurement.path,
+                                          *measurement.channel, channels.size()));
     }
-    const auto found = std::find_if(channels.begin(), channels.end(), [](const Channel& channel) { return channel.info.is_height; });
-    if (found == channels.end()) throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", measurement.path, channels.size()));
+    const auto found =
+        std::find_if(channels.begin(), channels.end(), [](const Channel& channel) { return channel.info.is_height; });
+    if (found == channels.end())
+        throw InvalidArgument(
+            fmt::format("{}: none of its {} channels holds heights", measurement.path, channels.size()));
     return static_cast<std::size_t>(found - channels.begin());
 }
 
 bool is_periodic(const Measurement& measurement) {
-    return std::visit([](const auto& m) {
-        if constexpr (requires { m.periodic; }) return m.periodic;
-        return false;
-    }, measurement);
+    return std::visit(
+        [](const auto& m) {
+            if constexpr (requires { m.periodic; }) return m.periodic;
+            return false;
+        },
+        measurement);
 }
 
 /// What the heights tell and the index does not.
@@ -147,7 +166,9 @@ void describe_heights(const Measurement& measurement, ContainerTopography& topog
     const auto heights = topography::all_heights(measurement);
     const auto undefined_points = heights.isNaN().count();
     if (!topography.has_undefined_data) topography.has_undefined_data = undefined_points > 0;
-    if (!topography.undefined_data_fraction) topography.undefined_data_fraction = static_cast<double>(undefined_points) / static_cast<double>(heights.size());
+    if (!topography.undefined_data_fraction)
+        topography.undefined_data_fraction =
+            static_cast<double>(undefined_points) / static_cast<double>(heights.size());
     if (!topography.is_periodic) topography.is_periodic = is_periodic(measurement);
 }
 
@@ -158,8 +179,11 @@ void set_size(const ChannelInfo& info, ContainerTopography& topography) {
 }
 
 /// The processed copy, made when it is written.
-ContainerMember copy_of(const std::string& name, std::function<Measurement()> read, topography::Trend trend, const std::string& unit) {
-    return {name, [name, read = std::move(read), trend, unit] { return bytes::memory_source(name, netcdf_content(topography::detrended(read(), trend), unit)); }};
+ContainerMember copy_of(const std::string& name, std::function<Measurement()> read, topography::Trend trend,
+                        const std::string& unit) {
+    return {name, [name, read = std::move(read), trend, unit] {
+                return bytes::memory_source(name, netcdf_content(topography::detrended(read(), trend), unit));
+            }};
 }
 
 // ---- upgrading ------------------------------------------------------------------------------------------------------
@@ -181,46 +205,59 @@ void rename(const NewNames& names, std::string& member) {
     if (const auto found = names.find(member); found != names.end()) member = found->second;
 }
 
-void take_scale_out(const bytes::Archive& archive, const bytes::Source& source, ContainerDraft& draft, ContainerTopography& topography) {
+void take_scale_out(const bytes::Archive& archive, const bytes::Source& source, ContainerDraft& draft,
+                    ContainerTopography& topography) {
     if (!repeats_scale(archive, topography)) return;
-    draft.alerts.push_back({"SCALE_TWICE", fmt::format("{}: {}", source.name, topography.name),
-                            fmt::format("the index repeats the height scale {} that {} carries itself; it was taken out of the index", *topography.height_scale, topography.datafile.original),
-                            "programs that applied both had heights wrong by this factor"});
+    draft.alerts.push_back(
+        {"SCALE_TWICE", fmt::format("{}: {}", source.name, topography.name),
+         fmt::format("the index repeats the height scale {} that {} carries itself; it was taken out of the index",
+                     *topography.height_scale, topography.datafile.original),
+         "programs that applied both had heights wrong by this factor"});
     topography.height_scale.reset();
 }
 
 void add_copy(const Channel& channel, ContainerDraft& draft, ContainerTopography& topography) {
-    const bool filled = !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
+    const bool filled =
+        !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
     if (!topography.datafile.squeezed.empty() || topography.unit.empty()) return;
     if (filled) {
-        draft.alerts.push_back({"NO_PROCESSED_COPY", topography.name, fmt::format("it is to be filled by '{}', which setae does not do", topography.fill_undefined_data_mode),
-                                "programs make the copy from the original"});
+        draft.alerts.push_back(
+            {"NO_PROCESSED_COPY", topography.name,
+             fmt::format("it is to be filled by '{}', which setae does not do", topography.fill_undefined_data_mode),
+             "programs make the copy from the original"});
         return;
     }
     const auto name = free_name(draft, copy_name(topography.datafile.original));
-    draft.members.push_back(copy_of(name, channel.read, trend_of(topography.detrend_mode).value_or(topography::Trend::mean), topography.unit));
+    draft.members.push_back(copy_of(
+        name, channel.read, trend_of(topography.detrend_mode).value_or(topography::Trend::mean), topography.unit));
     topography.datafile.squeezed = name;
 }
 
 /// Completes what the index says of a measurement from its file.
-void upgrade(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface, ContainerDraft& draft, ContainerTopography& topography) {
+void upgrade(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface,
+             ContainerDraft& draft, ContainerTopography& topography) {
     const auto channel = container_channel(source, archive, surface, topography);
     draft.alerts.insert(draft.alerts.end(), channel.info.alerts.begin(), channel.info.alerts.end());
-    if (topography.name.empty()) topography.name = topography.datafile.original.empty() ? topography.datafile.squeezed : topography.datafile.original;
+    if (topography.name.empty())
+        topography.name =
+            topography.datafile.original.empty() ? topography.datafile.squeezed : topography.datafile.original;
     if (!channel.info.is_height) return;
     take_scale_out(archive, source, draft, topography);
-    if (topography.unit.empty() && !channel.info.unit.empty()) topography.unit = index_unit(channel.info.unit, false, topography.name);
+    if (topography.unit.empty() && !channel.info.unit.empty())
+        topography.unit = index_unit(channel.info.unit, false, topography.name);
     if (topography.size.empty() && !topography.unit.empty()) set_size(channel.info, topography);
     try {
         describe_heights(channel.read(), topography);
         add_copy(channel, draft, topography);
     } catch (const Error& error) {
-        draft.alerts.push_back({"UNREADABLE_MEMBER", topography.name, error.what(), "it is kept as it is; repair or replace this one"});
+        draft.alerts.push_back(
+            {"UNREADABLE_MEMBER", topography.name, error.what(), "it is kept as it is; repair or replace this one"});
     }
 }
 
 /// Brings measurements of a container to generation C and takes their members.
-void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members, std::vector<ContainerSurface>& surfaces) {
+void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members,
+                 std::vector<ContainerSurface>& surfaces) {
     const bytes::Archive archive(source);
     const auto names = take_members(draft, source, members);
     for (auto& surface : surfaces)
@@ -240,10 +277,13 @@ void keep_only(std::size_t wanted, const std::string& path, std::vector<Containe
             if (count++ == wanted) kept.push_back(std::move(topography));
         surface.topographies = std::move(kept);
     }
-    if (wanted >= count) throw InvalidArgument(fmt::format("{}: no measurement {}, the container has {} (counted from 0)", path, wanted, count));
+    if (wanted >= count)
+        throw InvalidArgument(
+            fmt::format("{}: no measurement {}, the container has {} (counted from 0)", path, wanted, count));
 }
 
-std::vector<std::string> members_of(const std::vector<ContainerSurface>& surfaces, const std::vector<std::string>& members) {
+std::vector<std::string> members_of(const std::vector<ContainerSurface>& surfaces,
+                                    const std::vector<std::string>& members) {
     std::vector<std::string> named;
     for (const auto& name : members)
         for (const auto& surface : surfaces)
@@ -257,11 +297,13 @@ std::vector<std::string> members_of(const std::vector<ContainerSurface>& surface
 void replace_given(const StoredMeasurement& given, ContainerTopography& topography) {
     if (given.trend && detrend_mode(*given.trend) != topography.detrend_mode) {
         topography.detrend_mode = detrend_mode(*given.trend);
-        topography.datafile.squeezed = topography.datafile.original.empty() ? topography.datafile.squeezed : "";  // a copy with another trend is made
+        topography.datafile.squeezed = topography.datafile.original.empty() ? topography.datafile.squeezed
+                                                                            : "";  // a copy with another trend is made
     }
     topography::Instrument known;
     if (topography.instrument) known.name = topography.instrument->name;
-    const bool any = !given.instrument.name.empty() || !given.instrument.type.empty() || given.instrument.tip_radius || given.instrument.resolution;
+    const bool any = !given.instrument.name.empty() || !given.instrument.type.empty() || given.instrument.tip_radius ||
+                     given.instrument.resolution;
     if (any) topography.instrument = container_instrument(known, given.instrument);
 }
 
@@ -287,9 +329,12 @@ void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const Sto
     topography.instrument = container_instrument(topography::metadata(heights).instrument, measurement.instrument);
 
     draft.alerts.insert(draft.alerts.end(), channel.info.alerts.begin(), channel.info.alerts.end());
-    draft.members.push_back({topography.datafile.original, [path = measurement.path] { return bytes::file_source(path); }});
+    draft.members.push_back(
+        {topography.datafile.original, [path = measurement.path] { return bytes::file_source(path); }});
     topography.datafile.squeezed = free_name(draft, copy_name(topography.datafile.original));
-    const auto read_again = [path = measurement.path, index, options = measurement.options] { return read(path, index, options); };
+    const auto read_again = [path = measurement.path, index, options = measurement.options] {
+        return read(path, index, options);
+    };
     draft.members.push_back(copy_of(topography.datafile.squeezed, read_again, trend, topography.unit));
     surface.topographies.push_back(std::move(topography));
 }
@@ -313,7 +358,8 @@ void add_measurements_of(ContainerDraft& draft, ContainerSurface& surface, const
     for (auto& other : surfaces)
         for (auto& topography : other.topographies) replace_given(measurement, topography);
     upgrade_all(draft, source, members_of(surfaces, file.members), surfaces);
-    for (auto& other : surfaces) std::move(other.topographies.begin(), other.topographies.end(), std::back_inserter(surface.topographies));
+    for (auto& other : surfaces)
+        std::move(other.topographies.begin(), other.topographies.end(), std::back_inserter(surface.topographies));
 }
 
 }  // namespace setae::formats

@@ -118,7 +118,8 @@ concept Described = requires(Type& value) { value.extra; };
 
 /// Whether a value says nothing.
 bool is_empty(const json& value) {
-    return value.is_null() || (value.is_structured() && value.empty()) || (value.is_string() && value.get_ref<const std::string&>().empty());
+    return value.is_null() || (value.is_structured() && value.empty()) ||
+           (value.is_string() && value.get_ref<const std::string&>().empty());
 }
 
 // ---- reading --------------------------------------------------------------------------------------------------------
@@ -126,7 +127,8 @@ bool is_empty(const json& value) {
 /// Takes what it understands out of an object; what is left is `extra`.
 class FieldReader {
 public:
-    FieldReader(json& object, std::string path, std::vector<Alert>& alerts) : object_(object), path_(std::move(path)), alerts_(alerts) {}
+    FieldReader(json& object, std::string path, std::vector<Alert>& alerts)
+        : object_(object), path_(std::move(path)), alerts_(alerts) {}
 
     template <class Type>
     void operator()(const char* key, Type& value) {
@@ -138,15 +140,18 @@ public:
             return;
         }
         malformed_.emplace_back(key);
-        alerts_.push_back({"MALFORMED_FIELD", place, fmt::format("got {:.80}, which is not what stands there by the schema", shown(*found)),
+        alerts_.push_back({"MALFORMED_FIELD", place,
+                           fmt::format("got {:.80}, which is not what stands there by the schema", shown(*found)),
                            "it is kept, not used; correct the index"});
     }
 
     /// What was left, as text; the container's own "extra" is nobody's to understand.
     std::string rest() {
         for (const auto& [key, value] : object_.items())
-            if (std::find(malformed_.begin(), malformed_.end(), key) == malformed_.end() && !(path_.empty() && key == "extra"))
-                alerts_.push_back({"UNKNOWN_FIELD", path_.empty() ? key : path_ + "/" + key, fmt::format("setae knows no such field; it says {:.80}", shown(value)),
+            if (std::find(malformed_.begin(), malformed_.end(), key) == malformed_.end() &&
+                !(path_.empty() && key == "extra"))
+                alerts_.push_back({"UNKNOWN_FIELD", path_.empty() ? key : path_ + "/" + key,
+                                   fmt::format("setae knows no such field; it says {:.80}", shown(value)),
                                    "it is kept when the container is written again"});
         return object_.empty() ? std::string{} : shown(object_);
     }
@@ -170,7 +175,8 @@ private:
         constexpr double most = 1e6;
         if (!from.is_number()) return false;
         const double number = from.get<double>();
-        const bool counts = number >= 0.0 && number <= most && number == static_cast<double>(static_cast<std::size_t>(number));
+        const bool counts =
+            number >= 0.0 && number <= most && number == static_cast<double>(static_cast<std::size_t>(number));
         if (counts) value = static_cast<std::size_t>(number);
         return counts;
     }
@@ -240,14 +246,18 @@ public:
     }
 
 private:
-    static ordered_json put(const std::string& value) { return value.empty() ? ordered_json(nullptr) : ordered_json(value); }
+    static ordered_json put(const std::string& value) {
+        return value.empty() ? ordered_json(nullptr) : ordered_json(value);
+    }
     static ordered_json put(double value) { return value; }
     static ordered_json put(bool value) { return value; }
     static ordered_json put(std::size_t value) { return value; }
     static ordered_json put(const std::variant<double, std::string>& value) {
         return std::visit([](const auto& held) { return put(held); }, value);
     }
-    static ordered_json put(const std::map<std::string, std::string>& value) { return value.empty() ? ordered_json(nullptr) : ordered_json(value); }
+    static ordered_json put(const std::map<std::string, std::string>& value) {
+        return value.empty() ? ordered_json(nullptr) : ordered_json(value);
+    }
     template <class Type>
     static ordered_json put(std::optional<Type>& value) {
         return value ? put(*value) : ordered_json(nullptr);
@@ -295,7 +305,8 @@ void flatten_metadata(json& topography) {
         metadata.erase("size_x");
         metadata.erase("size_y");
     }
-    for (const char* key : {"unit", "height_scale", "detrend_mode", "fill_undefined_data_mode", "is_periodic", "has_undefined_data", "instrument"}) {
+    for (const char* key : {"unit", "height_scale", "detrend_mode", "fill_undefined_data_mode", "is_periodic",
+                            "has_undefined_data", "instrument"}) {
         if (topography.contains(key) || !metadata.contains(key)) continue;
         topography[key] = std::move(metadata[key]);
         metadata.erase(key);
@@ -322,12 +333,15 @@ constexpr int deepest = 64;
 json parse_json(const std::string& text, const std::string& name) {
     try {
         return json::parse(text, [&](int depth, json::parse_event_t, json&) {
-            if (depth > deepest) throw FormatError(name, {.offset = 0}, fmt::format("JSON nested deeper than {} levels; no container's index is", deepest));
+            if (depth > deepest)
+                throw FormatError(name, {.offset = 0},
+                                  fmt::format("JSON nested deeper than {} levels; no container's index is", deepest));
             return true;
         });
     } catch (const json::exception& error) {
         const auto* parse_error = dynamic_cast<const json::parse_error*>(&error);
-        throw FormatError(name, {.offset = parse_error ? parse_error->byte : 0}, "JSON that does not parse; the index is damaged");
+        throw FormatError(name, {.offset = parse_error ? parse_error->byte : 0},
+                          "JSON that does not parse; the index is damaged");
     }
 }
 
@@ -336,9 +350,11 @@ json parse_json(const std::string& text, const std::string& name) {
 json parsed_index(const bytes::Archive& archive, const bytes::Source& source) {
     const auto* name = archive.has(json_index) ? json_index : yaml_index;
     const auto label = fmt::format("{}: {}", source.name, name);
-    if (!archive.has(name)) throw FormatError(source.name, {}, "an archive without index.json or meta.yml, which a container has");
+    if (!archive.has(name))
+        throw FormatError(source.name, {}, "an archive without index.json or meta.yml, which a container has");
     auto index = name == json_index ? parse_json(archive.read(name), label) : json_from_yaml(archive.read(name), label);
-    if (!index.is_object() || !index.contains("surfaces") || !index["surfaces"].is_array()) throw FormatError(label, {}, "no list of surfaces");
+    if (!index.is_object() || !index.contains("surfaces") || !index["surfaces"].is_array())
+        throw FormatError(label, {}, "no list of surfaces");
     modernise(index);
     return index;
 }

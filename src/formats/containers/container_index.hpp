@@ -13,7 +13,9 @@ namespace setae::formats {
 inline constexpr const char* json_index = "index.json";
 inline constexpr const char* yaml_index = "meta.yml";
 
-[[nodiscard]] inline bool has_index(const bytes::Archive& archive) { return archive.has(json_index) || archive.has(yaml_index); }
+[[nodiscard]] inline bool has_index(const bytes::Archive& archive) {
+    return archive.has(json_index) || archive.has(yaml_index);
+}
 
 /// The index with the keys of generation C, whatever generation it is; nothing else is changed.
 /// @throws FormatError for an index that is missing, does not parse, nests deeper than 64 levels or lists no surfaces.

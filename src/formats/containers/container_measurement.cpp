@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/expand.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
@@ -36,7 +36,9 @@ void require_understood(const ContainerTopography& topography) {
     if (topography.extra.empty()) return;
     const auto kept = nlohmann::json::parse(topography.extra);
     for (const char* key : {"datafile", "data_source", "channel", "size", "unit", "height_scale", "is_periodic"})
-        if (kept.contains(key)) throw InvalidArgument(fmt::format("the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
+        if (kept.contains(key))
+            throw InvalidArgument(fmt::format(
+                "the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
 }
 
 void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, Entry& entry) {
@@ -46,8 +48,10 @@ void choose_member(const ContainerTopography& topography, const bytes::Archive& 
     entry.squeezed = original.empty() || (lost && !squeezed.empty());
     entry.member = entry.squeezed ? squeezed : original;
     if (lost && entry.squeezed)
-        entry.alerts.push_back({"ORIGINAL_MISSING", original, "the container does not hold it; the processed copy was used, which is scaled, filled and levelled already",
-                                "ask whoever made the container for the original"});
+        entry.alerts.push_back(
+            {"ORIGINAL_MISSING", original,
+             "the container does not hold it; the processed copy was used, which is scaled, filled and levelled already",
+             "ask whoever made the container for the original"});
 }
 
 Entry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive) {
@@ -73,10 +77,11 @@ Entry entry_of(const ContainerTopography& topography, const std::string& surface
         if (parameters.resolution) entry.instrument.resolution = parameters.resolution->metres();
         if (!instrument->type.empty()) entry.attributes["instrument_type"] = instrument->type;
     }
-    const std::pair<const char*, const std::string&> texts[] = {{"description", topography.description},
-                                                                {"measurement_date", topography.measurement_date},
-                                                                {"detrend_mode", topography.detrend_mode},
-                                                                {"fill_undefined_data_mode", topography.fill_undefined_data_mode}};
+    const std::pair<const char*, const std::string&> texts[] = {
+        {"description", topography.description},
+        {"measurement_date", topography.measurement_date},
+        {"detrend_mode", topography.detrend_mode},
+        {"fill_undefined_data_mode", topography.fill_undefined_data_mode}};
     for (const auto& [key, value] : texts)
         if (!value.empty()) entry.attributes[key] = value;
     entry.attributes["surface"] = surface;
@@ -92,7 +97,8 @@ void merge(const Entry& entry, const std::string& container, topography::Metadat
     if (entry.instrument.resolution) metadata.instrument.resolution = entry.instrument.resolution;
     for (const auto& [key, value] : entry.attributes) metadata.attributes[key] = value;
     if (metadata.acquisition_time.empty())
-        if (const auto date = entry.attributes.find("measurement_date"); date != entry.attributes.end()) metadata.acquisition_time = date->second;
+        if (const auto date = entry.attributes.find("measurement_date"); date != entry.attributes.end())
+            metadata.acquisition_time = date->second;
 }
 
 /// A member's channel with the scale the index adds: only where the member's own format defines none.
@@ -105,7 +111,8 @@ struct ScaledChannel {
 std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels, const bytes::Source& member) {
     if (!entry.named) {
         if (entry.channel < channels.size()) return entry.channel;
-        throw FormatError(member.name, {}, fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
+        throw FormatError(member.name, {},
+                          fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
     }
     std::vector<std::size_t> of_heights;
     std::size_t before = 0;
@@ -121,7 +128,8 @@ ScaledChannel open_member(const bytes::Archive& archive, const Entry& entry) {
     const auto member = bytes::unpacked(archive.member(entry.member));
     const auto& format = detect_format(member);
     if (format.identifier == container_format().identifier)
-        throw FormatError(member.name, {.offset = 0}, "a container within a container; take it out and open it by itself");
+        throw FormatError(member.name, {.offset = 0},
+                          "a container within a container; take it out and open it by itself");
     auto channels = open(member, entry.options);
     const bool scaled_already = format.carries_scale || entry.squeezed;
     return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
@@ -132,9 +140,11 @@ topography::Measurement read_member(const bytes::Source& source, const Entry& en
     const auto [channel, factor] = open_member(archive, entry);
     auto measurement = topography::scaled(channel.read(), factor);
     merge(entry, source.name, topography::metadata(measurement));
-    std::visit([&](auto& m) {
-        if constexpr (requires { m.periodic; }) m.periodic = m.periodic || entry.periodic;
-    }, measurement);
+    std::visit(
+        [&](auto& m) {
+            if constexpr (requires { m.periodic; }) m.periodic = m.periodic || entry.periodic;
+        },
+        measurement);
     return measurement;
 }
 
@@ -147,9 +157,12 @@ bool has_alert(const ChannelInfo& info, const char* code) {
 /// A unit of the index that is not the file's, which stays.
 void compare_units(const Entry& entry, const bytes::Source& source, ChannelInfo& info) {
     if (!entry.options.unit || info.unit.empty() || !info.is_height || has_alert(info, "UNIT_MISMATCH")) return;
-    if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12) return;
-    info.alerts.push_back({"UNIT_MISMATCH", entry.name, fmt::format("unit {} in the index, but the file says {}, which was used", *entry.options.unit, info.unit),
-                           "sizes and heights are right; correct the index"});
+    if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12)
+        return;
+    info.alerts.push_back(
+        {"UNIT_MISMATCH", entry.name,
+         fmt::format("unit {} in the index, but the file says {}, which was used", *entry.options.unit, info.unit),
+         "sizes and heights are right; correct the index"});
 }
 
 Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const Entry& entry) {
@@ -182,7 +195,8 @@ bool repeats_scale(const bytes::Archive& archive, const ContainerTopography& top
     }
 }
 
-Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography) {
+Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface,
+                          const ContainerTopography& topography) {
     try {
         return member_channel(source, archive, entry_of(topography, surface.name, archive));
     } catch (const Error& error) {

@@ -7,13 +7,15 @@
 
 namespace setae::formats {
 
-/// A measurement of a container as a channel, its heights those of the original where that is there, else of the processed copy.
-/// What the index says of size, unit and scale counts only where the file itself says nothing; a measurement that cannot be opened
-/// becomes a channel with the alert UNREADABLE_MEMBER. Only the file's header is read here.
-[[nodiscard]] Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface, const ContainerTopography& topography);
+/// A measurement of a container as a channel, its heights those of the original where that is there, else of the
+/// processed copy. What the index says of size, unit and scale counts only where the file itself says nothing; a
+/// measurement that cannot be opened becomes a channel with the alert UNREADABLE_MEMBER. Only the file's header is read
+/// here.
+[[nodiscard]] Channel container_channel(const bytes::Source& source, const bytes::Archive& archive,
+                                        const ContainerSurface& surface, const ContainerTopography& topography);
 
-/// Whether the index repeats a scale that the original carries itself, so that programs that apply both scale its heights twice.
-/// False for an original that is missing or of unknown format.
+/// Whether the index repeats a scale that the original carries itself, so that programs that apply both scale its
+/// heights twice. False for an original that is missing or of unknown format.
 [[nodiscard]] bool repeats_scale(const bytes::Archive& archive, const ContainerTopography& topography);
 
 /// The trend that a container's detrend_mode means; nothing for others.

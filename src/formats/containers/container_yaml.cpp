@@ -75,7 +75,8 @@ std::string quoted(const std::string& text) {
         } else if (code(i) == 0xe2 && code(i + 1) == 0x80 && (code(i + 2) == 0xa8 || code(i + 2) == 0xa9)) {
             result += code(i + 2) == 0xa8 ? "\\u2028" : "\\u2029";
             i += 2;
-        } else if (code(i) == 0xef && ((code(i + 1) == 0xbb && code(i + 2) == 0xbf) || (code(i + 1) == 0xbf && code(i + 2) >= 0xbe))) {
+        } else if (code(i) == 0xef &&
+                   ((code(i + 1) == 0xbb && code(i + 2) == 0xbf) || (code(i + 1) == 0xbf && code(i + 2) >= 0xbe))) {
             result += code(i + 1) == 0xbb ? "\\ufeff" : code(i + 2) == 0xbe ? "\\ufffe" : "\\uffff";
             i += 2;
         } else {

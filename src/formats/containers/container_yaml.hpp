@@ -6,8 +6,8 @@
 
 namespace setae::formats {
 
-/// YAML as JSON. Tags are ignored: `!!python/tuple` is a sequence, `!!python/object…` what stands behind it; nothing is ever
-/// executed or constructed. Aliases may repeat nodes up to the length of the text, texts up to sixteen times it.
+/// YAML as JSON. Tags are ignored: `!!python/tuple` is a sequence, `!!python/object…` what stands behind it; nothing is
+/// ever executed or constructed. Aliases may repeat nodes up to the length of the text, texts up to sixteen times it.
 /// @throws FormatError with the line for text that is no YAML or exceeds these bounds. `name` begins the message.
 [[nodiscard]] nlohmann::json json_from_yaml(const std::string& text, const std::string& name);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/bytes/archive.hpp"
 #include "containers/container_index.hpp"
 #include "containers/container_measurement.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
 
 // Containers of contact.engineering: a ZIP with index.json or, in older ones, meta.yml, and one or two members a
@@ -19,7 +19,8 @@ std::vector<Channel> open_container(const bytes::Source& source, const ReadOptio
     const auto container = index_content(parsed_index(archive, source)).container;
     std::vector<Channel> channels;
     for (const auto& surface : container.surfaces)
-        for (const auto& topography : surface.topographies) channels.push_back(container_channel(source, archive, surface, topography));
+        for (const auto& topography : surface.topographies)
+            channels.push_back(container_channel(source, archive, surface, topography));
     if (channels.empty()) throw FormatError(source.name, {}, "container without measurements");
     return channels;
 }
@@ -27,18 +28,21 @@ std::vector<Channel> open_container(const bytes::Source& source, const ReadOptio
 }  // namespace
 
 Format container_format() {
-    return {.identifier = "ce-container",
-            .name = "contact.engineering container",
-            .extensions = ".zip",
-            .description = "ZIP with index.json or meta.yml and one measurement or more, of every generation; the original file is preferred to its processed copy; `setae container write` makes them of any number of files",
-            .heights = "as the original file says; the index's scale is applied only where that file carries none",
-            .orientation = "as the original file says",
-            .not_read = "publications, properties and other fields of the index do not change heights; `setae container check` lists them",
-            .reference = "SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_container,
-            .open = open_container};
+    return {
+        .identifier = "ce-container",
+        .name = "contact.engineering container",
+        .extensions = ".zip",
+        .description =
+            "ZIP with index.json or meta.yml and one measurement or more, of every generation; the original file is preferred to its processed copy; `setae container write` makes them of any number of files",
+        .heights = "as the original file says; the index's scale is applied only where that file carries none",
+        .orientation = "as the original file says",
+        .not_read =
+            "publications, properties and other fields of the index do not change heights; `setae container check` lists them",
+        .reference = "SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_container,
+        .open = open_container};
 }
 
 }  // namespace setae::formats

@@ -10,16 +10,16 @@
 #include <nlohmann/json.hpp>
 
 #include "channel_building.hpp"
-#include "text/curve_channel.hpp"
 #include "format_list.hpp"
-#include "setae/tables/header.hpp"
+#include "setae/bytes/text.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/whole_file.hpp"
-#include "setae/bytes/text.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/tables/text_numbers.hpp"
+#include "text/curve_channel.hpp"
 #include "text/text_start.hpp"
 
 namespace setae::formats {
@@ -38,7 +38,8 @@ std::optional<json> description_of(const bytes::Source& source) {
     const auto size = std::filesystem::file_size(path, error);
     if (error || size > most) return std::nullopt;
     auto description = json::parse(bytes::read_file(path.string()), nullptr, false);
-    if (!description.is_object() || !description.contains("FILE_FORMAT") || !description.contains("X1_FACTOR")) return std::nullopt;
+    if (!description.is_object() || !description.contains("FILE_FORMAT") || !description.contains("X1_FACTOR"))
+        return std::nullopt;
     return description;
 }
 
@@ -54,7 +55,10 @@ std::string text_of(const json& description, const std::string& key) {
 }
 
 /// Whether a text is such a description itself.
-bool describes(std::string_view head) { return head.find("\"FILE_FORMAT\"") != std::string_view::npos && head.find("\"X1_FACTOR\"") != std::string_view::npos; }
+bool describes(std::string_view head) {
+    return head.find("\"FILE_FORMAT\"") != std::string_view::npos &&
+           head.find("\"X1_FACTOR\"") != std::string_view::npos;
+}
 
 enum class Quantity { heights, slopes, unknown };
 
@@ -98,12 +102,17 @@ std::vector<std::string> header_names(const tables::TextStart& start) {
     return names;
 }
 
-std::string without_unit(const std::string& name) { return std::string(trimmed(std::string_view(name).substr(0, name.find('(')))); }
+std::string without_unit(const std::string& name) {
+    return std::string(trimmed(std::string_view(name).substr(0, name.find('('))));
+}
 
 /// Whether a header names the positions and the heights or slopes of a mirror, with their units.
 bool names_mirror(const std::vector<std::string>& names) {
-    if (names.size() < 2 || !bytes::lowered(names[0]).starts_with('x') || !is_length_unit(tables::parse_header_cell(names[0]).unit)) return false;
-    return std::any_of(names.begin() + 1, names.end(), [](const auto& name) { return quantity_of(name) == Quantity::slopes; });
+    if (names.size() < 2 || !bytes::lowered(names[0]).starts_with('x') ||
+        !is_length_unit(tables::parse_header_cell(names[0]).unit))
+        return false;
+    return std::any_of(names.begin() + 1, names.end(),
+                       [](const auto& name) { return quantity_of(name) == Quantity::slopes; });
 }
 
 /// Factor to SI of a column's unit; micro-radians are spelled "urad", "microrad", "micror-rad".
@@ -111,7 +120,8 @@ std::optional<double> factor_of(const std::string& name, Quantity quantity) {
     auto unit = name.substr(std::min(name.find('(') + 1, name.size()));
     unit.resize(std::min(unit.find(')'), unit.size()));
     if (quantity == Quantity::slopes && bytes::lowered(unit).starts_with("micro")) return 1e-6;
-    if (quantity == Quantity::slopes && unit.ends_with("rad")) unit.replace(unit.size() - 3, 3, "m");  // its prefix as of a length
+    if (quantity == Quantity::slopes && unit.ends_with("rad"))
+        unit.replace(unit.size() - 3, 3, "m");  // its prefix as of a length
     const auto known = tables::try_parse_unit(unit);
     return known && known->dimension == dimension::length ? std::optional(known->factor) : std::nullopt;
 }
@@ -119,14 +129,16 @@ std::optional<double> factor_of(const std::string& name, Quantity quantity) {
 Columns columns_of(const json& description, const tables::TextStart& start, const bytes::Source& source) {
     Columns columns;
     const auto x_factor = number_of(description, "X1_FACTOR");
-    if (!x_factor || !(*x_factor > 0.0)) throw FormatError(source.name, {.line = 1}, "dabam: the description beside the file has no X1_FACTOR above 0");
+    if (!x_factor || !(*x_factor > 0.0))
+        throw FormatError(source.name, {.line = 1}, "dabam: the description beside the file has no X1_FACTOR above 0");
     columns.x_factor = *x_factor;
     const auto names = header_names(start);
     const bool slopes_first = number_of(description, "FILE_FORMAT") == 1.0;
     for (std::size_t k = 1; k < start.layout.columns; ++k) {
         const auto factor = number_of(description, fmt::format("Y{}_FACTOR", k));
         if (!factor || *factor == 0.0) continue;
-        Ordinate ordinate{k, names.empty() ? text_of(description, fmt::format("PLOT_TITLE_Y{}", k)) : names[k], *factor, Quantity::unknown};
+        Ordinate ordinate{k, names.empty() ? text_of(description, fmt::format("PLOT_TITLE_Y{}", k)) : names[k], *factor,
+                          Quantity::unknown};
         ordinate.quantity = k == 1 ? (slopes_first ? Quantity::slopes : Quantity::heights) : quantity_of(ordinate.name);
         ordinate.name = without_unit(ordinate.name);
         columns.ordinates.push_back(std::move(ordinate));
@@ -134,7 +146,8 @@ Columns columns_of(const json& description, const tables::TextStart& start, cons
     auto& metadata = columns.metadata;
     metadata.acquisition_time = text_of(description, "SCAN_DATE");
     metadata.instrument.name = text_of(description, "INSTRUMENT");
-    for (const auto* key : {"FACILITY", "SURFACE_SHAPE", "FUNCTION", "SUBSTRATE", "COATING", "POLISHING", "LENGTH_OPTICAL", "YEAR_FABRICATION", "CALC_HEIGHT_RMS", "CALC_HEIGHT_RMS_FACTOR",
+    for (const auto* key : {"FACILITY", "SURFACE_SHAPE", "FUNCTION", "SUBSTRATE", "COATING", "POLISHING",
+                            "LENGTH_OPTICAL", "YEAR_FABRICATION", "CALC_HEIGHT_RMS", "CALC_HEIGHT_RMS_FACTOR",
                             "CALC_SLOPE_RMS", "CALC_SLOPE_RMS_FACTOR", "USER_REFERENCE", "USER_ADDED_BY"})
         if (auto text = text_of(description, key); !text.empty()) metadata.attributes.emplace(key, std::move(text));
     return columns;
@@ -147,7 +160,8 @@ Columns columns_of(const tables::TextStart& start) {
     columns.x_factor = unit_factor(tables::parse_header_cell(names[0]).unit, dimension::length);
     for (std::size_t k = 1; k < names.size(); ++k) {
         const auto quantity = quantity_of(names[k]);
-        if (const auto factor = factor_of(names[k], quantity)) columns.ordinates.push_back({k, without_unit(names[k]), *factor, quantity});
+        if (const auto factor = factor_of(names[k], quantity))
+            columns.ordinates.push_back({k, without_unit(names[k]), *factor, quantity});
     }
     return columns;
 }
@@ -163,7 +177,8 @@ std::string unit_name(double factor, bool slopes) {
 /// h_0 = 0, h_i = h_(i−1) + (s_(i−1) + s_i)/2 (x_i − x_(i−1)).
 Array1D integrated(const Array1D& x, const Array1D& slopes) {
     Array1D heights = Array1D::Zero(x.size());
-    for (Index i = 1; i < x.size(); ++i) heights[i] = heights[i - 1] + 0.5 * (slopes[i - 1] + slopes[i]) * (x[i] - x[i - 1]);
+    for (Index i = 1; i < x.size(); ++i)
+        heights[i] = heights[i - 1] + 0.5 * (slopes[i - 1] + slopes[i]) * (x[i] - x[i - 1]);
     return heights;
 }
 
@@ -175,9 +190,12 @@ Channel slopes_channel(ChannelInfo info, const Ordinate& ordinate, Index points)
 
 std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& options) {
     if (describes(source.head(bytes::detection_bytes)))
-        throw FormatError(source.name, {.line = 1}, "dabam: this is the JSON that describes a profile; open the numbers beside it, of the same name with the ending .dat");
+        throw FormatError(
+            source.name, {.line = 1},
+            "dabam: this is the JSON that describes a profile; open the numbers beside it, of the same name with the ending .dat");
     const auto start = find_start(source);
-    if (!start || start->layout.columns < 2) throw FormatError(source.name, {.line = 1}, "dabam: no rows of positions and heights or slopes");
+    if (!start || start->layout.columns < 2)
+        throw FormatError(source.name, {.line = 1}, "dabam: no rows of positions and heights or slopes");
     const auto description = description_of(source);
     const auto columns = description ? columns_of(*description, *start, source) : columns_of(*start);
     const auto lines = tables::find_number_lines(*start, start->begin, start->source.size);
@@ -186,7 +204,8 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
     Curve curve;
     curve.x.unit = "m";
     curve.x.values = columns.x_factor * numbers.row(0);
-    const bool any_heights = std::any_of(columns.ordinates.begin(), columns.ordinates.end(), [](const auto& ordinate) { return ordinate.quantity == Quantity::heights; });
+    const bool any_heights = std::any_of(columns.ordinates.begin(), columns.ordinates.end(),
+                                         [](const auto& ordinate) { return ordinate.quantity == Quantity::heights; });
     std::vector<Channel> channels;
     for (const auto& ordinate : columns.ordinates) {
         ChannelInfo info;
@@ -195,7 +214,8 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
         info.metadata = columns.metadata;
         info.metadata.file = source.name;
         const Array1D values = numbers.row(static_cast<Index>(ordinate.column));
-        const bool to_integrate = ordinate.quantity == Quantity::slopes && (description ? ordinate.column == 1 : !any_heights);
+        const bool to_integrate =
+            ordinate.quantity == Quantity::slopes && (description ? ordinate.column == 1 : !any_heights);
         if (ordinate.quantity == Quantity::slopes && !to_integrate) {
             channels.push_back(slopes_channel(std::move(info), ordinate, values.size()));
             continue;
@@ -204,14 +224,17 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
         curve.heights.values = values * (ordinate.factor / unit_factor(curve.heights.unit, dimension::length));
         if (to_integrate) {
             curve.heights.values = integrated(curve.x.values, curve.heights.values);
-            info.alerts.push_back({"SLOPES_INTEGRATED", source.name, "the file holds slopes; heights are their integral by the trapezoidal rule, 0 at the first point",
-                                   "mean height and mean slope are arbitrary: remove a line or the figure"});
+            info.alerts.push_back(
+                {"SLOPES_INTEGRATED", source.name,
+                 "the file holds slopes; heights are their integral by the trapezoidal rule, 0 at the first point",
+                 "mean height and mean slope are arbitrary: remove a line or the figure"});
             info.name += ", integrated";
             info.metadata.attributes["heights from"] = "slopes, integrated by the trapezoidal rule";
         }
         channels.push_back(curve_channel(std::move(info), curve, options, source));
     }
-    if (channels.empty()) throw FormatError(source.name, {.line = 1}, "dabam: no column of heights or slopes with a factor to SI");
+    if (channels.empty())
+        throw FormatError(source.name, {.line = 1}, "dabam: no column of heights or slopes with a factor to SI");
     return channels;
 }
 
@@ -225,17 +248,20 @@ Match detect_dabam(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format dabam_format() {
-    return {.identifier = "dabam",
-            .name = "DABAM mirror profile",
-            .extensions = ".dat",
-            .description = "profiles of synchrotron mirrors from the metrology database DABAM: numbers in name.dat, their meaning and units in name.txt beside it, or in the header of the numbers alone",
-            .heights = "values times the factor of the description, or in the unit of the header; files of slopes are integrated by the trapezoidal rule, with an alert",
-            .orientation = "",
-            .not_read = "slopes beside heights are listed only",
-            .reference = "M. Sanchez del Rio et al., J. Synchrotron Rad. 23, 665 (2016); SR-xraylib, metrology/dabam.py",
-            .tested_on_real_files = true,
-            .detect = detect_dabam,
-            .open = open_dabam};
+    return {
+        .identifier = "dabam",
+        .name = "DABAM mirror profile",
+        .extensions = ".dat",
+        .description =
+            "profiles of synchrotron mirrors from the metrology database DABAM: numbers in name.dat, their meaning and units in name.txt beside it, or in the header of the numbers alone",
+        .heights =
+            "values times the factor of the description, or in the unit of the header; files of slopes are integrated by the trapezoidal rule, with an alert",
+        .orientation = "",
+        .not_read = "slopes beside heights are listed only",
+        .reference = "M. Sanchez del Rio et al., J. Synchrotron Rad. 23, 665 (2016); SR-xraylib, metrology/dabam.py",
+        .tested_on_real_files = true,
+        .detect = detect_dabam,
+        .open = open_dabam};
 }
 
 }  // namespace setae::formats

@@ -10,17 +10,18 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
 #include "gwy_writer.hpp"
-#include "setae/tables/header.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/cursor.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/bytes/text.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/raster.hpp"
 
-// Gwyddion's own files: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type, value. Types: b c i q
-// d s o, in capitals their arrays behind a count of 32 bits. All little-endian. "/N/data" of the container is the N-th map.
+// Gwyddion's own files: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type,
+// value. Types: b c i q d s o, in capitals their arrays behind a count of 32 bits. All little-endian. "/N/data" of the
+// container is the N-th map.
 namespace setae::formats {
 namespace {
 
@@ -90,7 +91,9 @@ Component read_component(bytes::Cursor& cursor) {
         case 'O':
             for (auto left = cursor.number<std::uint32_t>(); left > 0; --left) (void)object_part(cursor);
             break;
-        default: cursor.fail(fmt::format("component '{:.40}' has the type '\\x{:02x}', expected one of bciqdsoCIQDSO", component.name, static_cast<unsigned char>(component.type)));
+        default:
+            cursor.fail(fmt::format("component '{:.40}' has the type '\\x{:02x}', expected one of bciqdsoCIQDSO",
+                                    component.name, static_cast<unsigned char>(component.type)));
     }
     return component;
 }
@@ -101,13 +104,18 @@ void for_each_component(const bytes::Source& source, const Part& part, Visit vis
     bytes::Cursor cursor(source, "GWY", part.begin);
     for (std::size_t seen = 0; cursor.position() < part.end; ++seen) {
         const auto component = read_component(cursor);
-        if (cursor.position() > part.end) cursor.fail(fmt::format("component '{:.40}' is longer than its object, which ends at byte {}; it is damaged", component.name, part.end));
-        if (seen == most_components) cursor.fail(fmt::format("more than {} components; it is damaged", most_components));
+        if (cursor.position() > part.end)
+            cursor.fail(
+                fmt::format("component '{:.40}' is longer than its object, which ends at byte {}; it is damaged",
+                            component.name, part.end));
+        if (seen == most_components)
+            cursor.fail(fmt::format("more than {} components; it is damaged", most_components));
         visit(component);
     }
 }
 
-// ---- what a container holds of each channel -----------------------------------------------------------------------------
+// ---- what a container holds of each channel
+// -----------------------------------------------------------------------------
 
 struct Parts {
     std::optional<Part> data, mask, metadata;
@@ -143,7 +151,8 @@ std::map<std::uint32_t, Parts> channel_parts(const bytes::Source& source, const 
     return channels;
 }
 
-// ---- fields -------------------------------------------------------------------------------------------------------------
+// ---- fields
+// -------------------------------------------------------------------------------------------------------------
 
 struct Field {
     Index nx = 0, ny = 0;
@@ -173,13 +182,18 @@ Field read_field(const bytes::Source& source, const Part& part, const std::strin
         else if (name == "si_unit_z" && component.type == 'o') field.unit_z = unit_of(source, component.part);
         else if (name == "data" && component.type == 'D') field.data = component.part;
     });
-    const bool fits = field.nx > 0 && field.ny > 0 && field.data.count == static_cast<std::uint64_t>(field.nx) * static_cast<std::uint64_t>(field.ny);
+    const bool fits = field.nx > 0 && field.ny > 0 &&
+                      field.data.count == static_cast<std::uint64_t>(field.nx) * static_cast<std::uint64_t>(field.ny);
     if (!fits)
-        throw FormatError(source.name, {.offset = part.begin}, fmt::format("GWY: {} has {} values for {} × {} points; it is damaged", label, field.data.count, field.nx, field.ny));
+        throw FormatError(source.name, {.offset = part.begin},
+                          fmt::format("GWY: {} has {} values for {} × {} points; it is damaged", label,
+                                      field.data.count, field.nx, field.ny));
     return field;
 }
 
-Raster raster_of(const Field& field) { return {.offset = field.data.begin, .nx = field.nx, .ny = field.ny, .sample = Sample::float64}; }
+Raster raster_of(const Field& field) {
+    return {.offset = field.data.begin, .nx = field.nx, .ny = field.ny, .sample = Sample::float64};
+}
 
 /// The factor of a unit of length to metres; nothing for other units and none.
 std::optional<double> metres(const std::string& unit) {
@@ -187,14 +201,17 @@ std::optional<double> metres(const std::string& unit) {
     return parsed && parsed->dimension == dimension::length ? std::optional(parsed->factor) : std::nullopt;
 }
 
-// ---- metadata -------------------------------------------------------------------------------------------------------------
+// ---- metadata
+// -------------------------------------------------------------------------------------------------------------
 
 void read_metadata(const bytes::Source& source, const Part& part, topography::Metadata& metadata) {
     for_each_component(source, part, [&](const Component& component) {
         if (component.type != 's' || component.text.empty()) return;
         const auto key = bytes::lowered(component.name);
-        if (key == "date" || key == "acquisition time" || key == "date and time") metadata.acquisition_time = component.text;
-        else if (key == "instrument" || key == "instrument name" || key == "microscope") metadata.instrument.name = component.text;
+        if (key == "date" || key == "acquisition time" || key == "date and time")
+            metadata.acquisition_time = component.text;
+        else if (key == "instrument" || key == "instrument name" || key == "microscope")
+            metadata.instrument.name = component.text;
         else if (key == gwy_instrument_type) metadata.instrument.type = component.text;
         else if (metadata.attributes.size() < most_attributes) metadata.attributes[component.name] = component.text;
     });
@@ -219,7 +236,8 @@ Channel with_undefined_points(Channel channel, const bytes::Source& source, cons
     return channel;
 }
 
-Channel field_channel(const bytes::Source& source, std::uint32_t number, const Parts& parts, const ReadOptions& options) {
+Channel field_channel(const bytes::Source& source, std::uint32_t number, const Parts& parts,
+                      const ReadOptions& options) {
     const auto field = read_field(source, *parts.data, fmt::format("channel {}", number));
     ChannelInfo info{.name = parts.title, .format = "gwy"};
     info.metadata.file = source.name;
@@ -227,53 +245,75 @@ Channel field_channel(const bytes::Source& source, std::uint32_t number, const P
     const bool own_mask = parts.mask && info.metadata.attributes.erase(gwy_undefined_key) > 0;
     if (field.ny > 1) info.orientation = "rows from the top, as stored";
     const auto factor_xy = metres(field.unit_xy), factor_z = metres(field.unit_z);
-    if (factor_xy && field.x_real > 0.0 && field.y_real > 0.0) info.size = {*factor_xy * field.x_real, *factor_xy * field.y_real};
+    if (factor_xy && field.x_real > 0.0 && field.y_real > 0.0)
+        info.size = {*factor_xy * field.x_real, *factor_xy * field.y_real};
     info.unit = field.unit_z;
     if (!field.unit_z.empty() && !factor_z) {
         info.shape = {field.nx, field.ny};
         return non_height_channel(std::move(info));
     }
     if (factor_z && *factor_z != 1.0)
-        info.alerts.push_back({"UNIT_PREFIX", source.name, fmt::format("heights of '{}' are in {}, which Gwyddion reads as m", info.name, field.unit_z), "make sure that the program that wrote the file meant its prefix"});
+        info.alerts.push_back(
+            {"UNIT_PREFIX", source.name,
+             fmt::format("heights of '{}' are in {}, which Gwyddion reads as m", info.name, field.unit_z),
+             "make sure that the program that wrote the file meant its prefix"});
     if (parts.mask && !own_mask) {
         info.metadata.attributes["mask"] = "there, not applied";
-        info.alerts.push_back({"MASK_NOT_APPLIED", source.name, fmt::format("'{}' has a mask; masks are selections, and its points are heights like others", info.name), "where it marks bad points, remove them in Gwyddion first"});
+        info.alerts.push_back(
+            {"MASK_NOT_APPLIED", source.name,
+             fmt::format("'{}' has a mask; masks are selections, and its points are heights like others", info.name),
+             "where it marks bad points, remove them in Gwyddion first"});
     }
-    auto channel = raster_channel(std::move(info), source, raster_of(field), {.factor = factor_z.value_or(1.0)}, options);
-    return own_mask && !channel.info.size.empty() ? with_undefined_points(std::move(channel), source, *parts.mask) : channel;
+    auto channel =
+        raster_channel(std::move(info), source, raster_of(field), {.factor = factor_z.value_or(1.0)}, options);
+    return own_mask && !channel.info.size.empty() ? with_undefined_points(std::move(channel), source, *parts.mask)
+                                                  : channel;
 }
 
-Match detect_gwy(std::string_view head, const bytes::Source&) { return head.size() > 4 && head.starts_with("GWY") && (head[3] == 'P' || head[3] == 'O' || head[3] == 'Q') ? Match::yes : Match::no; }
+Match detect_gwy(std::string_view head, const bytes::Source&) {
+    return head.size() > 4 && head.starts_with("GWY") && (head[3] == 'P' || head[3] == 'O' || head[3] == 'Q')
+               ? Match::yes
+               : Match::no;
+}
 
 std::vector<Channel> open_gwy(const bytes::Source& source, const ReadOptions& options) {
     bytes::Cursor cursor(source, "GWY", 3);
     if (const char version = cursor.number<char>(); version != 'P')
-        cursor.fail(fmt::format("begins with 'GWY{}', which is {}, expected 'GWYP'; open it in Gwyddion 2 and save it again", version, version == 'O' ? "of Gwyddion 1" : "of a newer Gwyddion"));
+        cursor.fail(
+            fmt::format("begins with 'GWY{}', which is {}, expected 'GWYP'; open it in Gwyddion 2 and save it again",
+                        version, version == 'O' ? "of Gwyddion 1" : "of a newer Gwyddion"));
     const auto container = object_part(cursor);
-    if (container.object != "GwyContainer") throw FormatError(source.name, {.offset = 4}, fmt::format("GWY: holds '{:.40}', expected 'GwyContainer'", container.object));
+    if (container.object != "GwyContainer")
+        throw FormatError(source.name, {.offset = 4},
+                          fmt::format("GWY: holds '{:.40}', expected 'GwyContainer'", container.object));
     std::vector<Channel> channels;
     for (const auto& [number, parts] : channel_parts(source, container))
         if (parts.data) channels.push_back(field_channel(source, number, parts, options));
-    if (channels.empty()) throw FormatError(source.name, {.offset = container.begin}, "GWY: no map; graphs, spectra and volumes are not read");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = container.begin},
+                          "GWY: no map; graphs, spectra and volumes are not read");
     return channels;
 }
 
 }  // namespace
 
 Format gwy_format() {
-    return {.identifier = "gwy",
-            .name = "Gwyddion",
-            .extensions = ".gwy",
-            .description = "native files of Gwyddion 2: every map of the file, with its title and metadata",
-            .heights = "float64 in the field's unit; fields whose unit is no length are listed, those without any need the user's; a mask is not applied, but for undefined points that setae wrote",
-            .orientation = "rows from the top",
-            .not_read = "graphs, spectra, volumes, presentations and selections are left alone; files of Gwyddion 1 (GWYO) and of 64-bit sizes (GWYQ) are refused",
-            .reference = "Gwyddion user guide, Format of Gwyddion Files",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_gwy,
-            .open = open_gwy,
-            .write = write_gwy};
+    return {
+        .identifier = "gwy",
+        .name = "Gwyddion",
+        .extensions = ".gwy",
+        .description = "native files of Gwyddion 2: every map of the file, with its title and metadata",
+        .heights =
+            "float64 in the field's unit; fields whose unit is no length are listed, those without any need the user's; a mask is not applied, but for undefined points that setae wrote",
+        .orientation = "rows from the top",
+        .not_read =
+            "graphs, spectra, volumes, presentations and selections are left alone; files of Gwyddion 1 (GWYO) and of 64-bit sizes (GWYQ) are refused",
+        .reference = "Gwyddion user guide, Format of Gwyddion Files",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_gwy,
+        .open = open_gwy,
+        .write = write_gwy};
 }
 
 }  // namespace setae::formats

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "writing.hpp"
 
 namespace setae::formats {
@@ -18,7 +18,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as the memory holds them");
 
-/// Components of an object, one after another. The items of its last array may stand elsewhere: `outside` tells their bytes.
+/// Components of an object, one after another. The items of its last array may stand elsewhere: `outside` tells their
+/// bytes.
 class Object {
 public:
     Object& integer(const char* name, std::int32_t value) { return begin(name, 'i').raw(value); }
@@ -102,10 +103,13 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
     const bool masked = map.heights.isNaN().any();
     constexpr std::uint64_t room = std::numeric_limits<std::uint32_t>::max() - (1u << 20);
     Object container;
-    container.text("/0/data/title", map.metadata.name).object("/0/meta", "GwyContainer", metadata_of(map.metadata, masked));
+    container.text("/0/data/title", map.metadata.name)
+        .object("/0/meta", "GwyContainer", metadata_of(map.metadata, masked));
     const auto field = field_of(map, "m"), mask = field_of(map, "");
     if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > room)
-        throw InvalidArgument(fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} × {} points need more; write it as .x3p", path, map.heights.rows(), map.heights.cols()));
+        throw InvalidArgument(
+            fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} × {} points need more; write it as .x3p", path,
+                        map.heights.rows(), map.heights.cols()));
     const auto heights = row_bytes(map.heights, mean_height(map.heights));
     if (!masked) {
         container.object("/0/data", "GwyDataField", field);

@@ -6,35 +6,42 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "storage/hdf5_file.hpp"
-#include "setae/tables/header.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/hdf5_file.hpp"
 #include "storage/stored_array.hpp"
 
 // HDF5 of nobody's layout: every dataset of numbers with one or two dimensions is a channel.
 namespace setae::formats {
 namespace {
 
-constexpr const char* element_size = "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
+constexpr const char* element_size =
+    "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
 constexpr std::size_t most_attributes = 100, longest_attribute = 1000;
 
 void keep_attributes(const Attributes& attributes, topography::Metadata& metadata) {
     for (const auto& attribute : attributes) {
         if (metadata.attributes.size() == most_attributes) return;
-        if (!attribute.text.empty() && attribute.text.size() <= longest_attribute) metadata.attributes[attribute.name] = attribute.text;
-        if (attribute.numbers.size() == 1) metadata.attributes[attribute.name] = fmt::format("{}", attribute.numbers.front());
+        if (!attribute.text.empty() && attribute.text.size() <= longest_attribute)
+            metadata.attributes[attribute.name] = attribute.text;
+        if (attribute.numbers.size() == 1)
+            metadata.attributes[attribute.name] = fmt::format("{}", attribute.numbers.front());
     }
 }
 
-/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it is not stated.
+/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it is
+/// not stated.
 std::vector<double> size_of(const StoredArray& array) {
-    const auto found = std::find_if(array.attributes.begin(), array.attributes.end(), [](const Attribute& attribute) { return attribute.name == element_size; });
+    const auto found = std::find_if(array.attributes.begin(), array.attributes.end(),
+                                    [](const Attribute& attribute) { return attribute.name == element_size; });
     const auto dimensions = array.shape.size();
     if (found == array.attributes.end() || found->numbers.size() < dimensions) return {};
     std::vector<double> size;
-    for (std::size_t k = 0; k < dimensions; ++k) size.push_back(found->numbers[found->numbers.size() - dimensions + k] * units::um * static_cast<double>(array.shape[k]));
+    for (std::size_t k = 0; k < dimensions; ++k)
+        size.push_back(found->numbers[found->numbers.size() - dimensions + k] * units::um *
+                       static_cast<double>(array.shape[k]));
     return size;
 }
 
@@ -54,7 +61,8 @@ Channel channel_of(const StoredArray& array, const bytes::Source& source, const 
         return non_height_channel(std::move(info));
     }
     if (known) info.unit = unit;
-    return array_channel(std::move(info), array, FirstIndex::x_to_the_right, {.factor = known ? known->factor : 1.0}, options_for(array, options));
+    return array_channel(std::move(info), array, FirstIndex::x_to_the_right, {.factor = known ? known->factor : 1.0},
+                         options_for(array, options));
 }
 
 Match detect_hdf5(std::string_view head, const bytes::Source&) { return find_hdf5(head) ? Match::maybe : Match::no; }
@@ -64,28 +72,35 @@ std::vector<Channel> open_hdf5(const bytes::Source& source, const ReadOptions& o
     std::vector<Channel> channels;
     for (const auto& path : file.datasets()) {
         const auto array = file.array(path);
-        if (array && (is_map_or_line(*array) || !array->refusal.empty())) channels.push_back(channel_of(*array, source, options));
+        if (array && (is_map_or_line(*array) || !array->refusal.empty()))
+            channels.push_back(channel_of(*array, source, options));
     }
-    if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "HDF5: no dataset of numbers with one or two dimensions and more than one value");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = 0},
+                          "HDF5: no dataset of numbers with one or two dimensions and more than one value");
     return channels;
 }
 
 }  // namespace
 
 Format hdf5_format() {
-    return {.identifier = "hdf5",
-            .name = "HDF5",
-            .extensions = ".h5 .hdf5 .hdf",
-            .description = "every dataset of integers or floats with one or two dimensions, in groups too, is a channel; size and unit must be given where no attribute states them",
-            .heights = "values in the unit of the attribute unit or units, or in the unit given; NaN and infinities are undefined",
-            .orientation = "first index x, second y downwards; not stated in the file, taken as SurfaceTopography does",
-            .not_read = "values of other types, of more dimensions, behind links that are not hard, in other files, or packed otherwise than with deflate; what is promised of damaged "
-                        "files ends at the library, which is not made for them: open only HDF5 files that you trust",
-            .reference = "HDF5 File Format Specification 3.0; element_size_um as ImageJ's HDF5 plugin writes it",
-            .tested_on_real_files = true,
-            .carries_scale = false,
-            .detect = detect_hdf5,
-            .open = open_hdf5};
+    return {
+        .identifier = "hdf5",
+        .name = "HDF5",
+        .extensions = ".h5 .hdf5 .hdf",
+        .description =
+            "every dataset of integers or floats with one or two dimensions, in groups too, is a channel; size and unit must be given where no attribute states them",
+        .heights =
+            "values in the unit of the attribute unit or units, or in the unit given; NaN and infinities are undefined",
+        .orientation = "first index x, second y downwards; not stated in the file, taken as SurfaceTopography does",
+        .not_read =
+            "values of other types, of more dimensions, behind links that are not hard, in other files, or packed otherwise than with deflate; what is promised of damaged "
+            "files ends at the library, which is not made for them: open only HDF5 files that you trust",
+        .reference = "HDF5 File Format Specification 3.0; element_size_um as ImageJ's HDF5 plugin writes it",
+        .tested_on_real_files = true,
+        .carries_scale = false,
+        .detect = detect_hdf5,
+        .open = open_hdf5};
 }
 
 }  // namespace setae::formats

@@ -12,8 +12,8 @@
 #include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/expand.hpp"
-#include "storage/on_demand.hpp"
 #include "setae/core/errors.hpp"
+#include "storage/on_demand.hpp"
 
 namespace setae::formats {
 namespace {
@@ -23,7 +23,14 @@ constexpr std::uint64_t level5_header = 128, tag_bytes = 8;
 constexpr std::uint64_t most_values = std::uint64_t{1} << 40;
 
 /// Types of elements of level 5.
-enum Element : std::uint32_t { int8_element = 1, int32_element = 5, uint32_element = 6, matrix_element = 14, compressed_element = 15, utf8_element = 16 };
+enum Element : std::uint32_t {
+    int8_element = 1,
+    int32_element = 5,
+    uint32_element = 6,
+    matrix_element = 14,
+    compressed_element = 15,
+    utf8_element = 16
+};
 
 std::optional<Sample> sample_of(std::uint32_t element) {
     switch (element) {
@@ -43,14 +50,16 @@ std::optional<Sample> sample_of(std::uint32_t element) {
 
 bool is_name(std::string_view name) {
     const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && std::all_of(name.begin(), name.end(), is_part);
+    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) &&
+           std::all_of(name.begin(), name.end(), is_part);
 }
 
 /// The number of values of a shape; nothing where it is absurd.
 std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
     std::uint64_t values = 1;
     for (const auto extent : shape) {
-        if (extent < 0 || (extent > 0 && values > most_values / static_cast<std::uint64_t>(extent))) return std::nullopt;
+        if (extent < 0 || (extent > 0 && values > most_values / static_cast<std::uint64_t>(extent)))
+            return std::nullopt;
         values *= static_cast<std::uint64_t>(extent);
     }
     return values;
@@ -70,7 +79,9 @@ struct Tag {
 Tag read_tag(bytes::Cursor& cursor) {
     const auto first = cursor.number<std::uint32_t>();
     if (first >> 16) {
-        if (first >> 16 > 4) cursor.fail(fmt::format("a small element of {} bytes, expected at most 4; the file is damaged", first >> 16));
+        if (first >> 16 > 4)
+            cursor.fail(
+                fmt::format("a small element of {} bytes, expected at most 4; the file is damaged", first >> 16));
         return {first & 0xffff, first >> 16, true};
     }
     return {first, cursor.number<std::uint32_t>(), false};
@@ -79,14 +90,17 @@ Tag read_tag(bytes::Cursor& cursor) {
 /// A part of a matrix that stands before its values.
 std::string part(bytes::Cursor& cursor, std::uint32_t type, const char* what, std::uint64_t most) {
     const auto tag = read_tag(cursor);
-    if (tag.type != type && !(type == int8_element && tag.type == utf8_element)) cursor.fail(fmt::format("{} of type {}, expected {}; the file is damaged", what, tag.type, type));
-    if (tag.bytes > most) cursor.fail(fmt::format("{} of {} bytes, expected at most {}; the file is damaged", what, tag.bytes, most));
+    if (tag.type != type && !(type == int8_element && tag.type == utf8_element))
+        cursor.fail(fmt::format("{} of type {}, expected {}; the file is damaged", what, tag.type, type));
+    if (tag.bytes > most)
+        cursor.fail(fmt::format("{} of {} bytes, expected at most {}; the file is damaged", what, tag.bytes, most));
     auto bytes = cursor.bytes(tag.padded());
     bytes.resize(tag.bytes);
     return bytes;
 }
 
-/// A matrix from its tag on, if it holds numbers. `cursor` may see no more than the header; values are checked by who reads them.
+/// A matrix from its tag on, if it holds numbers. `cursor` may see no more than the header; values are checked by who
+/// reads them.
 std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
     constexpr std::uint32_t first_numeric = 6, last_numeric = 15, complex_flag = 0x0800, logical_flag = 0x0200;
     const auto whole = read_tag(cursor);
@@ -101,13 +115,16 @@ std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
     variable.complex = (flags & complex_flag) != 0;
     auto& array = variable.array;
     const auto extents = part(cursor, int32_element, "dimensions", 4 * 64);
-    for (std::size_t at = 0; at + 4 <= extents.size(); at += 4) array.shape.push_back(bytes::load<std::int32_t>(extents.data() + at, order));
+    for (std::size_t at = 0; at + 4 <= extents.size(); at += 4)
+        array.shape.push_back(bytes::load<std::int32_t>(extents.data() + at, order));
     array.name = part(cursor, int8_element, "a name", 4096);
     const auto values = read_tag(cursor);
     const auto sample = sample_of(values.type);
     const auto count = values_in(array.shape);
-    if (!count || !sample || *count * bytes_of(*sample) != values.bytes || values.bytes > end - std::min(end, cursor.position()))
-        cursor.fail(fmt::format("matrix '{:.64}' of {} dimensions has {} bytes of type {}; the file is damaged", array.name, array.shape.size(), values.bytes, values.type));
+    if (!count || !sample || *count * bytes_of(*sample) != values.bytes ||
+        values.bytes > end - std::min(end, cursor.position()))
+        cursor.fail(fmt::format("matrix '{:.64}' of {} dimensions has {} bytes of type {}; the file is damaged",
+                                array.name, array.shape.size(), values.bytes, values.type));
     array.sample = *sample;
     array.order = order;
     array.first_fast = true;
@@ -116,26 +133,38 @@ std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
 }
 
 /// The values of a compressed element, expanded while somebody holds them.
-void place_compressed(MatVariable& variable, const bytes::Source& source, std::uint64_t offset, std::uint64_t packed, std::uint64_t expanded) {
+void place_compressed(MatVariable& variable, const bytes::Source& source, std::uint64_t offset, std::uint64_t packed,
+                      std::uint64_t expanded) {
     const auto content = std::make_shared<OnDemand<const std::string>>([source, offset, packed, expanded] {
         auto bytes = bytes::inflated(source.bytes(offset, packed), source, offset, mat);
         if (bytes.size() < expanded)
-            throw FormatError(source.name, {.offset = offset + packed}, fmt::format("MAT: {} bytes expand to {}, expected {}; the file is damaged", packed, bytes.size(), expanded));
+            throw FormatError(source.name, {.offset = offset + packed},
+                              fmt::format("MAT: {} bytes expand to {}, expected {}; the file is damaged", packed,
+                                          bytes.size(), expanded));
         return std::make_shared<const std::string>(std::move(bytes));
     });
-    variable.array.data = {source.name, expanded, {}, [content, name = source.name, expanded](std::uint64_t from, std::uint64_t count, char* target) {
-                               if (from > expanded || count > expanded - from) throw FormatError(name, {}, "MAT: values beyond the end of their element");
-                               const auto kept = content->hold();
-                               std::copy_n(kept->data() + from, count, target);
-                           }};
+    variable.array.data = {
+        source.name,
+        expanded,
+        {},
+        [content, name = source.name, expanded](std::uint64_t from, std::uint64_t count, char* target) {
+            if (from > expanded || count > expanded - from)
+                throw FormatError(name, {}, "MAT: values beyond the end of their element");
+            const auto kept = content->hold();
+            std::copy_n(kept->data() + from, count, target);
+        }};
     variable.array.hold = [content] { return content->hold(); };
 }
 
 /// The matrix in a compressed element: enough is expanded to know it.
-std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::uint64_t offset, std::uint64_t packed, std::endian order) {
+std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::uint64_t offset, std::uint64_t packed,
+                                             std::endian order) {
     constexpr std::uint64_t header_bytes = 1 << 14;
-    const auto head = bytes::inflated(source.bytes(offset, std::min(packed, header_bytes)), source, offset, mat, tag_bytes);
-    if (head.size() < tag_bytes) throw FormatError(source.name, {.offset = offset}, fmt::format("MAT: a compressed element of {} bytes; the file is damaged", head.size()));
+    const auto head =
+        bytes::inflated(source.bytes(offset, std::min(packed, header_bytes)), source, offset, mat, tag_bytes);
+    if (head.size() < tag_bytes)
+        throw FormatError(source.name, {.offset = offset},
+                          fmt::format("MAT: a compressed element of {} bytes; the file is damaged", head.size()));
     const std::uint64_t expanded = tag_bytes + bytes::load<std::uint32_t>(head.data() + 4, order);
     const auto seen = bytes::memory_source(source.name, head);
     bytes::Cursor cursor(seen, "MAT: compressed element", 0, order);
@@ -143,17 +172,17 @@ std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::u
     if (!variable) return variable;
     variable->array.data = source;
     if (expanded > bytes::most_expanded(packed))
-        variable->array.refusal = fmt::format("MAT: matrix '{:.64}' of {} compressed bytes is to become {}, more than {}; if it is honest, save it uncompressed (-v6)", variable->array.name, packed,
-                                              expanded, bytes::most_expanded(packed));
-    else
-        place_compressed(*variable, source, offset, packed, expanded);
+        variable->array.refusal = fmt::format(
+            "MAT: matrix '{:.64}' of {} compressed bytes is to become {}, more than {}; if it is honest, save it uncompressed (-v6)",
+            variable->array.name, packed, expanded, bytes::most_expanded(packed));
+    else place_compressed(*variable, source, offset, packed, expanded);
     return variable;
 }
 
 // ---- level 4 --------------------------------------------------------------------------------------------------------
 
-/// The header of a matrix: type "MOPT" as decimal digits (byte order, 0, precision, kind), rows, columns, whether complex, length of
-/// the name with its NUL.
+/// The header of a matrix: type "MOPT" as decimal digits (byte order, 0, precision, kind), rows, columns, whether
+/// complex, length of the name with its NUL.
 struct Level4 {
     static constexpr std::uint64_t bytes = 20;
     std::endian order = std::endian::little;
@@ -164,18 +193,23 @@ struct Level4 {
     std::uint32_t name_bytes = 0;
 
     [[nodiscard]] bool is_numeric() const { return kind == 0; }
-    [[nodiscard]] std::uint64_t values() const { return static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns); }
+    [[nodiscard]] std::uint64_t values() const {
+        return static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns);
+    }
 };
 
 std::optional<Level4> level4_header(std::string_view head, std::endian order) {
-    constexpr Sample precisions[] = {Sample::float64, Sample::float32, Sample::int32, Sample::int16, Sample::uint16, Sample::uint8};
+    constexpr Sample precisions[] = {Sample::float64, Sample::float32, Sample::int32,
+                                     Sample::int16,   Sample::uint16,  Sample::uint8};
     if (head.size() < Level4::bytes) return std::nullopt;
     const auto number = [&](std::size_t k) { return bytes::load<std::uint32_t>(head.data() + 4 * k, order); };
     const auto type = number(0);
     const auto machine = type / 1000, precision = type / 10 % 10, kind = type % 10;
-    const bool known_type = machine == (order == std::endian::little ? 0u : 1u) && type / 100 % 10 == 0 && precision < std::size(precisions) && kind < 3;
+    const bool known_type = machine == (order == std::endian::little ? 0u : 1u) && type / 100 % 10 == 0 &&
+                            precision < std::size(precisions) && kind < 3;
     const bool fits = known_type && number(3) < 2 && number(4) > 1 && number(4) <= 64;
-    const auto rows = bytes::load<std::int32_t>(head.data() + 4, order), columns = bytes::load<std::int32_t>(head.data() + 8, order);
+    const auto rows = bytes::load<std::int32_t>(head.data() + 4, order),
+               columns = bytes::load<std::int32_t>(head.data() + 8, order);
     const Level4 header{order, precisions[fits ? precision : 0], kind, rows, columns, number(3) == 1, number(4)};
     if (!fits || header.rows < 0 || header.columns < 0 || header.values() > most_values) return std::nullopt;
     return header;
@@ -197,13 +231,16 @@ std::optional<Level4> first_level4(std::string_view head) {
 }  // namespace
 
 bool is_mat5(std::string_view head) {
-    return head.size() >= level5_header && (head.substr(124, 4) == std::string_view("\x00\x01IM", 4) || head.substr(124, 4) == std::string_view("\x01\x00MI", 4)) &&
+    return head.size() >= level5_header &&
+           (head.substr(124, 4) == std::string_view("\x00\x01IM", 4) ||
+            head.substr(124, 4) == std::string_view("\x01\x00MI", 4)) &&
            std::all_of(head.begin(), head.begin() + 4, [](char c) { return c != '\0'; });
 }
 
 bool can_be_mat4(std::string_view head) {
     const auto header = first_level4(head);
-    return header && head.size() >= Level4::bytes + header->name_bytes && level4_name(head.substr(Level4::bytes, header->name_bytes));
+    return header && head.size() >= Level4::bytes + header->name_bytes &&
+           level4_name(head.substr(Level4::bytes, header->name_bytes));
 }
 
 std::vector<MatVariable> mat5_variables(const bytes::Source& source) {
@@ -216,10 +253,12 @@ std::vector<MatVariable> mat5_variables(const bytes::Source& source) {
         const auto content = cursor.position();
         if (tag.type == compressed_element) {
             cursor.skip(tag.bytes);
-            if (auto variable = compressed_matrix(source, content, tag.bytes, order)) variables.push_back(std::move(*variable));
+            if (auto variable = compressed_matrix(source, content, tag.bytes, order))
+                variables.push_back(std::move(*variable));
             continue;
         }
-        cursor.skip(std::min(tag.padded(), std::max(cursor.remaining(), tag.bytes)));  // the last may lack what fills it up
+        cursor.skip(
+            std::min(tag.padded(), std::max(cursor.remaining(), tag.bytes)));  // the last may lack what fills it up
         if (tag.type != matrix_element) continue;
         const auto next = cursor.position();
         cursor.seek(start);
@@ -240,7 +279,9 @@ std::vector<MatVariable> mat4_variables(const bytes::Source& source) {
         if (!header) cursor.fail("no header of a matrix; the file is damaged");
         const auto name = level4_name(cursor.bytes(header->name_bytes));
         if (!name) cursor.fail("a name that MATLAB does not allow; the file is damaged");
-        MatVariable variable{{.name = *name, .shape = {header->rows, header->columns}, .data = source, .offset = cursor.position()}, header->complex};
+        MatVariable variable{
+            {.name = *name, .shape = {header->rows, header->columns}, .data = source, .offset = cursor.position()},
+            header->complex};
         variable.array.sample = header->sample;
         variable.array.order = header->order;
         variable.array.first_fast = true;

@@ -17,13 +17,13 @@ struct MatVariable {
 /// Whether bytes begin as MAT of level 5 (versions 5 to 7.2).
 [[nodiscard]] bool is_mat5(std::string_view head);
 
-/// Whether bytes can be MAT of level 4, which has no signature: the first header's numbers fit each other, and a name that MATLAB allows
-/// follows.
+/// Whether bytes can be MAT of level 4, which has no signature: the first header's numbers fit each other, and a name
+/// that MATLAB allows follows.
 [[nodiscard]] bool can_be_mat4(std::string_view head);
 
-/// The matrices of numbers in a file of level 5; texts, cells, structs, objects, sparse and logical ones are passed over. What is
-/// compressed is expanded when values are read, its header alone before; what is
-/// compressed and would expand more than most_expanded has a refusal.
+/// The matrices of numbers in a file of level 5; texts, cells, structs, objects, sparse and logical ones are passed
+/// over. What is compressed is expanded when values are read, its header alone before; what is compressed and would
+/// expand more than most_expanded has a refusal.
 /// @throws FormatError for elements that are damaged or truncated.
 /// Source: MathWorks, MAT-File Format (level 5).
 [[nodiscard]] std::vector<MatVariable> mat5_variables(const bytes::Source& source);

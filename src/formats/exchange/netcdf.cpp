@@ -11,16 +11,16 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "storage/hdf5_file.hpp"
-#include "setae/tables/header.hpp"
 #include "netcdf_classic.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "writing.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/hdf5_file.hpp"
 #include "storage/stored_array.hpp"
+#include "writing.hpp"
 
-// Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and unit, and
-// perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known besides.
+// Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and unit,
+// and perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known besides.
 namespace setae::formats {
 namespace {
 
@@ -46,15 +46,18 @@ std::string unit_text(const StoredArray& array) {
 }
 
 /// Metres per unit of an axis: its own unit, or that of the heights; nothing where neither is known.
-std::optional<double> metres(const StoredArray& axis, const std::optional<double>& of_heights, const bytes::Source& source) {
+std::optional<double> metres(const StoredArray& axis, const std::optional<double>& of_heights,
+                             const bytes::Source& source) {
     const auto unit = unit_text(axis);
     return unit.empty() ? of_heights : length_unit(unit, source).factor;
 }
 
-bool is_line_of(const StoredArray& array, Index points) { return array.shape.size() == 1 && array.shape[0] == points && points > 1 && array.refusal.empty(); }
+bool is_line_of(const StoredArray& array, Index points) {
+    return array.shape.size() == 1 && array.shape[0] == points && points > 1 && array.refusal.empty();
+}
 
-/// Extent along a coordinate in its unit: the attribute "length", or equal steps. Writers stored the attribute in single precision:
-/// the coordinates, in double precision, then give the same extent with all its digits.
+/// Extent along a coordinate in its unit: the attribute "length", or equal steps. Writers stored the attribute in
+/// single precision: the coordinates, in double precision, then give the same extent with all its digits.
 std::optional<double> axis_length(const StoredArray& axis, Index points) {
     const auto stated = number_of(axis.attributes, "length");
     if (!is_line_of(axis, points)) return stated;
@@ -72,7 +75,8 @@ std::optional<double> axis_length(const StoredArray& axis, Index points) {
 }
 
 /// Extents of heights(x[, y]) [m]; empty where one is not known.
-std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heights, const std::optional<double>& unit, const bytes::Source& source) {
+std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heights, const std::optional<double>& unit,
+                                 const bytes::Source& source) {
     std::vector<double> size;
     for (std::size_t k = 0; k < heights.shape.size(); ++k) {
         const auto* axis = file.find(k == 0 ? "x" : "y");
@@ -111,26 +115,32 @@ RawScale raw_scale(const StoredArray& heights, double unit) {
     return scale;
 }
 
-std::string json_text(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+std::string json_text(const nlohmann::json& value) {
+    return value.is_string() ? value.get<std::string>()
+                             : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 /// The attribute json: what the writer knew of the measurement.
 void add_info(topography::Metadata& metadata, const std::string& text) {
     const auto info = nlohmann::json::parse(text, nullptr, false);
     if (!info.is_object()) return;
     for (const auto& [key, value] : info.items()) {
-        if (key == "acquisition_time" && value.is_string())
-            metadata.acquisition_time = value.get<std::string>();
-        else if (key != "instrument" || !value.is_object())
-            metadata.attributes[key] = json_text(value);
+        if (key == "acquisition_time" && value.is_string()) metadata.acquisition_time = value.get<std::string>();
+        else if (key != "instrument" || !value.is_object()) metadata.attributes[key] = json_text(value);
     }
     if (!info.contains("instrument") || !info["instrument"].is_object()) return;
     const auto& instrument = info["instrument"];
-    if (instrument.contains("name") && instrument["name"].is_string()) metadata.instrument.name = instrument["name"].get<std::string>();
-    if (instrument.contains("type") && instrument["type"].is_string()) metadata.attributes["instrument_type"] = instrument["type"].get<std::string>();
+    if (instrument.contains("name") && instrument["name"].is_string())
+        metadata.instrument.name = instrument["name"].get<std::string>();
+    if (instrument.contains("type") && instrument["type"].is_string())
+        metadata.attributes["instrument_type"] = instrument["type"].get<std::string>();
     const nlohmann::json::json_pointer value("/parameters/tip_radius/value"), unit("/parameters/tip_radius/unit");
-    if (!instrument.contains(value) || !instrument.contains(unit) || !instrument[value].is_number() || !instrument[unit].is_string()) return;
+    if (!instrument.contains(value) || !instrument.contains(unit) || !instrument[value].is_number() ||
+        !instrument[unit].is_string())
+        return;
     const auto length = tables::try_parse_unit(instrument[unit].get<std::string>());
-    if (length && length->dimension == dimension::length) metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
+    if (length && length->dimension == dimension::length)
+        metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
 }
 
 /// Heights made undefined where the variable mask is not 0.
@@ -163,13 +173,17 @@ struct Finish {
         if (auto* map = std::get_if<topography::HeightMap>(&measurement)) map->periodic = periodic;
         if (auto* scan = std::get_if<topography::LineScan>(&measurement)) {
             scan->periodic = periodic;
-            if (positions) measurement = topography::Profile{values_of(positions->array, nc) * positions->factor, std::move(scan->heights), std::move(scan->metadata)};
+            if (positions)
+                measurement = topography::Profile{values_of(positions->array, nc) * positions->factor,
+                                                  std::move(scan->heights), std::move(scan->metadata)};
         }
         return checked(std::move(measurement), source);
     }
 };
 
-bool is_classic(std::string_view head) { return head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5); }
+bool is_classic(std::string_view head) {
+    return head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5);
+}
 
 /// Whether an HDF5 file has heights with coordinates, or heights and NetCDF's own mark.
 bool is_netcdf4(const bytes::Source& source) {
@@ -182,7 +196,9 @@ bool is_netcdf4(const bytes::Source& source) {
     }
 }
 
-Match detect_netcdf(std::string_view head, const bytes::Source& source) { return is_classic(head) || (find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no; }
+Match detect_netcdf(std::string_view head, const bytes::Source& source) {
+    return is_classic(head) || (find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no;
+}
 
 /// Lengths are known, in a unit that nobody has told.
 Channel without_unit(ChannelInfo info, const bytes::Source& source) {
@@ -193,13 +209,19 @@ Channel without_unit(ChannelInfo info, const bytes::Source& source) {
 std::vector<Channel> open_netcdf(const bytes::Source& source, const ReadOptions& options) {
     const auto file = is_classic(source.head(4)) ? classic_netcdf(source) : netcdf4(source);
     const auto* heights = file.find("heights");
-    if (!heights) throw FormatError(source.name, {}, "NetCDF: no variable 'heights' of numbers; tables are not read as topographies");
+    if (!heights)
+        throw FormatError(source.name, {},
+                          "NetCDF: no variable 'heights' of numbers; tables are not read as topographies");
     const bool has_points = std::all_of(heights->shape.begin(), heights->shape.end(), [](Index n) { return n > 1; });
     if (!is_map_or_line(*heights) || !has_points)
-        throw FormatError(source.name, {}, fmt::format("NetCDF: heights of shape ({}), expected 1 or 2 dimensions with more than one value along each", fmt::join(heights->shape, ", ")));
+        throw FormatError(
+            source.name, {},
+            fmt::format("NetCDF: heights of shape ({}), expected 1 or 2 dimensions with more than one value along each",
+                        fmt::join(heights->shape, ", ")));
     const auto *x = file.find("x"), *mask = file.find("mask");
     const auto own_unit = unit_text(*heights);
-    const auto stated = own_unit.empty() && x ? unit_text(*x) : own_unit;  // of unequal steps only the positions have one
+    const auto stated =
+        own_unit.empty() && x ? unit_text(*x) : own_unit;  // of unequal steps only the positions have one
     std::optional<double> unit;
     if (!stated.empty() || options.unit) unit = length_unit(stated.empty() ? *options.unit : stated, source).factor;
 
@@ -207,12 +229,14 @@ std::vector<Channel> open_netcdf(const bytes::Source& source, const ReadOptions&
     if (const auto text = text_of(file.attributes, "json"); !text.empty()) add_info(info.metadata, text);
     Finish finish{source, {}, {}, x && number_of(x->attributes, "periodic").value_or(0.0) != 0.0};
     if (mask) {
-        if (mask->shape != heights->shape) throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");
+        if (mask->shape != heights->shape)
+            throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");
         require_array(*mask, nc);
         finish.mask = *mask;
     }
     const bool has_positions = heights->shape.size() == 1 && x && !number_of(x->attributes, "length");
-    if (has_positions && !is_line_of(*x, heights->shape[0])) throw FormatError(source.name, {}, "NetCDF: x and heights differ in length");
+    if (has_positions && !is_line_of(*x, heights->shape[0]))
+        throw FormatError(source.name, {}, "NetCDF: x and heights differ in length");
     const auto axis_unit = has_positions ? metres(*x, unit, source) : unit;
     if (has_positions && axis_unit) {
         const auto ends = ends_of(*x, nc);
@@ -222,27 +246,31 @@ std::vector<Channel> open_netcdf(const bytes::Source& source, const ReadOptions&
         info.size = uniform_size(file, *heights, unit, source);
     }
     const bool only_unit_missing = !unit && (has_positions || (x && number_of(x->attributes, "length")));
-    auto channel = array_channel(std::move(info), *heights, FirstIndex::x_to_the_right, raw_scale(*heights, stated.empty() ? 1.0 : *unit), options);
+    auto channel = array_channel(std::move(info), *heights, FirstIndex::x_to_the_right,
+                                 raw_scale(*heights, stated.empty() ? 1.0 : *unit), options);
     if (only_unit_missing) return {without_unit(std::move(channel.info), source)};
-    if (finish.changes_heights() || finish.periodic) read_as_a_whole(channel, [read = channel.read, finish] { return finish(read()); });
+    if (finish.changes_heights() || finish.periodic)
+        read_as_a_whole(channel, [read = channel.read, finish] { return finish(read()); });
     return {std::move(channel)};
 }
 
 }  // namespace
 
 Format netcdf_format() {
-    return {.identifier = nc,
-            .name = "NetCDF topography",
-            .extensions = ".nc",
-            .description = "NetCDF, classic or version 4, with variables heights, x, y and perhaps mask, as containers hold them; with unequal steps x holds the positions",
-            .heights = "in the unit of the attribute; masked points and fill values are undefined",
-            .orientation = "first index x, second y downwards",
-            .reference = "NetCDF Users Guide, classic format; variables as SurfaceTopography describes them",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_netcdf,
-            .open = open_netcdf,
-            .write = write_measurement_as_netcdf};
+    return {
+        .identifier = nc,
+        .name = "NetCDF topography",
+        .extensions = ".nc",
+        .description =
+            "NetCDF, classic or version 4, with variables heights, x, y and perhaps mask, as containers hold them; with unequal steps x holds the positions",
+        .heights = "in the unit of the attribute; masked points and fill values are undefined",
+        .orientation = "first index x, second y downwards",
+        .reference = "NetCDF Users Guide, classic format; variables as SurfaceTopography describes them",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_netcdf,
+        .open = open_netcdf,
+        .write = write_measurement_as_netcdf};
 }
 
 }  // namespace setae::formats

@@ -20,19 +20,23 @@ constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // along a dimens
 constexpr std::size_t most_dimensions = 1024;                  // of a variable, as the library allows
 
 /// The types in the order of their numbers, characters as bytes.
-constexpr Sample samples[] = {Sample::int8,   Sample::int8,    Sample::uint8, Sample::int16,  Sample::int32, Sample::float32,
-                              Sample::float64, Sample::uint8, Sample::uint16, Sample::uint32, Sample::int64, Sample::uint64};
+constexpr Sample samples[] = {Sample::int8,   Sample::int8,    Sample::uint8,   Sample::int16,
+                              Sample::int32,  Sample::float32, Sample::float64, Sample::uint8,
+                              Sample::uint16, Sample::uint32,  Sample::int64,   Sample::uint64};
 
 /// Walks through a header.
 class Header {
 public:
-    explicit Header(const bytes::Source& source) : cursor_(source, "NetCDF", 3, std::endian::big), version_(cursor_.number<std::uint8_t>()) {}
+    explicit Header(const bytes::Source& source)
+        : cursor_(source, "NetCDF", 3, std::endian::big), version_(cursor_.number<std::uint8_t>()) {}
 
     [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what + "; the file is damaged"); }
     std::uint32_t word() { return cursor_.number<std::uint32_t>(); }
     std::uint64_t offset() { return version_ == 1 ? word() : cursor_.number<std::uint64_t>(); }
     std::uint64_t count() { return version_ == 5 ? cursor_.number<std::uint64_t>() : word(); }
-    [[nodiscard]] bool is_streaming(std::uint64_t records) const { return records == (version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu); }
+    [[nodiscard]] bool is_streaming(std::uint64_t records) const {
+        return records == (version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu);
+    }
 
     /// Elements of a list, each of which takes at least 8 bytes.
     std::uint64_t list(std::uint32_t tag) {
@@ -93,10 +97,10 @@ Attributes parse_attributes(Header& header) {
         const auto n = header.count();
         if (n > most_values) header.fail(fmt::format("attribute '{:.40}' of {} values", attribute.name, n));
         const auto values = header.padded(n * bytes_of(sample));
-        if (text)
-            attribute.text = values.substr(0, values.find('\0'));
+        if (text) attribute.text = values.substr(0, values.find('\0'));
         else
-            for (std::size_t at = 0; at < values.size(); at += bytes_of(sample)) attribute.numbers.push_back(load_value(values.data() + at, sample));
+            for (std::size_t at = 0; at < values.size(); at += bytes_of(sample))
+                attribute.numbers.push_back(load_value(values.data() + at, sample));
         attributes.push_back(std::move(attribute));
     }
     return attributes;
@@ -121,11 +125,14 @@ Variable parse_variable(Header& header, const std::vector<std::uint64_t>& dimens
     std::uint64_t values = 1;
     for (std::uint64_t i = 0; i < n; ++i) {
         const auto id = header.count();
-        if (id >= dimensions.size() || dimensions[id] > most_values) header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
+        if (id >= dimensions.size() || dimensions[id] > most_values)
+            header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
         const auto extent = dimensions[id];
-        if (extent == 0 && i > 0) header.fail(fmt::format("variable '{:.40}' has the unlimited dimension behind others", array.name));
+        if (extent == 0 && i > 0)
+            header.fail(fmt::format("variable '{:.40}' has the unlimited dimension behind others", array.name));
         variable.has_records = variable.has_records || extent == 0;
-        if (extent > 0 && values > most_values / extent) header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));
+        if (extent > 0 && values > most_values / extent)
+            header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));
         values *= extent == 0 ? 1 : extent;
         array.shape.push_back(static_cast<Index>(extent));
     }
@@ -150,7 +157,8 @@ void place_records(std::vector<Variable>& variables, std::uint64_t records, cons
         together += variable.padded_bytes();
         if (together > most_values) header.fail(fmt::format("records of more than {} bytes", most_values));
     }
-    if (number > 0 && header.is_streaming(records)) header.fail("the number of records was never written: copy the file with nccopy");
+    if (number > 0 && header.is_streaming(records))
+        header.fail("the number of records was never written: copy the file with nccopy");
     for (auto& variable : variables) {
         if (!variable.has_records) continue;
         variable.array.shape[0] = static_cast<Index>(std::min(records, most_values));
@@ -161,7 +169,8 @@ void place_records(std::vector<Variable>& variables, std::uint64_t records, cons
 }  // namespace
 
 const StoredArray* ArrayFile::find(const std::string& name) const {
-    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const StoredArray& array) { return array.name == name; });
+    const auto found =
+        std::find_if(arrays.begin(), arrays.end(), [&](const StoredArray& array) { return array.name == name; });
     return found == arrays.end() ? nullptr : &*found;
 }
 
@@ -175,7 +184,8 @@ ArrayFile classic_netcdf(const bytes::Source& source) {
     }
     ArrayFile file{parse_attributes(header), {}};
     std::vector<Variable> variables;
-    for (auto left = header.list(variable_tag); left > 0; --left) variables.push_back(parse_variable(header, dimensions, source));
+    for (auto left = header.list(variable_tag); left > 0; --left)
+        variables.push_back(parse_variable(header, dimensions, source));
     place_records(variables, records, header);
     for (auto& variable : variables)
         if (!variable.is_character) file.arrays.push_back(std::move(variable.array));

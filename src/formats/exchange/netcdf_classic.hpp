@@ -16,8 +16,8 @@ struct ArrayFile {
     [[nodiscard]] const StoredArray* find(const std::string& name) const;
 };
 
-/// The header of a classic NetCDF file (CDF-1, -2, -5), every count checked against the bytes there are; the NetCDF library trusts
-/// damaged headers and crashes on them. Values stay in the file; characters are no numbers and left out.
+/// The header of a classic NetCDF file (CDF-1, -2, -5), every count checked against the bytes there are; the NetCDF
+/// library trusts damaged headers and crashes on them. Values stay in the file; characters are no numbers and left out.
 /// @throws FormatError for a header that is damaged or truncated.
 /// Source: NetCDF Classic Format Specification (netCDF Users Guide, appendix).
 [[nodiscard]] ArrayFile classic_netcdf(const bytes::Source& source);

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::formats {
 namespace {
@@ -23,7 +23,9 @@ namespace {
 /// A NetCDF dataset being written in memory.
 class Dataset {
 public:
-    explicit Dataset(std::string path) : path_(std::move(path)) { check(nc_create_mem(path_.c_str(), NC_64BIT_OFFSET, 0, &id_)); }
+    explicit Dataset(std::string path) : path_(std::move(path)) {
+        check(nc_create_mem(path_.c_str(), NC_64BIT_OFFSET, 0, &id_));
+    }
     Dataset(const Dataset&) = delete;
     Dataset& operator=(const Dataset&) = delete;
     ~Dataset() {
@@ -36,7 +38,9 @@ public:
         if (status != NC_NOERR) throw InvalidArgument(fmt::format("{}: NetCDF: {}", path_, nc_strerror(status)));
     }
 
-    void put_number(int variable, const char* name, double number) const { check(nc_put_att_double(id_, variable, name, NC_DOUBLE, 1, &number)); }
+    void put_number(int variable, const char* name, double number) const {
+        check(nc_put_att_double(id_, variable, name, NC_DOUBLE, 1, &number));
+    }
     void put_text(int variable, const char* name, const std::string& text) const {
         check(nc_put_att_text(id_, variable, name, text.size(), text.data()));
     }
@@ -67,15 +71,16 @@ WrittenUnit written_unit(const std::string& unit) {
     return {unit, factor};
 }
 
-/// A topography's heights and coordinates, as the reader of topographies expects them. Undefined points are NaN and, where there
-/// are any, marked in a variable "mask".
+/// A topography's heights and coordinates, as the reader of topographies expects them. Undefined points are NaN and,
+/// where there are any, marked in a variable "mask".
 class HeightsWriter {
 public:
     HeightsWriter(Dataset& dataset, WrittenUnit unit) : dataset_(dataset), unit_(std::move(unit)) {}
 
     void operator()(const topography::HeightMap& map) const {
         const auto [nx, ny] = map.shape();
-        const Axis axes[] = {equidistant("x", nx, map.size[0], map.periodic), equidistant("y", ny, map.size[1], map.periodic)};
+        const Axis axes[] = {equidistant("x", nx, map.size[0], map.periodic),
+                             equidistant("y", ny, map.size[1], map.periodic)};
         write(axes, Eigen::Map<const Array1D>(map.heights.data(), map.heights.size()));
     }
     void operator()(const topography::LineScan& scan) const {
@@ -97,7 +102,9 @@ private:
     };
 
     static Axis equidistant(const char* name, Index points, double length, bool periodic) {
-        return {name, name, length / static_cast<double>(points) * Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)), length, periodic};
+        return {name, name,
+                length / static_cast<double>(points) * Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)),
+                length, periodic};
     }
 
     void write(std::span<const Axis> axes, const ArrayView1D& heights) const {
@@ -105,7 +112,8 @@ private:
         for (const auto& axis : axes) {
             dimensions.emplace_back();
             variables.emplace_back();
-            dataset_.check(nc_def_dim(dataset_.id(), axis.dimension, static_cast<std::size_t>(axis.positions.size()), &dimensions.back()));
+            dataset_.check(nc_def_dim(dataset_.id(), axis.dimension, static_cast<std::size_t>(axis.positions.size()),
+                                      &dimensions.back()));
             dataset_.check(nc_def_var(dataset_.id(), axis.name, NC_DOUBLE, 1, &dimensions.back(), &variables.back()));
             dataset_.put_text(variables.back(), "unit", unit_.name);
             if (!axis.length) continue;
@@ -126,10 +134,13 @@ private:
 
     [[nodiscard]] int define(const char* name, nc_type type, const std::vector<int>& dimensions) const {
         int variable = 0;
-        dataset_.check(nc_def_var(dataset_.id(), name, type, static_cast<int>(dimensions.size()), dimensions.data(), &variable));
+        dataset_.check(
+            nc_def_var(dataset_.id(), name, type, static_cast<int>(dimensions.size()), dimensions.data(), &variable));
         return variable;
     }
-    void put(int variable, const ArrayView1D& values) const { dataset_.check(nc_put_var_double(dataset_.id(), variable, values.data())); }
+    void put(int variable, const ArrayView1D& values) const {
+        dataset_.check(nc_put_var_double(dataset_.id(), variable, values.data()));
+    }
 
     Dataset& dataset_;
     WrittenUnit unit_;
@@ -143,12 +154,15 @@ std::string netcdf_content(const topography::Measurement& measurement, const std
     return dataset.release();
 }
 
-void write_netcdf(const std::string& path, const topography::Measurement& measurement) { bytes::write_whole_file(path, netcdf_content(measurement)); }
+void write_netcdf(const std::string& path, const topography::Measurement& measurement) {
+    bytes::write_whole_file(path, netcdf_content(measurement));
+}
 
 void write_netcdf(const std::string& path, const Table& table) {
     for (const auto& column : table.columns)
         if (column.values.size() != table.rows())
-            throw InvalidArgument(fmt::format("{}: column '{}' has {} rows, expected {}", path, column.name, column.values.size(), table.rows()));
+            throw InvalidArgument(fmt::format("{}: column '{}' has {} rows, expected {}", path, column.name,
+                                              column.values.size(), table.rows()));
     Dataset dataset(path);
     int rows = 0;
     dataset.check(nc_def_dim(dataset.id(), "row", static_cast<std::size_t>(table.rows()), &rows));

@@ -8,10 +8,10 @@
 
 #include "format_list.hpp"
 #include "npy_array.hpp"
-#include "setae/core/errors.hpp"
-#include "writing.hpp"
-#include "setae/core/text.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "writing.hpp"
 
 namespace setae::formats {
 namespace {
@@ -36,30 +36,35 @@ std::vector<Channel> open_npy(const bytes::Source& source, const ReadOptions& op
     const auto array = npy_array(source);
     if (!array.refusal.empty()) throw FormatError(source.name, {.offset = magic.size()}, array.refusal);
     if (!is_map_or_line(array))
-        throw FormatError(source.name, {.offset = magic.size()}, fmt::format("NPY: array of {} dimensions, expected 1 or 2 with more than one value", array.shape.size()));
+        throw FormatError(
+            source.name, {.offset = magic.size()},
+            fmt::format("NPY: array of {} dimensions, expected 1 or 2 with more than one value", array.shape.size()));
     return {array_channel({.name = "heights", .format = "npy"}, array, FirstIndex::x_to_the_right, {}, options)};
 }
 
 }  // namespace
 
 Format npy_format() {
-    return {.identifier = "npy",
-            .name = "NumPy array",
-            .extensions = ".npy",
-            .description = "versions 1 to 3, floats or integers of either byte order, C or Fortran order; size and unit must be given",
-            .heights = "values in the unit given; NaN and infinities are undefined",
-            .orientation = "first index x, second y downwards",
-            .not_read = "records, objects, texts, complex numbers and floats of 2 or 16 bytes are refused",
-            .reference = "NumPy Enhancement Proposal 1",
-            .tested_on_real_files = true,
-            .carries_scale = false,
-            .detect = detect_npy,
-            .open = open_npy,
-            .write = write_measurement_as_npy};
+    return {
+        .identifier = "npy",
+        .name = "NumPy array",
+        .extensions = ".npy",
+        .description =
+            "versions 1 to 3, floats or integers of either byte order, C or Fortran order; size and unit must be given",
+        .heights = "values in the unit given; NaN and infinities are undefined",
+        .orientation = "first index x, second y downwards",
+        .not_read = "records, objects, texts, complex numbers and floats of 2 or 16 bytes are refused",
+        .reference = "NumPy Enhancement Proposal 1",
+        .tested_on_real_files = true,
+        .carries_scale = false,
+        .detect = detect_npy,
+        .open = open_npy,
+        .write = write_measurement_as_npy};
 }
 
 void write_npy(const std::string& path, const Array2D& values) {
-    bytes::write_whole_file(path, with_header(fmt::format("({}, {})", values.rows(), values.cols()), values.data(), values.size()));
+    bytes::write_whole_file(
+        path, with_header(fmt::format("({}, {})", values.rows(), values.cols()), values.data(), values.size()));
 }
 
 void write_npy(const std::string& path, const Array1D& values) {

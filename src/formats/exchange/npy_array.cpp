@@ -35,8 +35,10 @@ std::string_view entry(std::string_view dictionary, std::string_view key, const 
 }
 
 std::optional<Sample> sample_of(std::string_view kind_and_bytes) {
-    static const std::map<std::string_view, Sample> samples{{"i1", Sample::int8},   {"u1", Sample::uint8},  {"i2", Sample::int16},   {"u2", Sample::uint16},  {"i4", Sample::int32},
-                                                            {"u4", Sample::uint32}, {"i8", Sample::int64}, {"u8", Sample::uint64}, {"f4", Sample::float32}, {"f8", Sample::float64}};
+    static const std::map<std::string_view, Sample> samples{
+        {"i1", Sample::int8},    {"u1", Sample::uint8},  {"i2", Sample::int16}, {"u2", Sample::uint16},
+        {"i4", Sample::int32},   {"u4", Sample::uint32}, {"i8", Sample::int64}, {"u8", Sample::uint64},
+        {"f4", Sample::float32}, {"f8", Sample::float64}};
     const auto found = samples.find(kind_and_bytes);
     return found == samples.end() ? std::nullopt : std::optional(found->second);
 }
@@ -44,26 +46,30 @@ std::optional<Sample> sample_of(std::string_view kind_and_bytes) {
 void parse_type(std::string_view text, StoredArray& array) {
     const bool quoted = text.starts_with('\'') || text.starts_with('"');
     const auto type = quoted ? text.substr(1, text.substr(1).find(text.front())) : std::string_view{};
-    const auto sample = type.size() == 3 && std::string_view("<>|=").find(type[0]) != std::string_view::npos ? sample_of(type.substr(1)) : std::nullopt;
-    if (!quoted)
-        array.refusal = "NPY: records, expected an array of numbers; save each field as an array of its own";
+    const auto sample = type.size() == 3 && std::string_view("<>|=").find(type[0]) != std::string_view::npos
+                            ? sample_of(type.substr(1))
+                            : std::nullopt;
+    if (!quoted) array.refusal = "NPY: records, expected an array of numbers; save each field as an array of its own";
     else if (!sample)
-        array.refusal = fmt::format("NPY: values of type '{:.40}', expected floats of 4 or 8 bytes or integers; convert them with astype", type);
-    else
-        array.sample = *sample;
+        array.refusal = fmt::format(
+            "NPY: values of type '{:.40}', expected floats of 4 or 8 bytes or integers; convert them with astype",
+            type);
+    else array.sample = *sample;
     array.order = type.starts_with('>') ? std::endian::big : std::endian::little;
 }
 
 void parse_shape(std::string_view text, StoredArray& array, const bytes::Source& source) {
     const auto close = text.find(')');
-    if (!text.starts_with('(') || close == std::string_view::npos) broken(source, magic.size(), "header's shape is no tuple");
+    if (!text.starts_with('(') || close == std::string_view::npos)
+        broken(source, magic.size(), "header's shape is no tuple");
     auto body = text.substr(1, close - 1);
     while (!trimmed(body).empty()) {
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
         Index extent = -1;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), extent);
-        if (error != std::errc{} || end != number.data() + number.size() || extent < 0 || array.shape.size() == most_dimensions)
+        if (error != std::errc{} || end != number.data() + number.size() || extent < 0 ||
+            array.shape.size() == most_dimensions)
             broken(source, magic.size(), fmt::format("'{:.40}' in the header's shape", number));
         array.shape.push_back(extent);
         body = comma == std::string_view::npos ? std::string_view{} : body.substr(comma + 1);
@@ -77,11 +83,14 @@ void require_values(const StoredArray& array, const bytes::Source& source) {
         const auto n = static_cast<std::uint64_t>(extent);
         if (n != 0 && count > source.size / n)
             broken(source, source.size,
-                   fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated", fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
+                   fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated",
+                               fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
         count *= n;
     }
     if (array.offset + count > source.size)
-        broken(source, source.size, fmt::format("the file ends here, its data should end at byte {}; it is truncated", array.offset + count));
+        broken(
+            source, source.size,
+            fmt::format("the file ends here, its data should end at byte {}; it is truncated", array.offset + count));
 }
 
 }  // namespace
@@ -94,7 +103,8 @@ StoredArray npy_array(const bytes::Source& source) {
     if (version < 1 || version > 3) cursor.fail(fmt::format("version {}, expected 1, 2 or 3", version));
     cursor.skip(1);
     const std::uint64_t length = version == 1 ? cursor.number<std::uint16_t>() : cursor.number<std::uint32_t>();
-    if (length > longest_header) cursor.fail(fmt::format("a header of {} bytes, expected at most {}", length, longest_header));
+    if (length > longest_header)
+        cursor.fail(fmt::format("a header of {} bytes, expected at most {}", length, longest_header));
     const auto dictionary = cursor.bytes(length);
     StoredArray array;
     array.data = source;

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/archive.hpp"
 #include "format_list.hpp"
 #include "npy_array.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
 
 // NumPy's savez: a ZIP of NPY files, stored or compressed.
@@ -18,7 +18,9 @@ Match detect_npz(std::string_view head, const bytes::Source& source) {
     if (!bytes::is_zip(head)) return Match::no;
     try {
         const auto names = bytes::Archive(source).names();
-        const bool arrays = !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) { return name.ends_with(ending); });
+        const bool arrays = !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
+            return name.ends_with(ending);
+        });
         return arrays ? Match::yes : Match::no;
     } catch (const FormatError&) {
         return Match::no;
@@ -30,30 +32,37 @@ std::vector<Channel> open_npz(const bytes::Source& source, const ReadOptions& op
     std::vector<Channel> channels;
     for (const auto& name : archive.names()) {
         const auto member = archive.member(name);
-        if (!is_npy(member.head(ending.size() + 2))) throw FormatError(member.name, {.offset = 0}, "NPZ: a member that is no NPY; the archive is damaged");
+        if (!is_npy(member.head(ending.size() + 2)))
+            throw FormatError(member.name, {.offset = 0}, "NPZ: a member that is no NPY; the archive is damaged");
         const auto array = npy_array(member);
         if (!array.refusal.empty() || !is_map_or_line(array)) continue;
-        channels.push_back(array_channel({.name = name.substr(0, name.size() - ending.size()), .format = "npz"}, array, FirstIndex::x_to_the_right, {}, options_for(array, options)));
+        channels.push_back(array_channel({.name = name.substr(0, name.size() - ending.size()), .format = "npz"}, array,
+                                         FirstIndex::x_to_the_right, {}, options_for(array, options)));
     }
-    if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "NPZ: no array of numbers with one or two dimensions and more than one value");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = 0},
+                          "NPZ: no array of numbers with one or two dimensions and more than one value");
     return channels;
 }
 
 }  // namespace
 
 Format npz_format() {
-    return {.identifier = "npz",
-            .name = "NumPy arrays",
-            .extensions = ".npz",
-            .description = "what savez and savez_compressed write: each array of numbers with one or two dimensions is a channel; size and unit must be given",
-            .heights = "values in the unit given; NaN and infinities are undefined",
-            .orientation = "first index x, second y downwards",
-            .not_read = "single numbers, arrays of more dimensions, records, objects, texts and complex numbers are passed over",
-            .reference = "numpy.savez; NumPy Enhancement Proposal 1",
-            .tested_on_real_files = false,
-            .carries_scale = false,
-            .detect = detect_npz,
-            .open = open_npz};
+    return {
+        .identifier = "npz",
+        .name = "NumPy arrays",
+        .extensions = ".npz",
+        .description =
+            "what savez and savez_compressed write: each array of numbers with one or two dimensions is a channel; size and unit must be given",
+        .heights = "values in the unit given; NaN and infinities are undefined",
+        .orientation = "first index x, second y downwards",
+        .not_read =
+            "single numbers, arrays of more dimensions, records, objects, texts and complex numbers are passed over",
+        .reference = "numpy.savez; NumPy Enhancement Proposal 1",
+        .tested_on_real_files = false,
+        .carries_scale = false,
+        .detect = detect_npz,
+        .open = open_npz};
 }
 
 }  // namespace setae::formats

@@ -10,17 +10,18 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
 #include "sdf_writer.hpp"
+#include "setae/bytes/cursor.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
+#include "storage/raster.hpp"
 
-// SDF (ISO 25178-71): "aISO-1.0" with lines "Key = value", a line "*", the heights as text, "*", a trailer, "*"; or "bISO-1.0" with
-// the same header packed and binary heights, little-endian. Version 2.0 counts points in 32 bits. height [m] = value · Zscale.
+// SDF (ISO 25178-71): "aISO-1.0" with lines "Key = value", a line "*", the heights as text, "*", a trailer, "*"; or
+// "bISO-1.0" with the same header packed and binary heights, little-endian. Version 2.0 counts points in 32 bits.
+// height [m] = value · Zscale.
 namespace setae::formats {
 namespace {
 
@@ -38,16 +39,20 @@ struct Header {
     std::map<std::string, std::string> others;
 };
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t offset, const std::string& what) { throw FormatError(source.name, {.offset = offset}, "SDF: " + what); }
+[[noreturn]] void broken(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
+    throw FormatError(source.name, {.offset = offset}, "SDF: " + what);
+}
 
 /// "040120100853" is 2010-01-04 08:53; zeros are no date.
 std::string written_date(const std::string& digits) {
     if (digits.size() != 12 || digits.find_first_not_of("0123456789") != std::string::npos) return digits;
     if (digits.find_first_not_of('0') == std::string::npos) return {};
-    return fmt::format("{}-{}-{} {}:{}", digits.substr(4, 4), digits.substr(2, 2), digits.substr(0, 2), digits.substr(8, 2), digits.substr(10, 2));
+    return fmt::format("{}-{}-{} {}:{}", digits.substr(4, 4), digits.substr(2, 2), digits.substr(0, 2),
+                       digits.substr(8, 2), digits.substr(10, 2));
 }
 
-// ---- header of text ---------------------------------------------------------------------------------------------------
+// ---- header of text
+// ---------------------------------------------------------------------------------------------------
 
 /// "Key = value" or "Key value".
 struct Line {
@@ -63,13 +68,15 @@ Line parsed_line(std::string_view line) {
 
 double number(const std::string& text, const std::string& key, const bytes::Source& source, std::uint64_t offset) {
     double value = 0.0;
-    if (!bytes::parse_cell(text, '.', value) || !std::isfinite(value)) broken(source, offset, fmt::format("{} is '{:.40}', expected a number", key, text));
+    if (!bytes::parse_cell(text, '.', value) || !std::isfinite(value))
+        broken(source, offset, fmt::format("{} is '{:.40}', expected a number", key, text));
     return value;
 }
 
 long integer(const std::string& text, const std::string& key, const bytes::Source& source, std::uint64_t offset) {
     const double value = number(text, key, source, offset);
-    if (value != std::floor(value) || std::abs(value) > 4.3e9) broken(source, offset, fmt::format("{} is '{:.40}', expected an integer", key, text));
+    if (value != std::floor(value) || std::abs(value) > 4.3e9)
+        broken(source, offset, fmt::format("{} is '{:.40}', expected an integer", key, text));
     return static_cast<long>(value);
 }
 
@@ -106,10 +113,13 @@ Header text_header(const bytes::Source& source) {
         if (!line.empty() && line[0] != ';') take_line(header, line, source, at);
         at = end + 1;
     }
-    broken(source, head.size(), fmt::format("the header has no end, a line '*', in its first {} bytes; it is truncated or damaged", head.size()));
+    broken(source, head.size(),
+           fmt::format("the header has no end, a line '*', in its first {} bytes; it is truncated or damaged",
+                       head.size()));
 }
 
-// ---- binary header ----------------------------------------------------------------------------------------------------
+// ---- binary header
+// ----------------------------------------------------------------------------------------------------
 
 Header binary_header(const bytes::Source& source, bool wide) {
     Header header;
@@ -117,8 +127,10 @@ Header binary_header(const bytes::Source& source, bool wide) {
     header.manufacturer = cursor.text(10);
     header.created = cursor.text(12);
     header.modified = cursor.text(12);
-    header.nx = wide ? static_cast<Index>(cursor.number<std::uint32_t>()) : static_cast<Index>(cursor.number<std::uint16_t>());
-    header.ny = wide ? static_cast<Index>(cursor.number<std::uint32_t>()) : static_cast<Index>(cursor.number<std::uint16_t>());
+    header.nx =
+        wide ? static_cast<Index>(cursor.number<std::uint32_t>()) : static_cast<Index>(cursor.number<std::uint16_t>());
+    header.ny =
+        wide ? static_cast<Index>(cursor.number<std::uint32_t>()) : static_cast<Index>(cursor.number<std::uint16_t>());
     header.x_scale = cursor.number<double>();
     header.y_scale = cursor.number<double>();
     header.z_scale = cursor.number<double>();
@@ -130,12 +142,14 @@ Header binary_header(const bytes::Source& source, bool wide) {
     return header;
 }
 
-// ---- both -------------------------------------------------------------------------------------------------------------
+// ---- both
+// -------------------------------------------------------------------------------------------------------------
 
-constexpr std::array samples{Sample::uint8, Sample::uint16, Sample::uint32, Sample::float32, Sample::int8, Sample::int16, Sample::int32, Sample::float64};
+constexpr std::array samples{Sample::uint8, Sample::uint16, Sample::uint32, Sample::float32,
+                             Sample::int8,  Sample::int16,  Sample::int32,  Sample::float64};
 
-/// The value of each binary type that is no height: the least of those with a sign, as the standard has it; the greatest of unsigned
-/// ones of 16 and 32 bits, as Gwyddion has it. Bytes without a sign have none.
+/// The value of each binary type that is no height: the least of those with a sign, as the standard has it; the
+/// greatest of unsigned ones of 16 and 32 bits, as Gwyddion has it. Bytes without a sign have none.
 std::vector<double> undefined_values(Sample sample) {
     switch (sample) {
         case Sample::uint16: return {std::numeric_limits<std::uint16_t>::max()};
@@ -150,21 +164,30 @@ std::vector<double> undefined_values(Sample sample) {
 }
 
 Header checked_header(Header header, const bytes::Source& source) {
-    if (header.nx < 1 || header.ny < 1) broken(source, header.data, fmt::format("{} profiles of {} points, expected at least one of each", header.ny, header.nx));
-    if (header.compression != 0) broken(source, header.data, fmt::format("compression {}, which the standard does not describe; save it uncompressed", header.compression));
-    if (header.type < 0 || header.type >= static_cast<long>(samples.size())) broken(source, header.data, fmt::format("data type {}, expected 0 to {}", header.type, samples.size() - 1));
-    if (header.z_scale == 0.0 || !std::isfinite(header.z_scale)) broken(source, header.data, fmt::format("Zscale is {}, expected metres per unit of height", header.z_scale));
+    if (header.nx < 1 || header.ny < 1)
+        broken(source, header.data,
+               fmt::format("{} profiles of {} points, expected at least one of each", header.ny, header.nx));
+    if (header.compression != 0)
+        broken(source, header.data,
+               fmt::format("compression {}, which the standard does not describe; save it uncompressed",
+                           header.compression));
+    if (header.type < 0 || header.type >= static_cast<long>(samples.size()))
+        broken(source, header.data, fmt::format("data type {}, expected 0 to {}", header.type, samples.size() - 1));
+    if (header.z_scale == 0.0 || !std::isfinite(header.z_scale))
+        broken(source, header.data, fmt::format("Zscale is {}, expected metres per unit of height", header.z_scale));
     return header;
 }
 
 Header read_header(const bytes::Source& source) {
     const auto magic = source.bytes(0, magic_bytes);
     const auto version = magic.substr(5);
-    if (version != "1.0" && version != "2.0") broken(source, 5, fmt::format("version '{}', expected 1.0 or 2.0", version));
+    if (version != "1.0" && version != "2.0")
+        broken(source, 5, fmt::format("version '{}', expected 1.0 or 2.0", version));
     return checked_header(magic[0] == 'a' ? text_header(source) : binary_header(source, version == "2.0"), source);
 }
 
-// ---- trailer of text --------------------------------------------------------------------------------------------------
+// ---- trailer of text
+// --------------------------------------------------------------------------------------------------
 
 /// "Key = value" or "< Key > value < / Key >", as the example of the standard has it.
 void keep_trailer(std::string_view text, topography::Metadata& metadata) {
@@ -191,7 +214,8 @@ void read_trailer(const bytes::Source& source, std::uint64_t data, topography::M
     keep_trailer(std::string_view(tail).substr(begin + 1, end - begin - 1), metadata);
 }
 
-// ---- heights of text --------------------------------------------------------------------------------------------------
+// ---- heights of text
+// --------------------------------------------------------------------------------------------------
 
 /// Words between white space up to '*' or the end, piece after piece.
 class Words {
@@ -246,22 +270,30 @@ private:
 double text_height(std::string_view word, double scale, const bytes::Source& source, std::uint64_t offset) {
     if (word == "BAD") return undefined;
     double value = 0.0;
-    if (!bytes::parse_cell(word, '.', value)) broken(source, offset, fmt::format("'{:.40}' among the heights, expected a number or BAD", word));
+    if (!bytes::parse_cell(word, '.', value))
+        broken(source, offset, fmt::format("'{:.40}' among the heights, expected a number or BAD", word));
     return value * scale;
 }
 
-topography::Measurement read_text(const bytes::Source& source, const Header& header, const std::vector<double>& size, const topography::Metadata& metadata) {
+topography::Measurement read_text(const bytes::Source& source, const Header& header, const std::vector<double>& size,
+                                  const topography::Metadata& metadata) {
     Words words(source, header.data);
     Array2D heights(header.nx, header.ny);
     for (Index j = 0; j < header.ny; ++j)
         for (Index i = 0; i < header.nx; ++i) {
             const auto word = words.word();
             if (word.empty() || !words.whole())
-                broken(source, words.position(), fmt::format("the heights end here, at point {} of {} × {}; it is truncated", j * header.nx + i + 1, header.nx, header.ny));
+                broken(source, words.position(),
+                       fmt::format("the heights end here, at point {} of {} × {}; it is truncated",
+                                   j * header.nx + i + 1, header.nx, header.ny));
             heights(i, j) = text_height(word, header.z_scale, source, words.position() - word.size());
         }
-    if (const auto more = words.word(); !more.empty()) broken(source, words.position() - more.size(), fmt::format("more heights than {} × {}", header.nx, header.ny));
-    if (size.size() == 1) return checked(topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata}, source);
+    if (const auto more = words.word(); !more.empty())
+        broken(source, words.position() - more.size(), fmt::format("more heights than {} × {}", header.nx, header.ny));
+    if (size.size() == 1)
+        return checked(
+            topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata},
+            source);
     return checked(topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata}, source);
 }
 
@@ -269,18 +301,25 @@ topography::Measurement read_text(const bytes::Source& source, const Header& hea
 Channel text_channel(ChannelInfo info, const bytes::Source& source, const Header& header, const ReadOptions& options) {
     const auto room = (source.size - header.data + 1) / 2;
     const auto nx = static_cast<std::uint64_t>(header.nx), ny = static_cast<std::uint64_t>(header.ny);
-    if (ny > room || nx > room / ny) broken(source, source.size, fmt::format("the file ends here, it cannot hold {} × {} heights; it is truncated or damaged", header.nx, header.ny));
+    if (ny > room || nx > room / ny)
+        broken(source, source.size,
+               fmt::format("the file ends here, it cannot hold {} × {} heights; it is truncated or damaged", header.nx,
+                           header.ny));
     info.shape = header.ny == 1 ? std::vector<Index>{header.nx} : std::vector<Index>{header.nx, header.ny};
     info.size.resize(std::min(info.size.size(), info.shape.size()));
     (void)complete(info, options, source);
     if (info.size.empty()) return incomplete_channel(std::move(info), source);
-    auto read = [source, header, size = info.size, metadata = info.metadata] { return read_text(source, header, size, metadata); };
+    auto read = [source, header, size = info.size, metadata = info.metadata] {
+        return read_text(source, header, size, metadata);
+    };
     return {std::move(info), std::move(read)};
 }
 
-/// Olympus writes two more numbers of 32 bits, 5 and 1, between header and heights: such files are longer than they announce.
+/// Olympus writes two more numbers of 32 bits, 5 and 1, between header and heights: such files are longer than they
+/// announce.
 std::uint64_t binary_data(const bytes::Source& source, const Header& header, Sample sample) {
-    const auto heights = static_cast<std::uint64_t>(header.nx) * static_cast<std::uint64_t>(header.ny);  // each below 2^32
+    const auto heights =
+        static_cast<std::uint64_t>(header.nx) * static_cast<std::uint64_t>(header.ny);  // each below 2^32
     const bool longer = heights < source.size && source.size > header.data + heights * bytes_of(sample);
     if (!longer || source.size - header.data < 2 * sizeof(std::uint32_t)) return header.data;
     bytes::Cursor cursor(source, "SDF", header.data);
@@ -295,7 +334,8 @@ std::vector<Channel> open_sdf(const bytes::Source& source, const ReadOptions& op
     info.metadata.attributes = header.others;
     info.metadata.instrument.name = header.manufacturer;
     info.metadata.acquisition_time = written_date(header.created);
-    if (const auto modified = written_date(header.modified); !modified.empty()) info.metadata.attributes["modified"] = modified;
+    if (const auto modified = written_date(header.modified); !modified.empty())
+        info.metadata.attributes["modified"] = modified;
     if (header.z_resolution > 0.0) info.metadata.attributes["z_resolution"] = fmt::format("{} m", header.z_resolution);
     if (header.check != 0) info.metadata.attributes["check_type"] = fmt::format("{}", header.check);
     if (header.ny > 1) info.orientation = "rows from the top, as stored";
@@ -305,28 +345,35 @@ std::vector<Channel> open_sdf(const bytes::Source& source, const ReadOptions& op
         read_trailer(source, header.data, info.metadata);
         return {text_channel(std::move(info), source, header, options)};
     }
-    const Raster raster{.offset = binary_data(source, header, sample), .nx = header.nx, .ny = header.ny, .sample = sample};
-    return {raster_channel(std::move(info), source, raster, {.factor = header.z_scale, .undefined = undefined_values(sample)}, options)};
+    const Raster raster{
+        .offset = binary_data(source, header, sample), .nx = header.nx, .ny = header.ny, .sample = sample};
+    return {raster_channel(std::move(info), source, raster,
+                           {.factor = header.z_scale, .undefined = undefined_values(sample)}, options)};
 }
 
-Match detect_sdf(std::string_view head, const bytes::Source&) { return head.starts_with("aISO-") || head.starts_with("bISO-") ? Match::yes : Match::no; }
+Match detect_sdf(std::string_view head, const bytes::Source&) {
+    return head.starts_with("aISO-") || head.starts_with("bISO-") ? Match::yes : Match::no;
+}
 
 }  // namespace
 
 Format sdf_format() {
-    return {.identifier = "sdf",
-            .name = "Surface Data File",
-            .extensions = ".sdf",
-            .description = "text (aISO-1.0) or binary (bISO-1.0), all eight data types, with the 32-bit counts of version 2.0 and Olympus's longer header; the trailer of text is kept as attributes",
-            .heights = "value times Zscale, in metres; BAD in text, the least value of signed types and floats and the greatest of unsigned ones of 16 and 32 bits are undefined",
-            .orientation = "rows from the top, as Gwyddion takes them; the standard names no direction",
-            .not_read = "compressed data, which the standard leaves open, are refused; check sums are not verified",
-            .reference = "ISO 25178-71:2012; Gwyddion's sdfile module for undefined values and Olympus's header",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_sdf,
-            .open = open_sdf,
-            .write = write_sdf};
+    return {
+        .identifier = "sdf",
+        .name = "Surface Data File",
+        .extensions = ".sdf",
+        .description =
+            "text (aISO-1.0) or binary (bISO-1.0), all eight data types, with the 32-bit counts of version 2.0 and Olympus's longer header; the trailer of text is kept as attributes",
+        .heights =
+            "value times Zscale, in metres; BAD in text, the least value of signed types and floats and the greatest of unsigned ones of 16 and 32 bits are undefined",
+        .orientation = "rows from the top, as Gwyddion takes them; the standard names no direction",
+        .not_read = "compressed data, which the standard leaves open, are refused; check sums are not verified",
+        .reference = "ISO 25178-71:2012; Gwyddion's sdfile module for undefined values and Olympus's header",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_sdf,
+        .open = open_sdf,
+        .write = write_sdf};
 }
 
 }  // namespace setae::formats

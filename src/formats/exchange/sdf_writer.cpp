@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "writing.hpp"
 
 namespace setae::formats {
@@ -35,15 +35,17 @@ struct Grid {
     double x_scale = 0.0, y_scale = 0.0;  ///< [m]
 };
 
-void write_grid(const std::string& path, const Grid& grid, const Array2D& heights, const topography::Metadata& metadata) {
-    std::string header = "bISO-1.0" + fixed(metadata.instrument.name, 10) + digits_of(metadata.acquisition_time) + digits_of(metadata.acquisition_time);
+void write_grid(const std::string& path, const Grid& grid, const Array2D& heights,
+                const topography::Metadata& metadata) {
+    std::string header = "bISO-1.0" + fixed(metadata.instrument.name, 10) + digits_of(metadata.acquisition_time) +
+                         digits_of(metadata.acquisition_time);
     const auto add = [&](auto number) { header.append(reinterpret_cast<const char*>(&number), sizeof(number)); };
     add(static_cast<std::uint16_t>(grid.nx));
     add(static_cast<std::uint16_t>(grid.ny));
     add(grid.x_scale);
     add(grid.y_scale);
-    add(1.0);   // Zscale
-    add(-1.0);  // Zresolution, unknown
+    add(1.0);                      // Zscale
+    add(-1.0);                     // Zresolution, unknown
     header += {'\0', '\7', '\0'};  // no compression, float64, no check sum
     bytes::write_whole_file(path, {header, row_bytes(heights, not_a_number)});
 }
@@ -54,16 +56,20 @@ void write_sdf(const std::string& path, const topography::Measurement& measureme
     refuse_trace(measurement, path);
     const auto [nx, ny] = topography::shape(measurement);
     if (std::holds_alternative<topography::Profile>(measurement))
-        throw InvalidArgument(fmt::format("{}: SDF holds points at equal steps alone, this is a profile; write it as .x3p, .nc or .csv", path));
+        throw InvalidArgument(fmt::format(
+            "{}: SDF holds points at equal steps alone, this is a profile; write it as .x3p, .nc or .csv", path));
     if (nx > most_points || ny > most_points)
-        throw InvalidArgument(fmt::format("{}: SDF holds at most {} points along each direction, there are {} × {}; write it as .x3p", path, most_points, nx, ny));
+        throw InvalidArgument(
+            fmt::format("{}: SDF holds at most {} points along each direction, there are {} × {}; write it as .x3p",
+                        path, most_points, nx, ny));
     const auto& metadata = topography::metadata(measurement);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
         write_grid(path, {nx, ny, map->pixel_size()[0], map->pixel_size()[1]}, map->heights, metadata);
         return;
     }
     const auto& scan = std::get<topography::LineScan>(measurement);
-    write_grid(path, {nx, 1, scan.pixel_size(), scan.pixel_size()}, Eigen::Map<const Array2D>(scan.heights.data(), nx, 1), metadata);
+    write_grid(path, {nx, 1, scan.pixel_size(), scan.pixel_size()},
+               Eigen::Map<const Array2D>(scan.heights.data(), nx, 1), metadata);
 }
 
 }  // namespace setae::formats

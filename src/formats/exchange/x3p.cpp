@@ -9,23 +9,24 @@
 
 #include <fmt/format.h>
 
-#include "x3p_document.hpp"
-#include "setae/bytes/archive.hpp"
-#include "setae/bytes/bytes.hpp"
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/archive.hpp"
+#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/digest.hpp"
+#include "setae/bytes/xml_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/digest.hpp"
-#include "setae/topography/line_scans.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/topography/line_scans.hpp"
+#include "storage/raster.hpp"
+#include "x3p_document.hpp"
 #include "x3p_writer.hpp"
-#include "setae/bytes/xml_file.hpp"
 
-// X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points itself, a binary file.
-// coordinate [m] = value · Increment + Offset; x is the fastest index; int16, int32, float32 or float64, little-endian.
+// X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points itself, a binary
+// file. coordinate [m] = value · Increment + Offset; x is the fastest index; int16, int32, float32 or float64,
+// little-endian.
 namespace setae::formats {
 namespace {
 
@@ -36,36 +37,47 @@ using topography::Profile;
 
 constexpr Index most_layers = 256;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) { throw FormatError(source.name, {}, "X3P: " + what); }
+[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+    throw FormatError(source.name, {}, "X3P: " + what);
+}
 
 /// An archive and the folder its main.xml stands in, where links begin.
 struct Package {
     const bytes::Archive& archive;
     std::string folder;
 
-    [[nodiscard]] std::string member(const std::string& link) const { return archive.has(folder + link) ? folder + link : link; }
+    [[nodiscard]] std::string member(const std::string& link) const {
+        return archive.has(folder + link) ? folder + link : link;
+    }
 };
 
 void require_checksum(const bytes::Source& member, const std::string& expected) {
     if (expected.empty()) return;
     const auto found = bytes::md5(member);
-    if (found != expected) throw FormatError(member.name, {.offset = 0}, fmt::format("X3P: the MD5 checksum is {}, main.xml says {}; it is damaged", found, expected));
+    if (found != expected)
+        throw FormatError(member.name, {.offset = 0},
+                          fmt::format("X3P: the MD5 checksum is {}, main.xml says {}; it is damaged", found, expected));
 }
 
 /// A member that must hold `count` values of `bytes` each.
-bytes::Source required_member(const Package& package, const std::string& link, std::uint64_t count, std::uint64_t bytes, const X3pDocument& document) {
+bytes::Source required_member(const Package& package, const std::string& link, std::uint64_t count, std::uint64_t bytes,
+                              const X3pDocument& document) {
     const auto member = package.archive.member(package.member(link));
     const bool fits = count <= std::numeric_limits<std::uint64_t>::max() / bytes && member.size == count * bytes;
     if (!fits)
         throw FormatError(member.name, {.offset = member.size},
-                          fmt::format("X3P: {} holds {} bytes, expected {} × {} × {} points of {} bytes", link, member.size, document.nx, document.ny, document.layers, bytes));
+                          fmt::format("X3P: {} holds {} bytes, expected {} × {} × {} points of {} bytes", link,
+                                      member.size, document.nx, document.ny, document.layers, bytes));
     return member;
 }
 
 std::uint64_t count_of(const X3pDocument& document, const bytes::Source& source) {
-    const auto layer = static_cast<std::uint64_t>(document.nx) * static_cast<std::uint64_t>(document.ny);  // each at most 2^31
-    if (document.layers > most_layers) broken(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
-    if (layer > (std::uint64_t{1} << 53)) broken(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
+    const auto layer =
+        static_cast<std::uint64_t>(document.nx) * static_cast<std::uint64_t>(document.ny);  // each at most 2^31
+    if (document.layers > most_layers)
+        broken(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
+    if (layer > (std::uint64_t{1} << 53))
+        broken(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
     return layer * static_cast<std::uint64_t>(document.layers);
 }
 
@@ -80,7 +92,8 @@ std::optional<ValidPoints> valid_points(const Package& package, const X3pDocumen
     if (document.valid_member.empty()) return std::nullopt;
     const auto member = package.archive.member(package.member(document.valid_member));
     if (member.size < (count + 7) / 8)
-        throw FormatError(member.name, {.offset = member.size}, fmt::format("X3P: the list of valid points has {} bytes for {} points", member.size, count));
+        throw FormatError(member.name, {.offset = member.size},
+                          fmt::format("X3P: the list of valid points has {} bytes for {} points", member.size, count));
     return ValidPoints{member, document.valid_checksum};
 }
 
@@ -114,18 +127,25 @@ ChannelInfo channel_info(const X3pDocument& document, const std::string& name) {
     return info;
 }
 
-Channel layer_channel(const X3pDocument& document, const Package& package, Index layer, const ReadOptions& options, const bytes::Source& source) {
-    const auto bytes = bytes_of(document.z.sample), count = count_of(document, source), points = count / static_cast<std::uint64_t>(document.layers);
+Channel layer_channel(const X3pDocument& document, const Package& package, Index layer, const ReadOptions& options,
+                      const bytes::Source& source) {
+    const auto bytes = bytes_of(document.z.sample), count = count_of(document, source),
+               points = count / static_cast<std::uint64_t>(document.layers);
     auto member = required_member(package, document.point_member, count, bytes, document);
     auto info = channel_info(document, document.layers > 1 ? fmt::format("height, layer {}", layer + 1) : "height");
     info.size = regular_size(document);
-    const Raster raster{.offset = static_cast<std::uint64_t>(layer) * points * bytes, .nx = document.nx, .ny = document.ny, .sample = document.z.sample};
+    const Raster raster{.offset = static_cast<std::uint64_t>(layer) * points * bytes,
+                        .nx = document.nx,
+                        .ny = document.ny,
+                        .sample = document.z.sample};
     bytes::Source named = member;
     named.name = source.name;  // the measurement is the archive's, and what is wrong with the member was said above
-    auto channel = raster_channel(std::move(info), named, raster, {.factor = document.z.step(), .offset = document.z.offset}, options);
+    auto channel = raster_channel(std::move(info), named, raster,
+                                  {.factor = document.z.step(), .offset = document.z.offset}, options);
     if (channel.info.size.empty()) return channel;
     const auto valid = valid_points(package, document, count);
-    read_as_a_whole(channel, [read = channel.read, member, valid, checksum = document.point_checksum, first = static_cast<std::uint64_t>(layer) * points, points, named] {
+    read_as_a_whole(channel, [read = channel.read, member, valid, checksum = document.point_checksum,
+                              first = static_cast<std::uint64_t>(layer) * points, points, named] {
         require_checksum(member, checksum);
         auto measurement = read();
         if (!valid) return measurement;
@@ -180,7 +200,8 @@ Points binary_points(const X3pDocument& document, const Package& package, const 
             values->push_back(load_value(at, axis->sample) * axis->step() + axis->offset);
             at += bytes_of(axis->sample);
         }
-    if (const auto valid = valid_points(package, document, count)) for_each_invalid(*valid, 0, count, [&](Index k) { points.z[static_cast<std::size_t>(k)] = undefined; });
+    if (const auto valid = valid_points(package, document, count))
+        for_each_invalid(*valid, 0, count, [&](Index k) { points.z[static_cast<std::size_t>(k)] = undefined; });
     return points;
 }
 
@@ -193,21 +214,27 @@ Points listed_points(const X3pDocument& document, const bytes::Source& source) {
     for (const auto datum : document.list.children("Datum")) {
         tables::split_cells(datum.child_value(), ';', cells);
         const bool empty = trimmed(datum.child_value()).empty();
-        if (!empty && cells.size() != stored.size()) broken(source, fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(), stored.size()));
+        if (!empty && cells.size() != stored.size())
+            broken(source,
+                   fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(), stored.size()));
         for (std::size_t k = 0; k < stored.size(); ++k) {
             double value = undefined;
-            if (!empty && !bytes::parse_cell(cells[k], '.', value)) broken(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
+            if (!empty && !bytes::parse_cell(cells[k], '.', value))
+                broken(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
             stored[k].second->push_back(value * stored[k].first->step() + stored[k].first->offset);
         }
         ++count;
     }
-    if (count != count_of(document, source)) broken(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count, document.nx, document.ny));
+    if (count != count_of(document, source))
+        broken(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count, document.nx,
+                                   document.ny));
     return points;
 }
 
 /// Step of an absolute axis whose values lie on a regular grid within 2 % of a step; index(i) is point i's place on it.
 template <class GridIndex>
-double grid_step(const std::vector<double>& values, Index n, const char* axis, const bytes::Source& source, GridIndex index) {
+double grid_step(const std::vector<double>& values, Index n, const char* axis, const bytes::Source& source,
+                 GridIndex index) {
     double first = undefined, last = undefined;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (index(static_cast<Index>(i)) == 0 && std::isnan(first)) first = values[i];
@@ -216,16 +243,19 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     const double step = (last - first) / static_cast<double>(std::max<Index>(n - 1, 1));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double stray = values[i] - first - static_cast<double>(index(static_cast<Index>(i))) * step;
-        if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step))) broken(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
+        if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step)))
+            broken(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
     }
     return step;
 }
 
 /// Length of one step along an axis. @throws FormatError where neither increment nor positions tell it.
 template <class GridIndex>
-double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, const char* name, const bytes::Source& source, GridIndex index) {
+double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, const char* name,
+               const bytes::Source& source, GridIndex index) {
     if (axis.absolute) return grid_step(values, n, name, source, index);
-    if (!axis.increment) broken(source, fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
+    if (!axis.increment)
+        broken(source, fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
     return std::abs(*axis.increment);
 }
 
@@ -233,7 +263,8 @@ Measurement to_map(const X3pDocument& document, const Points& points, const byte
     const auto nx = document.nx, ny = document.ny;
     const double dx = step_of(document.x, points.x, nx, "x", source, [nx](Index i) { return i % nx; });
     const double dy = step_of(document.y, points.y, ny, "y", source, [nx](Index i) { return i / nx; });
-    HeightMap map{Array2D(nx, ny), {dx * static_cast<double>(nx), dy * static_cast<double>(ny)}, false, document.metadata};
+    HeightMap map{
+        Array2D(nx, ny), {dx * static_cast<double>(nx), dy * static_cast<double>(ny)}, false, document.metadata};
     for (Index j = 0; j < ny; ++j)
         for (Index i = 0; i < nx; ++i) map.heights(i, j) = points.z[static_cast<std::size_t>(j * nx + i)];
     return checked(std::move(map), source);
@@ -251,29 +282,37 @@ Measurement to_line(const X3pDocument& document, const Points& points, const byt
 }
 
 Channel points_channel(const X3pDocument& document, const Points& points, const bytes::Source& source) {
-    return loaded_channel(channel_info(document, "height"), document.profile ? to_line(document, points, source) : to_map(document, points, source));
+    return loaded_channel(channel_info(document, "height"),
+                          document.profile ? to_line(document, points, source) : to_map(document, points, source));
 }
 
 // ---- documents and archives -----------------------------------------------------------------------------------------
 
 /// The checksum of main.xml guards a text people edit: a difference is worth an alert, no refusal.
-std::vector<Alert> check_document(const Package& package, const std::string& xml, const X3pDocument& document, const bytes::Source& source) {
+std::vector<Alert> check_document(const Package& package, const std::string& xml, const X3pDocument& document,
+                                  const bytes::Source& source) {
     const auto name = package.member(document.checksum_member);
     if (document.checksum_member.empty() || !package.archive.has(name)) return {};
     const auto expected = bytes::lowered(package.archive.head(name, 32));
     const bool whole = expected.size() == 32 && expected.find_first_not_of("0123456789abcdef") == std::string::npos;
     if (!whole || bytes::md5(xml) == expected) return {};
-    return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written", "make sure of increments and offsets"}};
+    return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written",
+             "make sure of increments and offsets"}};
 }
 
 /// A list of points takes some bytes of its file each; elements that take less are made to fill the memory.
 void require_honest_list(const std::string& xml, const bytes::Source& source) {
     const auto tags = static_cast<std::uint64_t>(std::count(xml.begin(), xml.end(), '<'));
     constexpr std::uint64_t always = 1'000'000;
-    if (tags > always + source.size) broken(source, fmt::format("main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member", tags, source.size));
+    if (tags > always + source.size)
+        broken(source,
+               fmt::format(
+                   "main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member",
+                   tags, source.size));
 }
 
-std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options, const bytes::Source& source) {
+std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options,
+                              const bytes::Source& source) {
     require_honest_list(xml, source);
     const auto tree = bytes::parsed_xml(xml, source, "X3P: main.xml");
     const auto document = parse_x3p_document(tree, source);
@@ -281,16 +320,19 @@ std::vector<Channel> open_xml(const std::string& xml, const Package* package, co
     if (!document.list.empty()) {
         channels.push_back(points_channel(document, listed_points(document, source), source));
     } else if (!package) {
-        broken(source, fmt::format("the points stand in {}; open the archive instead of its main.xml", document.point_member));
+        broken(source,
+               fmt::format("the points stand in {}; open the archive instead of its main.xml", document.point_member));
     } else if (!document.regular()) {
         channels.push_back(points_channel(document, binary_points(document, *package, source), source));
     } else {
         (void)count_of(document, source);
-        for (Index layer = 0; layer < document.layers; ++layer) channels.push_back(layer_channel(document, *package, layer, options, source));
+        for (Index layer = 0; layer < document.layers; ++layer)
+            channels.push_back(layer_channel(document, *package, layer, options, source));
     }
     if (package)
         for (auto& channel : channels)
-            for (auto& alert : check_document(*package, xml, document, source)) channel.info.alerts.push_back(std::move(alert));
+            for (auto& alert : check_document(*package, xml, document, source))
+                channel.info.alerts.push_back(std::move(alert));
     return channels;
 }
 
@@ -312,7 +354,8 @@ std::vector<std::string> nested_archives(const bytes::Archive& archive) {
     return found;
 }
 
-std::vector<Channel> open_documents(const bytes::Source& source, const bytes::Archive& archive, const ReadOptions& options) {
+std::vector<Channel> open_documents(const bytes::Source& source, const bytes::Archive& archive,
+                                    const ReadOptions& options) {
     std::vector<Channel> channels;
     for (const auto& name : documents(archive)) {
         const Package package{archive, name.substr(0, name.size() - document_member.size())};
@@ -338,7 +381,8 @@ std::vector<Channel> nested_channels(const bytes::Source& source, const std::str
         auto channels = open_nested(source, name, options);
         for (std::size_t k = 0; k < channels.size(); ++k) {
             channels[k].info.name = name + ": " + channels[k].info.name;
-            read_as_a_whole(channels[k], [source, name, options, k] { return open_nested(source, name, options).at(k).read(); });
+            read_as_a_whole(channels[k],
+                            [source, name, options, k] { return open_nested(source, name, options).at(k).read(); });
         }
         return channels;
     } catch (const Error& error) {
@@ -368,19 +412,22 @@ std::vector<Channel> open_x3p(const bytes::Source& source, const ReadOptions& op
 }  // namespace
 
 Format x3p_format() {
-    return {.identifier = "x3p",
-            .name = "X3P",
-            .extensions = ".x3p",
-            .description = "ZIP with main.xml and binary or listed points of a surface or profile, main.xml alone, or a ZIP of several such archives; checksums are verified",
-            .heights = "value times increment plus offset of the axis, in metres; signed int16 or int32, float32 or float64; points marked invalid or NaN are undefined",
-            .orientation = "first point at the top left, x the fastest index",
-            .not_read = "clouds of points (feature type PCL) and lists that form no matrix are refused",
-            .reference = "ISO 25178-72:2017 (formerly ISO 5436-2)",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_x3p,
-            .open = open_x3p,
-            .write = write_x3p};
+    return {
+        .identifier = "x3p",
+        .name = "X3P",
+        .extensions = ".x3p",
+        .description =
+            "ZIP with main.xml and binary or listed points of a surface or profile, main.xml alone, or a ZIP of several such archives; checksums are verified",
+        .heights =
+            "value times increment plus offset of the axis, in metres; signed int16 or int32, float32 or float64; points marked invalid or NaN are undefined",
+        .orientation = "first point at the top left, x the fastest index",
+        .not_read = "clouds of points (feature type PCL) and lists that form no matrix are refused",
+        .reference = "ISO 25178-72:2017 (formerly ISO 5436-2)",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_x3p,
+        .open = open_x3p,
+        .write = write_x3p};
 }
 
 }  // namespace setae::formats

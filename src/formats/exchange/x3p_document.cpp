@@ -6,17 +6,19 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/xml_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 
 namespace setae::formats {
 namespace {
 
 constexpr Index most_points = Index{1} << 31;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) { throw FormatError(source.name, {}, "X3P: " + what); }
+[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+    throw FormatError(source.name, {}, "X3P: " + what);
+}
 
 Sample sample_of(std::string_view type, const char* name, const bytes::Source& source) {
     if (type == "I") return Sample::int16;
@@ -30,11 +32,13 @@ X3pAxis parse_axis(const pugi::xml_node& node, const char* name, const bytes::So
     if (!node) broken(source, fmt::format("no <{}> among the axes", name));
     X3pAxis axis;
     const auto kind = trimmed(node.child_value("AxisType"));
-    if (kind != "I" && kind != "A") broken(source, fmt::format("axis type '{:.40}' of {}, expected I or A", kind, name));
+    if (kind != "I" && kind != "A")
+        broken(source, fmt::format("axis type '{:.40}' of {}, expected I or A", kind, name));
     axis.absolute = kind == "A";
     const auto type = trimmed(node.child_value("DataType"));
     if (axis.absolute || !type.empty()) axis.sample = sample_of(type, name, source);
-    if (!trimmed(node.child_value("Increment")).empty()) axis.increment = bytes::xml_number(node.child("Increment"), 1.0, source, "X3P");
+    if (!trimmed(node.child_value("Increment")).empty())
+        axis.increment = bytes::xml_number(node.child("Increment"), 1.0, source, "X3P");
     axis.offset = bytes::xml_number(node.child("Offset"), 0.0, source, "X3P");
     return axis;
 }
@@ -43,7 +47,8 @@ Index extent(const pugi::xml_node& node, const char* name, const bytes::Source& 
     const auto text = trimmed(node.child_value());
     Index value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || value < 1 || value > most_points) broken(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
+    if (error != std::errc{} || value < 1 || value > most_points)
+        broken(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
     return value;
 }
 
@@ -57,7 +62,8 @@ void parse_shape(const pugi::xml_node& record, X3pDocument& document, const byte
         document.nx = extent(record.child("ListDimension"), "ListDimension", source);
         if (!document.profile) broken(source, "a list of points that form no matrix; surfaces are read as matrices");
     }
-    if (document.profile && document.ny != 1) broken(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
+    if (document.profile && document.ny != 1)
+        broken(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
 }
 
 std::string known(const pugi::xml_node& parent, const char* name) {
@@ -106,7 +112,10 @@ X3pDocument parse_x3p_document(const pugi::xml_document& xml, const bytes::Sourc
     X3pDocument document;
     const auto head = root.child("Record1"), data = root.child("Record3");
     const std::string feature(trimmed(head.child_value("FeatureType")));
-    if (feature == "PCL") broken(source, "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); give it a grid in another program first");
+    if (feature == "PCL")
+        broken(
+            source,
+            "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); give it a grid in another program first");
     if (feature != "SUR" && feature != "PRF")
         broken(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
     document.profile = feature == "PRF";
@@ -124,7 +133,8 @@ X3pDocument parse_x3p_document(const pugi::xml_document& xml, const bytes::Sourc
     document.valid_checksum = whole_checksum(link, "MD5ChecksumValidPoints");
     document.checksum_member = trimmed(root.child("Record4").child_value("ChecksumFile"));
     document.list = data.child("DataList");
-    if (document.point_member.empty() == document.list.empty()) broken(source, "expected either a list of points or a link to them");
+    if (document.point_member.empty() == document.list.empty())
+        broken(source, "expected either a list of points or a link to them");
     const bool layered = document.layers > 1;
     if (layered && (!document.regular() || !document.list.empty()))
         broken(source, fmt::format("{} layers of listed points or absolute axes, expected SizeZ 1", document.layers));

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "storage/raster.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/topography/measurement.hpp"
+#include "storage/raster.hpp"
 
 namespace setae::formats {
 
@@ -28,10 +28,10 @@ struct X3pDocument {
     X3pAxis x, y, z;
     Index nx = 0, ny = 1, layers = 1;
     topography::Metadata metadata;
-    std::string point_member, valid_member;       ///< names in the archive, or empty
-    std::string point_checksum, valid_checksum;   ///< MD5 in lower case, or empty where there is none that is whole
-    std::string checksum_member;                  ///< holds the MD5 of main.xml
-    pugi::xml_node list;                          ///< <DataList>, where points are listed
+    std::string point_member, valid_member;      ///< names in the archive, or empty
+    std::string point_checksum, valid_checksum;  ///< MD5 in lower case, or empty where there is none that is whole
+    std::string checksum_member;                 ///< holds the MD5 of main.xml
+    pugi::xml_node list;                         ///< <DataList>, where points are listed
 
     [[nodiscard]] bool regular() const { return !x.absolute && !y.absolute; }
 };

@@ -36,13 +36,22 @@ struct Content {
     std::string points;
 };
 
-std::string bytes_of_line(const Array1D& heights) { return row_bytes(Eigen::Map<const Array2D>(heights.data(), heights.size(), 1), not_a_number); }
-
-Content content_of(const HeightMap& map) {
-    return {"SUR", map.pixel_size()[0], map.pixel_size()[1], map.heights.rows(), map.heights.cols(), row_bytes(map.heights, not_a_number)};
+std::string bytes_of_line(const Array1D& heights) {
+    return row_bytes(Eigen::Map<const Array2D>(heights.data(), heights.size(), 1), not_a_number);
 }
 
-Content content_of(const LineScan& scan) { return {"PRF", scan.pixel_size(), 1.0, scan.heights.size(), 1, bytes_of_line(scan.heights)}; }
+Content content_of(const HeightMap& map) {
+    return {"SUR",
+            map.pixel_size()[0],
+            map.pixel_size()[1],
+            map.heights.rows(),
+            map.heights.cols(),
+            row_bytes(map.heights, not_a_number)};
+}
+
+Content content_of(const LineScan& scan) {
+    return {"PRF", scan.pixel_size(), 1.0, scan.heights.size(), 1, bytes_of_line(scan.heights)};
+}
 
 /// Pairs of position and height.
 Content content_of(const Profile& profile) {
@@ -54,7 +63,9 @@ Content content_of(const Profile& profile) {
     return {"PRF", 0.0, 1.0, profile.heights.size(), 1, bytes_of_line(pairs)};
 }
 
-void add(pugi::xml_node parent, const char* name, const std::string& text) { parent.append_child(name).text().set(text.c_str()); }
+void add(pugi::xml_node parent, const char* name, const std::string& text) {
+    parent.append_child(name).text().set(text.c_str());
+}
 
 void add_axis(pugi::xml_node axes, const char* name, double step) {
     auto axis = axes.append_child(name);
@@ -75,7 +86,8 @@ std::string attribute(const Metadata& metadata, const char* key) {
 std::string date_of(const Metadata& metadata) {
     const auto time = written_time(metadata.acquisition_time);
     if (!time.known()) return fmt::format("{}T00:00:00", x3p_no_date);
-    return fmt::format("{}-{}-{}T{}:{}:{}{}", time.year, time.month, time.day, time.hour, time.minute, time.second, time.zone);
+    return fmt::format("{}-{}-{}T{}:{}:{}{}", time.year, time.month, time.day, time.hour, time.minute, time.second,
+                       time.zone);
 }
 
 /// Contacting, NonContacting or Software: what the schema allows.
@@ -146,8 +158,8 @@ void write_x3p(const std::string& path, const topography::Measurement& measureme
     const auto checksum = fmt::format("{} *main.xml\n", bytes::md5(document));
     // stored: deflate takes ten times as long as all the rest and leaves 96 % of measured float64
     bytes::write_archive(path, {{"main.xml", [&] { return bytes::memory_source(path, document); }},
-                         {point_member, [&] { return bytes::memory_source(path, std::move(content.points)); }},
-                         {checksum_member, [&] { return bytes::memory_source(path, checksum); }}});
+                                {point_member, [&] { return bytes::memory_source(path, std::move(content.points)); }},
+                                {checksum_member, [&] { return bytes::memory_source(path, checksum); }}});
 }
 
 }  // namespace setae::formats

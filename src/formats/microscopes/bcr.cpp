@@ -8,14 +8,14 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "setae/tables/header.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/raster.hpp"
 
-// BCR-STM and BCRF files: a text header of "key = value" lines in 2048 or `headersize` characters of one byte or two (UTF-16), then
-// integers of 2 bytes or floating-point values of 4, row after row.
+// BCR-STM and BCRF files: a text header of "key = value" lines in 2048 or `headersize` characters of one byte or two
+// (UTF-16), then integers of 2 bytes or floating-point values of 4, row after row.
 namespace setae::formats {
 namespace {
 
@@ -29,8 +29,10 @@ using Header = std::map<std::string, std::string>;
 /// Bytes of a character of the header: 1 or 2; 0 where the bytes are no such header.
 std::uint64_t character_bytes(std::string_view head) {
     using namespace std::string_view_literals;
-    const bool wide = head.starts_with("f\0i\0l\0e\0"sv) || head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff");
-    const auto characters = bytes::lowered(bytes::decoded(std::string(head.substr(0, 128)), wide ? bytes::Encoding::utf16 : bytes::Encoding::latin1));
+    const bool wide =
+        head.starts_with("f\0i\0l\0e\0"sv) || head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff");
+    const auto characters = bytes::lowered(
+        bytes::decoded(std::string(head.substr(0, 128)), wide ? bytes::Encoding::utf16 : bytes::Encoding::latin1));
     std::string packed;
     for (const char c : characters)
         if (c != ' ' && c != '\t') packed += c;
@@ -44,7 +46,8 @@ Header parsed(std::string bytes, std::uint64_t width) {
     for (const auto line : bytes::split_lines(text)) {
         const auto equals = line.find('=');
         const auto trimmed_line = trimmed(line);
-        if (equals == std::string_view::npos || trimmed_line.starts_with('%') || trimmed_line.starts_with('#')) continue;
+        if (equals == std::string_view::npos || trimmed_line.starts_with('%') || trimmed_line.starts_with('#'))
+            continue;
         header.emplace(bytes::lowered(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1)));
     }
     return header;
@@ -55,14 +58,17 @@ std::optional<double> number(const Header& header, const std::string& key, const
     if (at == header.end() || at->second.empty()) return std::nullopt;
     double value = 0.0;
     if (!bytes::parse_cell(at->second, '.', value) || !std::isfinite(value))
-        throw FormatError(source.name, {.offset = 0}, fmt::format("BCR: '{}' is '{:.40}', expected a number", key, at->second));
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("BCR: '{}' is '{:.40}', expected a number", key, at->second));
     return value;
 }
 
 std::uint64_t count(const Header& header, const std::string& key, const bytes::Source& source) {
     const auto value = number(header, key, source);
     if (!value || !(*value >= 1.0) || *value > 2147483648.0 || *value != std::floor(*value))
-        throw FormatError(source.name, {.offset = 0}, fmt::format("BCR: '{}' is {}, expected an integer from 1 to 2^31", key, value ? fmt::format("{}", *value) : "missing"));
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("BCR: '{}' is {}, expected an integer from 1 to 2^31", key,
+                                      value ? fmt::format("{}", *value) : "missing"));
     return static_cast<std::uint64_t>(*value);
 }
 
@@ -72,13 +78,17 @@ std::string unit_of(const Header& header, const std::string& key) {
     return at == header.end() || at->second.empty() ? "nm" : at->second;
 }
 
-/// n points; NanoFocus, which writes a value where the format has the number of voids, counts from the first point to the last.
-std::optional<double> size_along(const Header& header, char axis, std::uint64_t points, bool between_points, const bytes::Source& source) {
+/// n points; NanoFocus, which writes a value where the format has the number of voids, counts from the first point to
+/// the last.
+std::optional<double> size_along(const Header& header, char axis, std::uint64_t points, bool between_points,
+                                 const bytes::Source& source) {
     const auto length = number(header, std::string(1, axis) + "length", source);
     if (!length || !(*length > 0.0)) return std::nullopt;
     const auto name = unit_of(header, std::string(1, axis) + "unit");
     const auto unit = tables::try_parse_unit(name);
-    if (!unit || unit->dimension != dimension::length) throw FormatError(source.name, {.offset = 0}, fmt::format("BCR: {}unit is '{:.40}', expected a unit of length", axis, name));
+    if (!unit || unit->dimension != dimension::length)
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("BCR: {}unit is '{:.40}', expected a unit of length", axis, name));
     const auto n = static_cast<double>(points);
     return *length * unit->factor * (between_points && points > 1 ? n / (n - 1.0) : 1.0);
 }
@@ -91,19 +101,24 @@ topography::Metadata metadata_of(const Header& header) {
     return metadata;
 }
 
-Match detect_bcr(std::string_view head, const bytes::Source&) { return character_bytes(head) > 0 ? Match::yes : Match::no; }
+Match detect_bcr(std::string_view head, const bytes::Source&) {
+    return character_bytes(head) > 0 ? Match::yes : Match::no;
+}
 
 std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& options) {
     const auto width = character_bytes(source.head(bytes::detection_bytes));
     const auto probe = parsed(source.head(usual_characters * width), width);
     const auto characters = probe.contains("headersize") ? count(probe, "headersize", source) : usual_characters;
     if (width == 0 || characters > most_characters)
-        throw FormatError(source.name, {.offset = 0}, fmt::format("BCR: a header of {} characters, expected {} at most", characters, most_characters));
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("BCR: a header of {} characters, expected {} at most", characters, most_characters));
     const auto header = parsed(source.bytes(0, characters * width), width);
     const auto format = header.contains("fileformat") ? bytes::lowered(header.at("fileformat")) : std::string();
     const bool integers = format == "bcrstm" || format == "bcrstm_unicode";
     if (!integers && format != "bcrf" && format != "bcrf_unicode")
-        throw FormatError(source.name, {.offset = 0}, fmt::format("BCR: fileformat is '{:.40}', expected bcrstm or bcrf", format));
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("BCR: fileformat is '{:.40}', expected bcrstm or bcrf", format));
     if (number(header, "forcecurve", source).value_or(0.0) != 0.0)
         throw FormatError(source.name, {.offset = 0}, "BCR: the file holds a force curve, no map of heights");
 
@@ -115,11 +130,14 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
     info.orientation = "rows from the top, as stored";
     info.metadata = metadata_of(header);
     info.shape = {static_cast<Index>(nx), static_cast<Index>(ny)};
-    const auto x = size_along(header, 'x', nx, between_points, source), y = size_along(header, 'y', ny, between_points, source);
+    const auto x = size_along(header, 'x', nx, between_points, source),
+               y = size_along(header, 'y', ny, between_points, source);
     if (x && y) info.size = {*x, *y};
     if (between_points)
-        info.alerts.push_back({"SIZE_BETWEEN_POINTS", source.name, "as NanoFocus writes them, xlength and ylength go from the first point to the last; the size is n/(n − 1) times that",
-                               "compare with the pixel size the instrument shows"});
+        info.alerts.push_back(
+            {"SIZE_BETWEEN_POINTS", source.name,
+             "as NanoFocus writes them, xlength and ylength go from the first point to the last; the size is n/(n − 1) times that",
+             "compare with the pixel size the instrument shows"});
     const auto little_endian = number(header, "intelmode", source).value_or(1.0) != 0.0;
     const Raster raster{.offset = characters * width,
                         .nx = static_cast<Index>(nx),
@@ -146,17 +164,20 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
 }  // namespace
 
 Format bcr_format() {
-    return {.identifier = "bcr",
-            .name = "BCR-STM",
-            .extensions = ".bcr .bcrf",
-            .description = "exchange files of Image Metrology, NanoFocus and others: a text header in Latin-1 or UTF-16, then integers of 2 bytes (bcrstm) or floating-point values (bcrf)",
-            .heights = "integers times bit2nm, floating-point values as they are, in zunit (nm where none is named); 32767 and values above 1.7e38 are undefined, zero never is",
-            .orientation = "rows from the top, as stored",
-            .not_read = "zmin, kept as an attribute and not added; force curves are refused",
-            .reference = "Image Metrology's description of BCR-STM, as used by Gwyddion's module bcrfile",
-            .tested_on_real_files = true,
-            .detect = detect_bcr,
-            .open = open_bcr};
+    return {
+        .identifier = "bcr",
+        .name = "BCR-STM",
+        .extensions = ".bcr .bcrf",
+        .description =
+            "exchange files of Image Metrology, NanoFocus and others: a text header in Latin-1 or UTF-16, then integers of 2 bytes (bcrstm) or floating-point values (bcrf)",
+        .heights =
+            "integers times bit2nm, floating-point values as they are, in zunit (nm where none is named); 32767 and values above 1.7e38 are undefined, zero never is",
+        .orientation = "rows from the top, as stored",
+        .not_read = "zmin, kept as an attribute and not added; force curves are refused",
+        .reference = "Image Metrology's description of BCR-STM, as used by Gwyddion's module bcrfile",
+        .tested_on_real_files = true,
+        .detect = detect_bcr,
+        .open = open_bcr};
 }
 
 }  // namespace setae::formats

@@ -7,16 +7,18 @@
 
 #include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
-// WaveMetrics, Technical Note 3, "Igor Binary Format". Version 5: BinHeader5 (64 bytes), WaveHeader5 (320), numbers, formula, note, long
-// units of the data and of each dimension, labels of each dimension. Version 2: BinHeader2 (16), WaveHeader2 (110), numbers, 16 bytes, note.
+// WaveMetrics, Technical Note 3, "Igor Binary Format". Version 5: BinHeader5 (64 bytes), WaveHeader5 (320), numbers,
+// formula, note, long units of the data and of each dimension, labels of each dimension. Version 2: BinHeader2 (16),
+// WaveHeader2 (110), numbers, 16 bytes, note.
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t bin_header_2 = 16, wave_header_2 = 110, padding_2 = 16, bin_header_5 = 64, wave_header_5 = 320, label_bytes = 32;
+constexpr std::uint64_t bin_header_2 = 16, wave_header_2 = 110, padding_2 = 16, bin_header_5 = 64, wave_header_5 = 320,
+                        label_bytes = 32;
 constexpr std::uint64_t longest_text = 1 << 24;
 
 std::uint64_t headers_bytes(int version) {
@@ -33,7 +35,8 @@ std::uint64_t headers_bytes(int version) {
 std::uint64_t size_of_part(bytes::Cursor& cursor) {
     const auto value = cursor.number<std::int32_t>();
     if (value < 0 || static_cast<std::uint64_t>(value) > cursor.source().size)
-        cursor.fail(fmt::format("a part of {} bytes in a file of {}; it is truncated or damaged", value, cursor.source().size));
+        cursor.fail(
+            fmt::format("a part of {} bytes in a file of {}; it is truncated or damaged", value, cursor.source().size));
     return static_cast<std::uint64_t>(value);
 }
 
@@ -48,7 +51,9 @@ Sample sample_of(bytes::Cursor& cursor) {
         case 0x48: return Sample::uint8;
         case 0x50: return Sample::uint16;
         case 0x60: return Sample::uint32;
-        default: cursor.fail(fmt::format("numbers of type {}, expected real ones (2 or 4 floats, 8, 16, 32 integers, with 64 unsigned)", type));
+        default:
+            cursor.fail(fmt::format(
+                "numbers of type {}, expected real ones (2 or 4 floats, 8, 16, 32 integers, with 64 unsigned)", type));
     }
 }
 
@@ -64,7 +69,8 @@ public:
     Parts(const bytes::Source& source, std::uint64_t at) : cursor_(source, "Igor", at) {}
 
     std::string text(std::uint64_t bytes) {
-        if (bytes > longest_text) cursor_.fail(fmt::format("a text of {} bytes, expected at most {}", bytes, longest_text));
+        if (bytes > longest_text)
+            cursor_.fail(fmt::format("a text of {} bytes, expected at most {}", bytes, longest_text));
         return bytes::decoded(cursor_.bytes(bytes), bytes::Encoding::detect);
     }
     void skip(std::uint64_t bytes) { cursor_.skip(bytes); }
@@ -72,7 +78,9 @@ public:
     std::vector<std::string> labels(std::uint64_t bytes, std::uint64_t points) {
         const auto all = cursor_.bytes(bytes);
         std::vector<std::string> names;
-        for (std::uint64_t k = 1; k <= points && (k + 1) * label_bytes <= bytes; ++k) names.push_back(bytes::decoded(std::string(all.substr(k * label_bytes, label_bytes).c_str()), bytes::Encoding::detect));
+        for (std::uint64_t k = 1; k <= points && (k + 1) * label_bytes <= bytes; ++k)
+            names.push_back(
+                bytes::decoded(std::string(all.substr(k * label_bytes, label_bytes).c_str()), bytes::Encoding::detect));
         return names;
     }
 
@@ -86,11 +94,20 @@ void require_numbers(const IgorWave& wave, std::uint64_t announced, const bytes:
     for (const auto along : wave.points) {
         if (along == 0) break;
         if (along > (source.size / bytes + 1) / points)
-            throw FormatError(source.name, {.offset = source.size}, fmt::format("Igor: the file ends here, the wave announces {} × {} × {} × {} points; it is truncated or damaged", wave.points[0], wave.points[1], wave.points[2], wave.points[3]));
+            throw FormatError(
+                source.name, {.offset = source.size},
+                fmt::format(
+                    "Igor: the file ends here, the wave announces {} × {} × {} × {} points; it is truncated or damaged",
+                    wave.points[0], wave.points[1], wave.points[2], wave.points[3]));
         points *= along;
     }
-    if (points * bytes > source.size - wave.data_at) throw FormatError(source.name, {.offset = source.size}, fmt::format("Igor: the file ends here, its numbers should end at byte {}; it is truncated", wave.data_at + points * bytes));
-    if (points * bytes > announced) throw FormatError(source.name, {.offset = 4}, fmt::format("Igor: {} bytes announced for numbers of {}", announced, points * bytes));
+    if (points * bytes > source.size - wave.data_at)
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("Igor: the file ends here, its numbers should end at byte {}; it is truncated",
+                                      wave.data_at + points * bytes));
+    if (points * bytes > announced)
+        throw FormatError(source.name, {.offset = 4},
+                          fmt::format("Igor: {} bytes announced for numbers of {}", announced, points * bytes));
 }
 
 IgorWave wave_of_version_2(bytes::Cursor& cursor, const bytes::Source& source) {
@@ -119,7 +136,8 @@ IgorWave wave_of_version_5(bytes::Cursor& cursor, const bytes::Source& source) {
     IgorWave wave{.version = 5};
     wave.data_at = bin_header_5 + wave_header_5;
     cursor.skip(2);  // checksum
-    const auto wave_bytes = size_of_part(cursor), formula_bytes = size_of_part(cursor), note_bytes = size_of_part(cursor), unit_bytes = size_of_part(cursor);
+    const auto wave_bytes = size_of_part(cursor), formula_bytes = size_of_part(cursor),
+               note_bytes = size_of_part(cursor), unit_bytes = size_of_part(cursor);
     std::array<std::uint64_t, 4> long_unit_bytes{}, labels_bytes{};
     for (auto& bytes : long_unit_bytes) bytes = size_of_part(cursor);
     for (auto& bytes : labels_bytes) bytes = size_of_part(cursor);
@@ -163,7 +181,8 @@ std::optional<std::endian> igor_order(std::string_view head) {
         const auto bytes = headers_bytes(bytes::load<std::int16_t>(head.data(), order));
         if (bytes == 0 || head.size() < bytes) continue;
         std::uint16_t sum = 0;
-        for (std::size_t at = 0; at + 1 < bytes; at += 2) sum = static_cast<std::uint16_t>(sum + bytes::load<std::uint16_t>(head.data() + at, order));
+        for (std::size_t at = 0; at + 1 < bytes; at += 2)
+            sum = static_cast<std::uint16_t>(sum + bytes::load<std::uint16_t>(head.data() + at, order));
         if (sum == 0) return order;
     }
     return std::nullopt;
@@ -171,10 +190,14 @@ std::optional<std::endian> igor_order(std::string_view head) {
 
 IgorWave igor_wave(const bytes::Source& source) {
     const auto order = igor_order(source.head(bin_header_5 + wave_header_5));
-    if (!order) throw FormatError(source.name, {.offset = 0}, "Igor: the checksum of the headers is wrong; the file is truncated or damaged");
+    if (!order)
+        throw FormatError(source.name, {.offset = 0},
+                          "Igor: the checksum of the headers is wrong; the file is truncated or damaged");
     bytes::Cursor cursor(source, "Igor", 0, *order);
     const auto version = cursor.number<std::int16_t>();
-    if (version != 2 && version != 5) cursor.fail(fmt::format("a binary wave of version {}, expected 2 or 5; save it again with a newer Igor Pro", version));
+    if (version != 2 && version != 5)
+        cursor.fail(
+            fmt::format("a binary wave of version {}, expected 2 or 5; save it again with a newer Igor Pro", version));
     auto wave = version == 2 ? wave_of_version_2(cursor, source) : wave_of_version_5(cursor, source);
     wave.order = *order;
     return wave;

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/raster.hpp"
 #include "setae/bytes/source.hpp"
+#include "storage/raster.hpp"
 
 namespace setae::formats {
 
@@ -35,8 +35,8 @@ struct IgorWave {
 /// Byte order where the head is that of an Igor binary wave of version 1, 2, 3 or 5 whose checksum is right.
 [[nodiscard]] std::optional<std::endian> igor_order(std::string_view head);
 
-/// @throws FormatError "Igor: …" for a version other than 2 and 5, text or complex numbers, headers that contradict one another, or a
-/// file that ends before its numbers, note or labels do.
+/// @throws FormatError "Igor: …" for a version other than 2 and 5, text or complex numbers, headers that contradict one
+/// another, or a file that ends before its numbers, note or labels do.
 [[nodiscard]] IgorWave igor_wave(const bytes::Source& source);
 
 }  // namespace setae::formats

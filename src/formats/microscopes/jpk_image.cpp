@@ -9,13 +9,14 @@
 
 #include "channel_building.hpp"
 #include "probe_channels.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 #include "storage/tiff_file.hpp"
 
-// TIFF with private tags. The first page is a thumbnail and tells of the scan; each further page is a channel. A channel has slots,
-// ways to read its integers (volts, nominal height, calibrated height …): value = multiplier · raw + offset in the slot's unit.
+// TIFF with private tags. The first page is a thumbnail and tells of the scan; each further page is a channel. A
+// channel has slots, ways to read its integers (volts, nominal height, calibrated height …): value = multiplier · raw +
+// offset in the slot's unit.
 namespace setae::formats {
 namespace {
 
@@ -52,11 +53,16 @@ struct Slot {
 /// The slots whose scale is linear; others (raw, or calibrated by a curve) give no heights.
 std::vector<Slot> linear_slots(const TiffFile& file, const TiffPage& page) {
     std::vector<Slot> slots;
-    const auto announced = std::clamp(file.number(page, slot_count).value_or(0.0), 0.0, static_cast<double>(most_slots));
+    const auto announced =
+        std::clamp(file.number(page, slot_count).value_or(0.0), 0.0, static_cast<double>(most_slots));
     for (std::size_t k = 0; k < static_cast<std::size_t>(announced); ++k) {
-        const auto tag = [&](std::uint16_t which) { return static_cast<std::uint16_t>(first_slot + k * slot_distance + which); };
+        const auto tag = [&](std::uint16_t which) {
+            return static_cast<std::uint16_t>(first_slot + k * slot_distance + which);
+        };
         const auto factor = file.number(page, tag(0x14)), offset = file.number(page, tag(0x15));
-        if (file.text(page, tag(0x13)) != "LinearScaling" || !factor || !std::isfinite(*factor) || !std::isfinite(offset.value_or(0.0))) continue;
+        if (file.text(page, tag(0x13)) != "LinearScaling" || !factor || !std::isfinite(*factor) ||
+            !std::isfinite(offset.value_or(0.0)))
+            continue;
         slots.push_back({file.text(page, tag(0)), file.text(page, tag(0x12)), *factor, offset.value_or(0.0)});
     }
     return slots;
@@ -64,7 +70,9 @@ std::vector<Slot> linear_slots(const TiffFile& file, const TiffPage& page) {
 
 /// The slot to read: the calibrated one if it is a length, else the file's default, else any other.
 const Slot* chosen_slot(const std::vector<Slot>& slots, const std::string& preferred) {
-    const auto named = [&](std::string_view name) { return std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) { return slot.name == name; }); };
+    const auto named = [&](std::string_view name) {
+        return std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) { return slot.name == name; });
+    };
     if (const auto found = named("calibrated"); found != slots.end() && holds_heights({}, found->unit)) return &*found;
     if (const auto found = named(preferred); found != slots.end()) return &*found;
     return slots.empty() ? nullptr : &slots.back();
@@ -74,7 +82,8 @@ const Slot* chosen_slot(const std::vector<Slot>& slots, const std::string& prefe
 std::string property(const std::string& properties, std::string_view key) {
     for (const auto line : bytes::split_lines(properties)) {
         const auto colon = line.find(" : ");
-        if (colon != std::string_view::npos && line.substr(0, colon) == key) return std::string(trimmed(line.substr(colon + 3)));
+        if (colon != std::string_view::npos && line.substr(0, colon) == key)
+            return std::string(trimmed(line.substr(colon + 3)));
     }
     return {};
 }
@@ -87,7 +96,8 @@ std::string name_of(const TiffFile& file, const TiffPage& page, const std::strin
     std::string full = name;
     if (const auto retrace = file.number(page, channel_retrace)) {
         const char* direction = *retrace != 0.0 ? "retrace" : "trace";
-        full = name.ends_with(')') ? fmt::format("{}, {})", name.substr(0, name.size() - 1), direction) : fmt::format("{} ({})", name, direction);
+        full = name.ends_with(')') ? fmt::format("{}, {})", name.substr(0, name.size() - 1), direction)
+                                   : fmt::format("{} ({})", name, direction);
     }
     return algorithm.empty() || algorithm == name ? full : fmt::format("{}: {}", full, algorithm);
 }
@@ -107,8 +117,10 @@ topography::Metadata metadata_of(const TiffFile& file) {
     keep(metadata, "sample", file.text(first, sample_name));
     keep(metadata, "feedback_mode", file.text(first, feedback_mode));
     keep(metadata, "scan_direction", file.text(first, motion));
-    if (const auto angle = file.number(first, grid_angle)) metadata.attributes["scan_angle"] = fmt::format("{} rad", *angle + 0.0);
-    if (const auto stiffness = file.number(first, spring_constant)) metadata.attributes["spring_constant"] = fmt::format("{} N/m", *stiffness);
+    if (const auto angle = file.number(first, grid_angle))
+        metadata.attributes["scan_angle"] = fmt::format("{} rad", *angle + 0.0);
+    if (const auto stiffness = file.number(first, spring_constant))
+        metadata.attributes["spring_constant"] = fmt::format("{} N/m", *stiffness);
     return metadata;
 }
 
@@ -116,7 +128,8 @@ Channel channel_of(const TiffFile& file, const TiffPage& page, ChannelInfo info)
     const auto properties = file.text(page, channel_properties);
     info.name = name_of(file, page, properties);
     info.metadata.name = info.name;
-    if (const auto retrace = file.number(page, channel_retrace)) info.metadata.attributes["line_direction"] = *retrace != 0.0 ? "retrace" : "trace";
+    if (const auto retrace = file.number(page, channel_retrace))
+        info.metadata.attributes["line_direction"] = *retrace != 0.0 ? "retrace" : "trace";
     const auto slots = linear_slots(file, page);
     const auto* slot = chosen_slot(slots, file.text(page, default_slot));
     std::string names;
@@ -128,11 +141,13 @@ Channel channel_of(const TiffFile& file, const TiffPage& page, ChannelInfo info)
     info.unit = slot ? slot->unit : "";
     if (!slot || !holds_heights(info.name, info.unit)) return non_height_channel(std::move(info));
     const auto& first = file.pages.front();
-    const bool reflected = file.number(page, grid_reflected).value_or(file.number(first, grid_reflected).value_or(0.0)) != 0.0;
+    const bool reflected =
+        file.number(page, grid_reflected).value_or(file.number(first, grid_reflected).value_or(0.0)) != 0.0;
     pixels.raster.bottom_up = !reflected;
     info.orientation = reflected ? "rows from the top of a reflected grid, as stored" : "rows from the bottom, turned";
     const double metre = length_unit(slot->unit, file.source).factor;
-    return raster_channel(std::move(info), pixels.source, pixels.raster, {.factor = slot->factor * metre, .offset = slot->offset * metre});
+    return raster_channel(std::move(info), pixels.source, pixels.raster,
+                          {.factor = slot->factor * metre, .offset = slot->offset * metre});
 }
 
 }  // namespace
@@ -142,8 +157,10 @@ Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkIm
     try {
         const auto file = open_tiff(source, "JPK", 1);
         const auto& first = file.pages.front();
-        const bool image = first.find(grid_width) && first.find(grid_height) && (first.find(channel_name) || first.find(channel_fancy_name));
-        return image && (first.find(last_curve) != nullptr) == (kind == JpkImage::force_curves) ? Match::yes : Match::no;
+        const bool image = first.find(grid_width) && first.find(grid_height) &&
+                           (first.find(channel_name) || first.find(channel_fancy_name));
+        return image && (first.find(last_curve) != nullptr) == (kind == JpkImage::force_curves) ? Match::yes
+                                                                                                : Match::no;
     } catch (const FormatError&) {
         return Match::no;
     }
@@ -158,15 +175,22 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
     common.metadata.file = source.name;
     common.metadata.format = format;
     // a grid may run backwards: its direction is the sign
-    const double width = std::abs(file.number(first, grid_width).value_or(0.0)), height = std::abs(file.number(first, grid_height).value_or(0.0));
+    const double width = std::abs(file.number(first, grid_width).value_or(0.0)),
+                 height = std::abs(file.number(first, grid_height).value_or(0.0));
     if (!(width > 0.0) || !(height > 0.0) || !std::isfinite(width) || !std::isfinite(height))
-        throw FormatError(source.name, {.offset = first.offset}, fmt::format("JPK: a grid of {} × {} m, expected positive lengths", width, height));
+        throw FormatError(source.name, {.offset = first.offset},
+                          fmt::format("JPK: a grid of {} × {} m, expected positive lengths", width, height));
     common.size = {width, height};
-    if (file.pages.size() > most_pages) throw FormatError(source.name, {.offset = file.pages.back().offset}, fmt::format("JPK: {} pages, expected at most {}; it is damaged", file.pages.size(), most_pages));
+    if (file.pages.size() > most_pages)
+        throw FormatError(
+            source.name, {.offset = file.pages.back().offset},
+            fmt::format("JPK: {} pages, expected at most {}; it is damaged", file.pages.size(), most_pages));
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < file.pages.size(); ++k)
-        if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name)) channels.push_back(channel_of(file, file.pages[k], common));
-    if (channels.empty()) throw FormatError(source.name, {.offset = first.offset}, "JPK: the file holds a thumbnail and no channel");
+        if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name))
+            channels.push_back(channel_of(file, file.pages[k], common));
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = first.offset}, "JPK: the file holds a thumbnail and no channel");
     return channels;
 }
 

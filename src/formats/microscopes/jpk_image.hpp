@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "setae/bytes/source.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::formats {
 

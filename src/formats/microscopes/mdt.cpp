@@ -9,21 +9,23 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/cursor.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
 #include "storage/raster.hpp"
-#include "setae/core/errors.hpp"
 
-// NT-MDT: a head of 33 bytes (magic, bytes of all frames, number of the last frame at 12), then frames: bytes of the frame, type,
-// version, date, bytes of variables. Frames of type 0 have calibrations of x, y, z (offset, step as float32, unit as int16), then
-// columns, rows and a map of int16; frames of type 106 ("MDA") describe dimensions and measurands in full. Little-endian.
+// NT-MDT: a head of 33 bytes (magic, bytes of all frames, number of the last frame at 12), then frames: bytes of the
+// frame, type, version, date, bytes of variables. Frames of type 0 have calibrations of x, y, z (offset, step as
+// float32, unit as int16), then columns, rows and a map of int16; frames of type 106 ("MDA") describe dimensions and
+// measurands in full. Little-endian.
 namespace setae::formats {
 namespace {
 
 constexpr std::string_view magic = "\x01\xb0\x93\xff";
 constexpr std::uint64_t head_bytes = 33, frame_head_bytes = 22, least_variables = 36;
-constexpr std::uint16_t scanned = 0, spectroscopy = 1, text_frame = 3, old_mda = 105, mda = 106, palette = 107, curves = 201;
+constexpr std::uint16_t scanned = 0, spectroscopy = 1, text_frame = 3, old_mda = 105, mda = 106, palette = 107,
+                        curves = 201;
 
 struct FrameHead {
     std::uint64_t begin = 0, bytes = 0;
@@ -43,16 +45,12 @@ std::string from_cyrillic(std::string_view bytes) {
     };
     for (const char c : bytes.substr(0, bytes.find('\0'))) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80)
-            text += c;
-        else if (byte >= 0xc0)
-            append(0x410u + byte - 0xc0u);
-        else if (byte == 0xa8 || byte == 0xb8)
-            append(byte == 0xa8 ? 0x401u : 0x451u);
+        if (byte < 0x80) text += c;
+        else if (byte >= 0xc0) append(0x410u + byte - 0xc0u);
+        else if (byte == 0xa8 || byte == 0xb8) append(byte == 0xa8 ? 0x401u : 0x451u);
         else if (byte == 0xb0 || byte == 0xb5)  // ° and µ
             append(byte);
-        else
-            text += '?';
+        else text += '?';
     }
     return text;
 }
@@ -61,7 +59,8 @@ std::string from_cyrillic(std::string_view bytes) {
 std::string unit_of(std::int16_t code) {
     static constexpr std::array lengths{"m", "cm", "mm", "µm", "nm", "Å"};  // from −5
     static constexpr std::array others{"nA", "V", "", "kHz", "deg", "%", "°C", "V", "s", "ms", "µs", "ns"};  // from 1
-    static constexpr std::array electric{"A", "mA", "µA", "nA", "pA", "V", "mV", "µV", "nV", "pV", "N", "mN", "µN", "nN", "pN"};  // from 20
+    static constexpr std::array electric{"A",  "mA", "µA", "nA", "pA", "V",  "mV", "µV",
+                                         "nV", "pV", "N",  "mN", "µN", "nN", "pN"};  // from 20
     if (code >= -5 && code <= 0) return lengths[static_cast<std::size_t>(code + 5)];
     if (code >= 1 && code <= 12) return others[static_cast<std::size_t>(code - 1)];
     if (code >= 20 && code <= 34) return electric[static_cast<std::size_t>(code - 20)];
@@ -74,8 +73,9 @@ bool is_length(const std::string& text) {
 }
 
 const char* signal_name(std::uint8_t number) {
-    static constexpr std::array names{"Height", "DFL", "Lateral F", "Bias V", "Current", "FB-Out", "MAG", "MAG*Sin", "MAG*Cos", "RMS",
-                                      "CalcMag", "Phase1", "Phase2", "CalcPhase", "Ex1", "Ex2", "HvX", "HvY", "Snap Back"};
+    static constexpr std::array names{"Height",  "DFL",     "Lateral F", "Bias V",  "Current",  "FB-Out", "MAG",
+                                      "MAG*Sin", "MAG*Cos", "RMS",       "CalcMag", "Phase1",   "Phase2", "CalcPhase",
+                                      "Ex1",     "Ex2",     "HvX",       "HvY",     "Snap Back"};
     return number < names.size() ? names[number] : "signal";
 }
 
@@ -98,15 +98,19 @@ FrameHead read_head(bytes::Cursor& cursor, std::uint64_t begin, unsigned number)
     cursor.seek(begin);
     FrameHead frame{.begin = begin};
     frame.bytes = cursor.number<std::uint32_t>();
-    if (frame.bytes < frame_head_bytes) cursor.fail(fmt::format("frame {} of {} bytes, expected at least {}", number, frame.bytes, frame_head_bytes));
+    if (frame.bytes < frame_head_bytes)
+        cursor.fail(fmt::format("frame {} of {} bytes, expected at least {}", number, frame.bytes, frame_head_bytes));
     frame.type = cursor.number<std::uint16_t>();
     cursor.skip(2);
     std::array<unsigned, 6> date{};
     for (auto& part : date) part = cursor.number<std::uint16_t>();
-    frame.date = fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", date[0], date[1], date[2], date[3], date[4], date[5]);
+    frame.date =
+        fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", date[0], date[1], date[2], date[3], date[4], date[5]);
     frame.variables = cursor.number<std::uint16_t>();
     if (frame.bytes > cursor.source().size - begin)
-        throw FormatError(cursor.source().name, {.offset = cursor.source().size}, fmt::format("NT-MDT: the file ends here, frame {} should end at byte {}; it is truncated", number, frame.end()));
+        throw FormatError(cursor.source().name, {.offset = cursor.source().size},
+                          fmt::format("NT-MDT: the file ends here, frame {} should end at byte {}; it is truncated",
+                                      number, frame.end()));
     return frame;
 }
 
@@ -130,11 +134,15 @@ void require_in_frame(const Image& image, const FrameHead& frame, const bytes::C
     require_raster(image.raster, cursor.source(), "NT-MDT");
     const auto end = image.raster.offset + image.raster.row_distance() * static_cast<std::uint64_t>(image.raster.ny);
     if (end > frame.end())
-        cursor.fail(fmt::format("'{}': {} × {} values should end at byte {}, their frame ends at {}; the file is damaged", image.name, image.raster.nx, image.raster.ny, end, frame.end()));
+        cursor.fail(
+            fmt::format("'{}': {} × {} values should end at byte {}, their frame ends at {}; the file is damaged",
+                        image.name, image.raster.nx, image.raster.ny, end, frame.end()));
 }
 
 std::optional<Image> scanned_image(bytes::Cursor& cursor, const FrameHead& frame) {
-    if (frame.variables < least_variables) cursor.fail(fmt::format("a scan with {} bytes of variables, expected at least {}", frame.variables, least_variables));
+    if (frame.variables < least_variables)
+        cursor.fail(
+            fmt::format("a scan with {} bytes of variables, expected at least {}", frame.variables, least_variables));
     cursor.seek(frame.body());
     Image image;
     image.x = read_axis(cursor);
@@ -142,7 +150,10 @@ std::optional<Image> scanned_image(bytes::Cursor& cursor, const FrameHead& frame
     image.z = read_axis(cursor);
     image.name = signal_name(cursor.number<std::uint8_t>());
     cursor.seek(frame.body() + frame.variables + 2);
-    image.raster = {.nx = cursor.number<std::uint16_t>(), .ny = cursor.number<std::uint16_t>(), .sample = Sample::int16, .bottom_up = true};
+    image.raster = {.nx = cursor.number<std::uint16_t>(),
+                    .ny = cursor.number<std::uint16_t>(),
+                    .sample = Sample::int16,
+                    .bottom_up = true};
     const auto dots = cursor.number<std::uint16_t>();
     if (dots > 0) cursor.skip(14 + std::uint64_t{16} * dots);
     image.raster.offset = cursor.position();
@@ -169,7 +180,8 @@ Calibration read_calibration(bytes::Cursor& cursor) {
     const auto begin = cursor.position();
     const auto total = cursor.number<std::uint32_t>(), fixed = cursor.number<std::uint32_t>();
     const auto texts = cursor.position() + fixed;
-    const auto name = cursor.number<std::uint32_t>(), comment = cursor.number<std::uint32_t>(), unit = cursor.number<std::uint32_t>();
+    const auto name = cursor.number<std::uint32_t>(), comment = cursor.number<std::uint32_t>(),
+               unit = cursor.number<std::uint32_t>();
     Calibration calibration;
     calibration.axis.unit = si_unit(cursor.number<std::uint64_t>());
     cursor.skip(16);  // accuracy, function
@@ -203,13 +215,14 @@ std::optional<Sample> sample_of(std::int32_t type) {
     }
 }
 
-/// Maps of a frame that describes itself: two dimensions and measurands that alternate point by point. Nothing for other shapes.
+/// Maps of a frame that describes itself: two dimensions and measurands that alternate point by point. Nothing for
+/// other shapes.
 std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     cursor.seek(frame.body());
     const auto head = cursor.number<std::uint32_t>();
     cursor.skip(4 + 2 * 16 + 4);
     const auto title_bytes = cursor.number<std::uint32_t>();
-    std::uint64_t behind = cursor.number<std::uint32_t>();                                  // comment
+    std::uint64_t behind = cursor.number<std::uint32_t>();                          // comment
     for (int part = 0; part < 3; ++part) behind += cursor.number<std::uint32_t>();  // view, specification, source
     cursor.seek(frame.body() + head);
     const auto title = from_cyrillic(cursor.bytes(title_bytes));
@@ -227,18 +240,26 @@ std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     for (std::uint32_t i = 0; i < measurands; ++i) {
         values.push_back(read_calibration(cursor));
         const auto sample = sample_of(values.back().type);
-        if (!sample) cursor.fail(fmt::format("values of type {} in '{}', expected integers or floats", values.back().type, values.back().name));
+        if (!sample)
+            cursor.fail(fmt::format("values of type {} in '{}', expected integers or floats", values.back().type,
+                                    values.back().name));
         cell += bytes_of(*sample);
     }
     constexpr std::uint64_t most_points = std::uint64_t{1} << 31;
-    if (x.points < 1 || y.points < 1 || x.points > most_points || y.points > most_points) cursor.fail(fmt::format("{} × {} points in '{}'; the file is damaged", x.points, y.points, title));
+    if (x.points < 1 || y.points < 1 || x.points > most_points || y.points > most_points)
+        cursor.fail(fmt::format("{} × {} points in '{}'; the file is damaged", x.points, y.points, title));
     std::vector<Image> images;
     std::uint64_t within = 0;
     for (const auto& value : values) {
         Image image{.name = title.empty() ? value.name : title, .x = x.axis, .y = y.axis, .z = value.axis};
         if (values.size() > 1 && !title.empty()) image.name += ": " + value.name;
-        image.raster = {.offset = cursor.position() + within, .nx = static_cast<Index>(x.points), .ny = static_cast<Index>(y.points), .sample = *sample_of(value.type), .bottom_up = true,
-                        .line_distance = cell * x.points, .step = cell};
+        image.raster = {.offset = cursor.position() + within,
+                        .nx = static_cast<Index>(x.points),
+                        .ny = static_cast<Index>(y.points),
+                        .sample = *sample_of(value.type),
+                        .bottom_up = true,
+                        .line_distance = cell * x.points,
+                        .step = cell};
         within += bytes_of(image.raster.sample);
         images.push_back(std::move(image));
         require_raster(images.back().raster, cursor.source(), "NT-MDT");
@@ -246,18 +267,22 @@ std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     return images;
 }
 
-Channel image_channel(const Image& image, const FrameHead& frame, const bytes::Source& source, const ReadOptions& options) {
+Channel image_channel(const Image& image, const FrameHead& frame, const bytes::Source& source,
+                      const ReadOptions& options) {
     ChannelInfo info{.name = image.name, .format = "mdt"};
     info.metadata.acquisition_time = frame.date;
     info.metadata.instrument.name = "NT-MDT";
     info.metadata.instrument.type = "afm";
     info.unit = image.z.unit;
     if (image.x.is_length() && image.y.is_length())
-        info.size = {std::abs(image.x.step) * static_cast<double>(image.raster.nx) * length_unit(image.x.unit, source).factor,
-                     std::abs(image.y.step) * static_cast<double>(image.raster.ny) * length_unit(image.y.unit, source).factor};
+        info.size = {
+            std::abs(image.x.step) * static_cast<double>(image.raster.nx) * length_unit(image.x.unit, source).factor,
+            std::abs(image.y.step) * static_cast<double>(image.raster.ny) * length_unit(image.y.unit, source).factor};
     const bool no_scale = is_length(info.unit) && !image.z.is_length();
     if (no_scale)
-        info.alerts.push_back({"NO_HEIGHT_SCALE", source.name, fmt::format("'{}' has a step of {} {}, its numbers cannot be made heights", info.name, image.z.step, info.unit),
+        info.alerts.push_back({"NO_HEIGHT_SCALE", source.name,
+                               fmt::format("'{}' has a step of {} {}, its numbers cannot be made heights", info.name,
+                                           image.z.step, info.unit),
                                "export the map again with its calibration"});
     if (!image.z.is_length()) {
         info.shape = {image.raster.nx, image.raster.ny};
@@ -267,7 +292,8 @@ Channel image_channel(const Image& image, const FrameHead& frame, const bytes::S
     if (image.raster.ny > 1) info.orientation = "rows from the bottom, turned";
     const double metres = length_unit(info.unit, source).factor;
     const double offset = std::isfinite(image.z.offset) ? image.z.offset : 0.0;
-    return raster_channel(std::move(info), source, image.raster, {.factor = metres * image.z.step, .offset = metres * offset}, options);
+    return raster_channel(std::move(info), source, image.raster,
+                          {.factor = metres * image.z.step, .offset = metres * offset}, options);
 }
 
 const char* kind_of(std::uint16_t type) {
@@ -307,27 +333,37 @@ std::vector<Channel> open_mdt(const bytes::Source& source, const ReadOptions& op
         channels.push_back(non_height_channel(std::move(info)));
     }
     if (begin - head_bytes < announced)
-        throw FormatError(source.name, {.offset = begin}, fmt::format("NT-MDT: the last frame ends here, {} bytes of frames were announced; the file is damaged", announced));
+        throw FormatError(
+            source.name, {.offset = begin},
+            fmt::format("NT-MDT: the last frame ends here, {} bytes of frames were announced; the file is damaged",
+                        announced));
     if (!any_map)
-        throw FormatError(source.name, {.offset = head_bytes},
-                          fmt::format("NT-MDT: {} frames without a map, expected scans; force curves exported as text are read by `setae jkr fit`", frames));
+        throw FormatError(
+            source.name, {.offset = head_bytes},
+            fmt::format(
+                "NT-MDT: {} frames without a map, expected scans; force curves exported as text are read by `setae jkr fit`",
+                frames));
     return channels;
 }
 
 }  // namespace
 
 Format mdt_format() {
-    return {.identifier = "mdt",
-            .name = "NT-MDT",
-            .extensions = ".mdt",
-            .description = "Nova software of NT-MDT: frames of scans, a channel each; integers of 16 bits, and arrays that describe themselves",
-            .heights = "offset plus step times integer in the unit of the frame; no point is undefined",
-            .orientation = "rows stored from the bottom, turned",
-            .not_read = "spectra, curves and Raman arrays are listed; text and palettes are passed over; files of those alone are refused",
-            .reference = "nt-mdt module of Gwyddion, MDT reader of SurfaceTopography 1.27; no real file at hand",
-            .carries_scale = true,
-            .detect = [](std::string_view head, const bytes::Source&) { return head.starts_with(magic) ? Match::yes : Match::no; },
-            .open = open_mdt};
+    return {
+        .identifier = "mdt",
+        .name = "NT-MDT",
+        .extensions = ".mdt",
+        .description =
+            "Nova software of NT-MDT: frames of scans, a channel each; integers of 16 bits, and arrays that describe themselves",
+        .heights = "offset plus step times integer in the unit of the frame; no point is undefined",
+        .orientation = "rows stored from the bottom, turned",
+        .not_read =
+            "spectra, curves and Raman arrays are listed; text and palettes are passed over; files of those alone are refused",
+        .reference = "nt-mdt module of Gwyddion, MDT reader of SurfaceTopography 1.27; no real file at hand",
+        .carries_scale = true,
+        .detect = [](std::string_view head,
+                     const bytes::Source&) { return head.starts_with(magic) ? Match::yes : Match::no; },
+        .open = open_mdt};
 }
 
 }  // namespace setae::formats

@@ -8,14 +8,15 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "probe_channels.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 #include "setae/tables/text_head.hpp"
+#include "storage/raster.hpp"
 
-// Header of lines whose key is the first 14 characters; "bufferLabel" begins a channel, "data" ends the header and tells how the channels
-// follow, one after another: integers of 2 or 4 bytes or in words, in parts of the channel's range; or real numbers in its unit.
+// Header of lines whose key is the first 14 characters; "bufferLabel" begins a channel, "data" ends the header and
+// tells how the channels follow, one after another: integers of 2 or 4 bytes or in words, in parts of the channel's
+// range; or real numbers in its unit.
 namespace setae::formats {
 namespace {
 
@@ -32,7 +33,9 @@ struct MiFile {
     std::uint64_t nx = 0, ny = 0;
 };
 
-[[noreturn]] void refuse(const bytes::Source& source, std::uint64_t offset, const std::string& what) { throw FormatError(source.name, {.offset = offset}, "MI: " + what); }
+[[noreturn]] void refuse(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
+    throw FormatError(source.name, {.offset = offset}, "MI: " + what);
+}
 
 std::string entry(const Entries& entries, std::string_view key) {
     const auto found = entries.find(key);
@@ -45,7 +48,9 @@ MiFile parsed(const bytes::Source& source) {
     const auto rest_at = head.size() + last_key.size();
     const auto rest = source.bytes(rest_at, std::min<std::uint64_t>(64, source.size - rest_at));
     const auto end = rest.find('\n');
-    if (end == std::string::npos) refuse(source, source.size, "the file ends here, within the line that tells how data are written; it is truncated");
+    if (end == std::string::npos)
+        refuse(source, source.size,
+               "the file ends here, within the line that tells how data are written; it is truncated");
     file.encoding = trimmed(std::string_view(rest).substr(0, end));
     file.data_at = rest_at + end + 1;
     auto* entries = &file.entries;
@@ -54,13 +59,19 @@ MiFile parsed(const bytes::Source& source) {
         if (line.starts_with(' ') || line.size() < 2) continue;
         const std::string key(trimmed(line.substr(0, key_width)));
         if (key == "bufferLabel") {
-            if (file.channels.size() == most_channels) refuse(source, 0, fmt::format("more than {} channels; it is damaged", most_channels));
+            if (file.channels.size() == most_channels)
+                refuse(source, 0, fmt::format("more than {} channels; it is damaged", most_channels));
             entries = &file.channels.emplace_back();
         }
-        entries->insert_or_assign(key, line.size() > key_width ? std::string(trimmed(line.substr(key_width))) : std::string());
+        entries->insert_or_assign(
+            key, line.size() > key_width ? std::string(trimmed(line.substr(key_width))) : std::string());
     }
     if (entry(file.entries, "fileType") != "Image")
-        refuse(source, 0, fmt::format("a file of type '{:.40}', no image; force curves are read by `setae jkr fit` from the text the instrument's program exports", entry(file.entries, "fileType")));
+        refuse(
+            source, 0,
+            fmt::format(
+                "a file of type '{:.40}', no image; force curves are read by `setae jkr fit` from the text the instrument's program exports",
+                entry(file.entries, "fileType")));
     file.nx = tables::header_count(entry(file.entries, "xPixels"), "xPixels", source, "MI");
     file.ny = tables::header_count(entry(file.entries, "yPixels"), "yPixels", source, "MI");
     if (file.channels.empty()) refuse(source, 0, "no channel ('bufferLabel') in the header that begins here");
@@ -74,56 +85,77 @@ topography::Metadata metadata_of(const MiFile& file, const bytes::Source& source
     metadata.instrument.type = "afm";
     metadata.instrument.name = "Agilent (Molecular Imaging)";
     metadata.acquisition_time = entry(file.entries, "dateAcquired");
-    for (const auto& [key, attribute] : {std::pair{"version", "software_version"}, {"mode", "mode"}, {"scanAngle", "scan_angle"}, {"scanSpeed", "scan_speed"}, {"forceConstant", "spring_constant"}, {"comment", "comment"}})
+    for (const auto& [key, attribute] : {std::pair{"version", "software_version"},
+                                         {"mode", "mode"},
+                                         {"scanAngle", "scan_angle"},
+                                         {"scanSpeed", "scan_speed"},
+                                         {"forceConstant", "spring_constant"},
+                                         {"comment", "comment"}})
         if (const auto value = entry(file.entries, key); !value.empty()) metadata.attributes[attribute] = value;
-    if (const auto up = entry(file.entries, "scanUp"); !up.empty()) metadata.attributes["scan_direction"] = up == "TRUE" ? "up" : "down";
+    if (const auto up = entry(file.entries, "scanUp"); !up.empty())
+        metadata.attributes["scan_direction"] = up == "TRUE" ? "up" : "down";
     return metadata;
 }
 
 /// Numbers in words, one channel after another or each a column; rows begin at the bottom.
-topography::Measurement words(const bytes::Source& source, const MiFile& file, std::size_t channel, double factor, const ChannelInfo& info) {
+topography::Measurement words(const bytes::Source& source, const MiFile& file, std::size_t channel, double factor,
+                              const ChannelInfo& info) {
     const auto text = source.bytes(file.data_at, source.size - file.data_at);
     const bool columns = file.encoding == "ASCII_MULTICOLUMN";
     const auto points = file.nx * file.ny;
     const auto distance = columns ? file.channels.size() : 1, first = columns ? channel : channel * points;
-    if (points > text.size() / 2 + 1) refuse(source, source.size, fmt::format("the file ends here, it announces {} × {} points; it is truncated", file.nx, file.ny));
+    if (points > text.size() / 2 + 1)
+        refuse(source, source.size,
+               fmt::format("the file ends here, it announces {} × {} points; it is truncated", file.nx, file.ny));
     Array2D heights(static_cast<Index>(file.nx), static_cast<Index>(file.ny));
     std::size_t at = 0;
     std::uint64_t number = 0, found = 0;
     while (found < points) {
         at = text.find_first_not_of(" \t\r\n", at);
-        if (at == std::string::npos) refuse(source, source.size, fmt::format("the file ends here, after {} of {} numbers of '{}'; it is truncated", found, points, info.name));
+        if (at == std::string::npos)
+            refuse(source, source.size,
+                   fmt::format("the file ends here, after {} of {} numbers of '{}'; it is truncated", found, points,
+                               info.name));
         const auto end = std::min(text.find_first_of(" \t\r\n", at), text.size());
         if (number >= first && (number - first) % distance == 0) {
             double value = 0.0;
-            if (!bytes::parse_cell(std::string_view(text).substr(at, end - at), '.', value)) refuse(source, file.data_at + at, fmt::format("'{:.40}' is no number", text.substr(at, end - at)));
-            heights(static_cast<Index>(found % file.nx), static_cast<Index>(file.ny - 1 - found / file.nx)) = factor * value;
+            if (!bytes::parse_cell(std::string_view(text).substr(at, end - at), '.', value))
+                refuse(source, file.data_at + at, fmt::format("'{:.40}' is no number", text.substr(at, end - at)));
+            heights(static_cast<Index>(found % file.nx), static_cast<Index>(file.ny - 1 - found / file.nx)) =
+                factor * value;
             ++found;
         }
         at = end;
         ++number;
     }
-    return checked(topography::HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata}, source);
+    return checked(topography::HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata},
+                   source);
 }
 
-Channel channel_of(const MiFile& file, std::size_t number, ChannelInfo info, const bytes::Source& source, const ReadOptions& options) {
+Channel channel_of(const MiFile& file, std::size_t number, ChannelInfo info, const bytes::Source& source,
+                   const ReadOptions& options) {
     const auto& entries = file.channels[number];
     info.name = entry(entries, "bufferLabel");
     info.unit = plain_unit(entry(entries, "bufferUnit"));
-    if (const auto direction = bytes::lowered(entry(entries, entries.contains("trace") ? "trace" : "direction")); !direction.empty()) {
+    if (const auto direction = bytes::lowered(entry(entries, entries.contains("trace") ? "trace" : "direction"));
+        !direction.empty()) {
         info.metadata.attributes["line_direction"] = direction;
         info.name += fmt::format(" ({})", direction);
     }
     info.metadata.name = info.name;
     info.shape = {static_cast<Index>(file.nx), static_cast<Index>(file.ny)};
-    info.size = {tables::header_number(entry(file.entries, "xLength"), "xLength", source, "MI"), tables::header_number(entry(file.entries, "yLength"), "yLength", source, "MI")};
+    info.size = {tables::header_number(entry(file.entries, "xLength"), "xLength", source, "MI"),
+                 tables::header_number(entry(file.entries, "yLength"), "yLength", source, "MI")};
     const bool in_words = file.encoding.starts_with("ASCII"), in_range = !in_words || file.encoding == "ASCII";
     const bool wide = file.encoding == "BINARY_32";
-    const double range = in_range ? tables::header_number(entry(entries, "bufferRange"), "bufferRange", source, "MI") : 1.0;
+    const double range =
+        in_range ? tables::header_number(entry(entries, "bufferRange"), "bufferRange", source, "MI") : 1.0;
     const Sample sample = wide ? Sample::int32 : Sample::int16;
     const auto channel_bytes = file.nx * file.ny * bytes_of(sample);
     if (!in_words && (file.nx > source.size / file.ny || (number + 1) * channel_bytes > source.size - file.data_at))
-        refuse(source, source.size, fmt::format("the file ends here, before the {} × {} values of '{}' do; it is truncated", file.nx, file.ny, info.name));
+        refuse(source, source.size,
+               fmt::format("the file ends here, before the {} × {} values of '{}' do; it is truncated", file.nx,
+                           file.ny, info.name));
     if (!info.unit.empty() && !holds_heights(info.name, info.unit)) return non_height_channel(std::move(info));
     info.orientation = "rows from the bottom, turned, whatever the direction of the scan";
     const double metre = info.unit.empty() ? 1.0 : length_unit(info.unit, source).factor;
@@ -134,43 +166,59 @@ Channel channel_of(const MiFile& file, std::size_t number, ChannelInfo info, con
         auto read = [source, file, number, factor, info] { return words(source, file, number, factor, info); };
         return {info, std::move(read)};
     }
-    const Raster raster{.offset = file.data_at + number * channel_bytes, .nx = info.shape[0], .ny = info.shape[1], .sample = sample, .bottom_up = true};
-    return raster_channel(std::move(info), source, raster, {.factor = metre * std::ldexp(range, wide ? -31 : -15)}, options);
+    const Raster raster{.offset = file.data_at + number * channel_bytes,
+                        .nx = info.shape[0],
+                        .ny = info.shape[1],
+                        .sample = sample,
+                        .bottom_up = true};
+    return raster_channel(std::move(info), source, raster, {.factor = metre * std::ldexp(range, wide ? -31 : -15)},
+                          options);
 }
 
 std::vector<Channel> open_mi(const bytes::Source& source, const ReadOptions& options) {
     const auto file = parsed(source);
     bool known = false;
-    for (const auto* encoding : {"", "BINARY", "BINARY_32", "ASCII", "ASCII_ABSOLUTE", "ASCII_MULTICOLUMN"}) known = known || file.encoding == encoding;
-    if (!known) refuse(source, file.data_at, fmt::format("data written as '{}', expected BINARY, BINARY_32, ASCII, ASCII_ABSOLUTE or ASCII_MULTICOLUMN", file.encoding));
+    for (const auto* encoding : {"", "BINARY", "BINARY_32", "ASCII", "ASCII_ABSOLUTE", "ASCII_MULTICOLUMN"})
+        known = known || file.encoding == encoding;
+    if (!known)
+        refuse(
+            source, file.data_at,
+            fmt::format("data written as '{}', expected BINARY, BINARY_32, ASCII, ASCII_ABSOLUTE or ASCII_MULTICOLUMN",
+                        file.encoding));
     ChannelInfo common;
     common.format = "mi";
     common.metadata = metadata_of(file, source);
     std::vector<Channel> channels;
-    for (std::size_t k = 0; k < file.channels.size(); ++k) channels.push_back(channel_of(file, k, common, source, options));
+    for (std::size_t k = 0; k < file.channels.size(); ++k)
+        channels.push_back(channel_of(file, k, common, source, options));
     return channels;
 }
 
 Match detect_mi(std::string_view head, const bytes::Source&) {
-    const bool found = head.starts_with(first_key) && head.size() > key_width && (head.substr(key_width).starts_with("Image") || head.substr(key_width).starts_with("Spectroscopy"));
+    const bool found =
+        head.starts_with(first_key) && head.size() > key_width &&
+        (head.substr(key_width).starts_with("Image") || head.substr(key_width).starts_with("Spectroscopy"));
     return found ? Match::yes : Match::no;
 }
 
 }  // namespace
 
 Format mi_format() {
-    return {.identifier = "mi",
-            .name = "Agilent PicoView",
-            .extensions = ".mi",
-            .description = "Agilent and Molecular Imaging: text header and channels of integers of 2 or 4 bytes, or numbers in words (ASCII, ASCII_ABSOLUTE, ASCII_MULTICOLUMN)",
-            .heights = "raw over 2^15 or 2^31 times the range of the channel, in its unit; absolute and multicolumn text is in that unit; sizes are in metres; no point is undefined",
-            .orientation = "rows stored from the bottom, turned, for scans upwards and downwards",
-            .not_read = "channels that are no heights are listed; spectroscopy files; a thumbnail behind the channels",
-            .reference = "Gwyddion's module mifile, by Molecular Imaging; text dialects as the package magni takes them",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_mi,
-            .open = open_mi};
+    return {
+        .identifier = "mi",
+        .name = "Agilent PicoView",
+        .extensions = ".mi",
+        .description =
+            "Agilent and Molecular Imaging: text header and channels of integers of 2 or 4 bytes, or numbers in words (ASCII, ASCII_ABSOLUTE, ASCII_MULTICOLUMN)",
+        .heights =
+            "raw over 2^15 or 2^31 times the range of the channel, in its unit; absolute and multicolumn text is in that unit; sizes are in metres; no point is undefined",
+        .orientation = "rows stored from the bottom, turned, for scans upwards and downwards",
+        .not_read = "channels that are no heights are listed; spectroscopy files; a thumbnail behind the channels",
+        .reference = "Gwyddion's module mifile, by Molecular Imaging; text dialects as the package magni takes them",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_mi,
+        .open = open_mi};
 }
 
 }  // namespace setae::formats

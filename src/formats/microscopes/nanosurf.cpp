@@ -11,14 +11,15 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "probe_channels.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 #include "setae/tables/text_head.hpp"
+#include "storage/raster.hpp"
 
-// Sections "[name]" of lines "key=value", then "#!" and the integers of all channels in the order of "Gr<group>-Ch<channel>" of the first
-// section. Integers run through their whole range from Dim2Min to Dim2Min + Dim2Range; Dim0 and Dim1 are the axes.
+// Sections "[name]" of lines "key=value", then "#!" and the integers of all channels in the order of
+// "Gr<group>-Ch<channel>" of the first section. Integers run through their whole range from Dim2Min to Dim2Min +
+// Dim2Range; Dim0 and Dim1 are the axes.
 namespace setae::formats {
 namespace {
 
@@ -43,7 +44,8 @@ Sections parsed(const std::string& head) {
         if (line.starts_with('[') && line.ends_with(']'))
             current = &sections[std::string(line.substr(1, line.size() - 2))];
         else if (current && equals != std::string_view::npos && !line.starts_with("--"))
-            current->insert_or_assign(std::string(trimmed(line.substr(0, equals))), std::string(trimmed(line.substr(equals + 1))));
+            current->insert_or_assign(std::string(trimmed(line.substr(0, equals))),
+                                      std::string(trimmed(line.substr(equals + 1))));
     }
     return sections;
 }
@@ -68,8 +70,13 @@ std::vector<Place> places(const Section& dataset, const bytes::Source& source) {
     std::vector<Place> found;
     for (const auto& [key, value] : dataset)
         if (const auto place = place_of(key, value)) found.push_back(*place);
-    if (found.size() > most_channels) throw FormatError(source.name, {.offset = 0}, fmt::format("Nanosurf: {} channels, expected at most {}; it is damaged", found.size(), most_channels));
-    std::sort(found.begin(), found.end(), [](const Place& a, const Place& b) { return std::pair{a.group, a.channel} < std::pair{b.group, b.channel}; });
+    if (found.size() > most_channels)
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("Nanosurf: {} channels, expected at most {}; it is damaged", found.size(), most_channels));
+    std::sort(found.begin(), found.end(), [](const Place& a, const Place& b) {
+        return std::pair{a.group, a.channel} < std::pair{b.group, b.channel};
+    });
     return found;
 }
 
@@ -84,7 +91,13 @@ topography::Metadata metadata_of(const Sections& sections, const bytes::Source& 
     const auto& about = found->second;
     if (const auto head = entry(about, "Head type"); !head.empty()) metadata.instrument.name += " " + head;
     metadata.acquisition_time = std::string(trimmed(entry(about, "Date") + " " + entry(about, "Time")));
-    for (const auto& [key, attribute] : {std::pair{"Op. mode", "mode"}, {"Cantilever", "cantilever"}, {"Cantilever type", "cantilever"}, {"Scan direction", "scan_direction"}, {"Rotation", "scan_angle"}, {"SW.Version", "software_version"}, {"Software ver.", "software_version"}})
+    for (const auto& [key, attribute] : {std::pair{"Op. mode", "mode"},
+                                         {"Cantilever", "cantilever"},
+                                         {"Cantilever type", "cantilever"},
+                                         {"Scan direction", "scan_direction"},
+                                         {"Rotation", "scan_angle"},
+                                         {"SW.Version", "software_version"},
+                                         {"Software ver.", "software_version"}})
         if (const auto value = entry(about, key); !value.empty()) metadata.attributes[attribute] = value;
     return metadata;
 }
@@ -96,17 +109,31 @@ struct Values {
 };
 
 Values values_of(const Section& section, std::uint64_t at, const bytes::Source& source) {
-    const auto refuse = [&](const std::string& what) { throw FormatError(source.name, {.offset = 0}, "Nanosurf: " + what); };
-    if (const auto mode = entry(section, "SaveMode"); mode != "Binary") refuse(fmt::format("a channel saved as '{:.40}', expected 'Binary'", mode));
-    const auto bits = entry(section, "SaveBits"), sign = entry(section, "SaveSign"), order = entry(section, "SaveOrder");
-    if ((bits != "8" && bits != "16" && bits != "32") || (sign != "Signed" && sign != "Unsigned") || (order != "Intel" && order != "Motorola"))
-        refuse(fmt::format("integers of '{:.10}' bits, '{:.10}', order '{:.10}', expected 8, 16 or 32, Signed or Unsigned, Intel or Motorola", bits, sign, order));
+    const auto refuse = [&](const std::string& what) {
+        throw FormatError(source.name, {.offset = 0}, "Nanosurf: " + what);
+    };
+    if (const auto mode = entry(section, "SaveMode"); mode != "Binary")
+        refuse(fmt::format("a channel saved as '{:.40}', expected 'Binary'", mode));
+    const auto bits = entry(section, "SaveBits"), sign = entry(section, "SaveSign"),
+               order = entry(section, "SaveOrder");
+    if ((bits != "8" && bits != "16" && bits != "32") || (sign != "Signed" && sign != "Unsigned") ||
+        (order != "Intel" && order != "Motorola"))
+        refuse(fmt::format(
+            "integers of '{:.10}' bits, '{:.10}', order '{:.10}', expected 8, 16 or 32, Signed or Unsigned, Intel or Motorola",
+            bits, sign, order));
     const bool is_signed = sign == "Signed";
     Values values;
-    values.raster = {.offset = at, .nx = static_cast<Index>(tables::header_count(entry(section, "Points"), "Points", source, "Nanosurf")), .ny = static_cast<Index>(tables::header_count(entry(section, "Lines"), "Lines", source, "Nanosurf")), .bottom_up = true};
-    values.raster.sample = bits == "8" ? (is_signed ? Sample::int8 : Sample::uint8) : bits == "16" ? (is_signed ? Sample::int16 : Sample::uint16) : (is_signed ? Sample::int32 : Sample::uint32);
+    values.raster = {
+        .offset = at,
+        .nx = static_cast<Index>(tables::header_count(entry(section, "Points"), "Points", source, "Nanosurf")),
+        .ny = static_cast<Index>(tables::header_count(entry(section, "Lines"), "Lines", source, "Nanosurf")),
+        .bottom_up = true};
+    values.raster.sample = bits == "8"    ? (is_signed ? Sample::int8 : Sample::uint8)
+                           : bits == "16" ? (is_signed ? Sample::int16 : Sample::uint16)
+                                          : (is_signed ? Sample::int32 : Sample::uint32);
     values.raster.order = order == "Intel" ? std::endian::little : std::endian::big;
-    const double range = tables::header_number(entry(section, "Dim2Range"), "Dim2Range", source, "Nanosurf"), least = tables::header_number(entry(section, "Dim2Min"), "Dim2Min", source, "Nanosurf");
+    const double range = tables::header_number(entry(section, "Dim2Range"), "Dim2Range", source, "Nanosurf"),
+                 least = tables::header_number(entry(section, "Dim2Min"), "Dim2Min", source, "Nanosurf");
     values.factor = std::ldexp(range, -8 * static_cast<int>(bytes_of(values.raster.sample)));
     values.offset = least + (is_signed ? 0.5 * range : 0.0);
     require_raster(values.raster, source, "Nanosurf");
@@ -120,15 +147,19 @@ std::vector<double> size_of(const Section& section, std::size_t dimensions, cons
         const auto unit = plain_unit(entry(section, fmt::format("Dim{}Unit", k)));
         const auto key = fmt::format("Dim{}Range", k);
         if (!holds_heights({}, unit)) return {};
-        size.push_back(std::abs(tables::header_number(entry(section, key), key, source, "Nanosurf")) * length_unit(unit, source).factor);
+        size.push_back(std::abs(tables::header_number(entry(section, key), key, source, "Nanosurf")) *
+                       length_unit(unit, source).factor);
     }
     return size;
 }
 
-Channel channel_of(const Section& section, const Values& values, ChannelInfo info, const bytes::Source& source, const ReadOptions& options) {
+Channel channel_of(const Section& section, const Values& values, ChannelInfo info, const bytes::Source& source,
+                   const ReadOptions& options) {
     const auto frame = entry(section, "Frame");
-    info.name = info.metadata.name = frame.empty() ? entry(section, "Dim2Name") : fmt::format("{} ({})", entry(section, "Dim2Name"), frame);
-    if (frame == "Scan forward" || frame == "Scan backward") info.metadata.attributes["line_direction"] = frame.substr(5);
+    info.name = info.metadata.name =
+        frame.empty() ? entry(section, "Dim2Name") : fmt::format("{} ({})", entry(section, "Dim2Name"), frame);
+    if (frame == "Scan forward" || frame == "Scan backward")
+        info.metadata.attributes["line_direction"] = frame.substr(5);
     info.unit = plain_unit(entry(section, "Dim2Unit"));
     const bool line = values.raster.ny == 1;
     info.shape = line ? std::vector{values.raster.nx} : std::vector{values.raster.nx, values.raster.ny};
@@ -136,7 +167,8 @@ Channel channel_of(const Section& section, const Values& values, ChannelInfo inf
     if (info.size.empty() || !holds_heights(info.name, info.unit)) return non_height_channel(std::move(info));
     if (!line) info.orientation = "rows from the bottom, turned";
     const double metre = length_unit(info.unit, source).factor;
-    return raster_channel(std::move(info), source, values.raster, {.factor = metre * values.factor, .offset = metre * values.offset}, options);
+    return raster_channel(std::move(info), source, values.raster,
+                          {.factor = metre * values.factor, .offset = metre * values.offset}, options);
 }
 
 std::vector<Channel> open_nanosurf(const bytes::Source& source, const ReadOptions& options) {
@@ -155,29 +187,36 @@ std::vector<Channel> open_nanosurf(const bytes::Source& source, const ReadOption
         channels.push_back(channel_of(found->second, values, common, source, options));
         at += static_cast<std::uint64_t>(values.raster.ny) * values.raster.row_distance();
     }
-    if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "Nanosurf: the header that begins here names no channel");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = 0}, "Nanosurf: the header that begins here names no channel");
     return channels;
 }
 
 Match detect_nanosurf(std::string_view head, const bytes::Source&) {
-    return head.starts_with(first_line) && (head.substr(first_line.size()).starts_with('\r') || head.substr(first_line.size()).starts_with('\n')) ? Match::yes : Match::no;
+    return head.starts_with(first_line) && (head.substr(first_line.size()).starts_with('\r') ||
+                                            head.substr(first_line.size()).starts_with('\n'))
+               ? Match::yes
+               : Match::no;
 }
 
 }  // namespace
 
 Format nanosurf_format() {
-    return {.identifier = "nanosurf",
-            .name = "Nanosurf",
-            .extensions = ".ezd .nid",
-            .description = "Nanosurf easyScan and later: sections of text, then integers of 8, 16 or 32 bits, signed or not, in either byte order, a channel after the other",
-            .heights = "Dim2Min plus raw, from its least possible value on, times Dim2Range over 2^bits; no point is undefined",
-            .orientation = "rows stored from the bottom, turned",
-            .not_read = "channels that are no heights, and spectra, are listed",
-            .reference = "Gwyddion's module ezdfile",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_nanosurf,
-            .open = open_nanosurf};
+    return {
+        .identifier = "nanosurf",
+        .name = "Nanosurf",
+        .extensions = ".ezd .nid",
+        .description =
+            "Nanosurf easyScan and later: sections of text, then integers of 8, 16 or 32 bits, signed or not, in either byte order, a channel after the other",
+        .heights =
+            "Dim2Min plus raw, from its least possible value on, times Dim2Range over 2^bits; no point is undefined",
+        .orientation = "rows stored from the bottom, turned",
+        .not_read = "channels that are no heights, and spectra, are listed",
+        .reference = "Gwyddion's module ezdfile",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_nanosurf,
+        .open = open_nanosurf};
 }
 
 }  // namespace setae::formats

@@ -5,20 +5,31 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
 #include "probe_channels.hpp"
+#include "setae/bytes/cursor.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 #include "storage/tiff_file.hpp"
 
-// A TIFF picture whose private tags hold the measurement: 50432 magic number, 50433 version, 50434 the samples, 50435 a header of 356
-// bytes, 580 from version 2 on; all little-endian. height = gain · (scale · raw + offset) in the unit of the header.
+// A TIFF picture whose private tags hold the measurement: 50432 magic number, 50433 version, 50434 the samples, 50435 a
+// header of 356 bytes, 580 from version 2 on; all little-endian. height = gain · (scale · raw + offset) in the unit of
+// the header.
 namespace setae::formats {
 namespace {
 
-enum Tag : std::uint16_t { magic_tag = 50432, version_tag = 50433, samples_tag = 50434, header_tag = 50435, comment_tag = 50436, date_tag = 306, software_tag = 305, strip_offsets_tag = 273, strip_bytes_tag = 279 };
+enum Tag : std::uint16_t {
+    magic_tag = 50432,
+    version_tag = 50433,
+    samples_tag = 50434,
+    header_tag = 50435,
+    comment_tag = 50436,
+    date_tag = 306,
+    software_tag = 305,
+    strip_offsets_tag = 273,
+    strip_bytes_tag = 279
+};
 constexpr std::uint64_t most_strips = 1 << 20;
 constexpr double magic = 0x0E031301, version_1 = 0x1000001, version_2 = 0x1000002;
 constexpr std::uint64_t header_bytes = 356, header_bytes_2 = 580;
@@ -43,11 +54,15 @@ std::string wide_text(bytes::Cursor& cursor, std::uint64_t characters) {
     std::size_t end = 0;
     while (end < content.size() && (content[end] != '\0' || content[end + 1] != '\0')) end += 2;
     content.resize(end);
-    return content.empty() ? content : std::string(trimmed(bytes::decoded("\xff\xfe" + content, bytes::Encoding::utf16)));
+    return content.empty() ? content
+                           : std::string(trimmed(bytes::decoded("\xff\xfe" + content, bytes::Encoding::utf16)));
 }
 
 ParkHeader header_of(const TiffFile& file, const TiffTag& tag) {
-    if (tag.bytes() < header_bytes) throw FormatError(file.source.name, {.offset = tag.offset}, fmt::format("Park: a header of {} bytes, expected {} or {}", tag.bytes(), header_bytes, header_bytes_2));
+    if (tag.bytes() < header_bytes)
+        throw FormatError(
+            file.source.name, {.offset = tag.offset},
+            fmt::format("Park: a header of {} bytes, expected {} or {}", tag.bytes(), header_bytes, header_bytes_2));
     bytes::Cursor cursor(file.source, "Park", tag.offset);
     ParkHeader header;
     const auto flag = [&] { return cursor.number<std::uint32_t>() != 0; };
@@ -82,12 +97,17 @@ ParkHeader header_of(const TiffFile& file, const TiffTag& tag) {
 }
 
 void require_readable(const ParkHeader& header, const TiffFile& file, std::uint64_t offset) {
-    const auto refuse = [&](const std::string& what) { throw FormatError(file.source.name, {.offset = offset}, "Park: " + what); };
+    const auto refuse = [&](const std::string& what) {
+        throw FormatError(file.source.name, {.offset = offset}, "Park: " + what);
+    };
     if (header.image_type == 1) refuse("a line profile cut from a map, which tells no height of its own; give the map");
-    if (header.image_type > 2) refuse(fmt::format("an image of type {}, expected 0 (map) or 2 (map with spectra)", header.image_type));
+    if (header.image_type > 2)
+        refuse(fmt::format("an image of type {}, expected 0 (map) or 2 (map with spectra)", header.image_type));
     if (header.compressed) refuse("compressed samples, whose layout is not published; save without compression");
-    if (header.data_type > 2) refuse(fmt::format("samples of type {}, expected 0 (int16), 1 (int32) or 2 (float32)", header.data_type));
-    if (!std::isfinite(header.gain) || !std::isfinite(header.scale) || !std::isfinite(header.offset)) refuse("gain, scale or offset are no numbers");
+    if (header.data_type > 2)
+        refuse(fmt::format("samples of type {}, expected 0 (int16), 1 (int32) or 2 (float32)", header.data_type));
+    if (!std::isfinite(header.gain) || !std::isfinite(header.scale) || !std::isfinite(header.offset))
+        refuse("gain, scale or offset are no numbers");
 }
 
 topography::Metadata metadata_of(const ParkHeader& header, const TiffFile& file, double version) {
@@ -116,28 +136,43 @@ topography::Metadata metadata_of(const ParkHeader& header, const TiffFile& file,
 
 Raster raster_of(const ParkHeader& header, const TiffTag& samples, const TiffFile& file) {
     static constexpr Sample types[] = {Sample::int16, Sample::int32, Sample::float32};
-    const Raster raster{.offset = samples.offset, .nx = header.nx, .ny = header.ny, .sample = types[header.data_type], .bottom_up = true};
+    const Raster raster{.offset = samples.offset,
+                        .nx = header.nx,
+                        .ny = header.ny,
+                        .sample = types[header.data_type],
+                        .bottom_up = true};
     const auto value_bytes = bytes_of(raster.sample);
-    if (header.nx == 0 || header.ny == 0 || header.nx > samples.bytes() / value_bytes / header.ny || samples.bytes() != value_bytes * header.nx * header.ny)
-        throw FormatError(file.source.name, {.offset = samples.offset}, fmt::format("Park: {} bytes of samples for {} × {} points of {} bytes", samples.bytes(), header.nx, header.ny, value_bytes));
+    if (header.nx == 0 || header.ny == 0 || header.nx > samples.bytes() / value_bytes / header.ny ||
+        samples.bytes() != value_bytes * header.nx * header.ny)
+        throw FormatError(file.source.name, {.offset = samples.offset},
+                          fmt::format("Park: {} bytes of samples for {} × {} points of {} bytes", samples.bytes(),
+                                      header.nx, header.ny, value_bytes));
     return raster;
 }
 
 /// The picture is not read, but a file without all of it is not whole.
 void require_preview(const TiffFile& file, const TiffPage& page) {
-    const auto offsets = file.integers(page, strip_offsets_tag, most_strips), counts = file.integers(page, strip_bytes_tag, most_strips);
+    const auto offsets = file.integers(page, strip_offsets_tag, most_strips),
+               counts = file.integers(page, strip_bytes_tag, most_strips);
     for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
         if (offsets[k] > file.source.size || counts[k] > file.source.size - offsets[k])
-            throw FormatError(file.source.name, {.offset = file.source.size}, fmt::format("Park: the file ends here, a strip of its picture should end at byte {}; it is truncated", offsets[k] + counts[k]));
+            throw FormatError(
+                file.source.name, {.offset = file.source.size},
+                fmt::format("Park: the file ends here, a strip of its picture should end at byte {}; it is truncated",
+                            offsets[k] + counts[k]));
 }
 
 std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& options) {
     const auto file = open_tiff(source, "Park", 1);
     const auto& page = file.pages.front();
     const auto *header_at = page.find(header_tag), *samples = page.find(samples_tag);
-    if (!header_at || !samples) throw FormatError(source.name, {.offset = page.offset}, "Park: the tags of header (50435) and samples (50434) are not both there");
+    if (!header_at || !samples)
+        throw FormatError(source.name, {.offset = page.offset},
+                          "Park: the tags of header (50435) and samples (50434) are not both there");
     const double version = file.number(page, version_tag).value_or(0.0);
-    if (version != version_1 && version != version_2) throw FormatError(source.name, {.offset = page.offset}, fmt::format("Park: version {}, expected 1 or 2", version));
+    if (version != version_1 && version != version_2)
+        throw FormatError(source.name, {.offset = page.offset},
+                          fmt::format("Park: version {}, expected 1 or 2", version));
     const auto header = header_of(file, *header_at);
     require_readable(header, file, header_at->offset);
     require_preview(file, page);
@@ -151,12 +186,16 @@ std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& o
     info.unit = header.unit;
     if (info.unit.empty()) {
         info.unit = "um";
-        info.alerts.push_back({"UNIT_ASSUMED", source.name, "the header names no unit of the heights, µm was assumed, the unit of its sizes", "compare with the instrument's own program"});
+        info.alerts.push_back({"UNIT_ASSUMED", source.name,
+                               "the header names no unit of the heights, µm was assumed, the unit of its sizes",
+                               "compare with the instrument's own program"});
     }
     if (!holds_heights(info.name, info.unit)) return {non_height_channel(std::move(info))};
     info.orientation = "rows from the bottom, turned";
     const double metre = length_unit(info.unit, source).factor, scale = header.scale == 0.0 ? 1.0 : header.scale;
-    return {raster_channel(std::move(info), source, raster, {.factor = metre * header.gain * scale, .offset = metre * header.gain * header.offset}, options)};
+    return {raster_channel(std::move(info), source, raster,
+                           {.factor = metre * header.gain * scale, .offset = metre * header.gain * header.offset},
+                           options)};
 }
 
 Match detect_park(std::string_view head, const bytes::Source& source) {
@@ -172,18 +211,21 @@ Match detect_park(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format park_format() {
-    return {.identifier = "park",
-            .name = "Park Systems TIFF",
-            .extensions = ".tiff .tif",
-            .description = "Park Systems (PSIA): a TIFF picture whose private tags 50432 to 50435 hold the measurement, headers of versions 1 and 2",
-            .heights = "gain times (scale times raw plus offset) of int16, int32 or float32 samples; a scale of 0 counts as 1; no point is undefined",
-            .orientation = "rows stored from the bottom, turned, as in the picture of the same file",
-            .not_read = "spectra and line profiles in such files; the picture itself",
-            .reference = "Gwyddion's module psia and TIFF 6.0",
-            .tested_on_real_files = true,
-            .carries_scale = true,
-            .detect = detect_park,
-            .open = open_park};
+    return {
+        .identifier = "park",
+        .name = "Park Systems TIFF",
+        .extensions = ".tiff .tif",
+        .description =
+            "Park Systems (PSIA): a TIFF picture whose private tags 50432 to 50435 hold the measurement, headers of versions 1 and 2",
+        .heights =
+            "gain times (scale times raw plus offset) of int16, int32 or float32 samples; a scale of 0 counts as 1; no point is undefined",
+        .orientation = "rows stored from the bottom, turned, as in the picture of the same file",
+        .not_read = "spectra and line profiles in such files; the picture itself",
+        .reference = "Gwyddion's module psia and TIFF 6.0",
+        .tested_on_real_files = true,
+        .carries_scale = true,
+        .detect = detect_park,
+        .open = open_park};
 }
 
 }  // namespace setae::formats

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "profilers/embedded_archive.hpp"
 #include "format_list.hpp"
-#include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
+#include "profilers/embedded_archive.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/xml_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "zon.hpp"
 
 // Keyence ZAG: built as a ZON file, its archive holds an inventory of items; an item of measurements lists ZON files.
@@ -44,15 +44,20 @@ Match detect_zag(std::string_view head, const bytes::Source& source) {
     }
 }
 
-void add_measurements(std::vector<Channel>& channels, const bytes::Source& inner, const bytes::Archive& archive, const std::string& item, const bytes::Source& source, const ReadOptions& options) {
+void add_measurements(std::vector<Channel>& channels, const bytes::Source& inner, const bytes::Archive& archive,
+                      const std::string& item, const bytes::Source& source, const ReadOptions& options) {
     const auto document = bytes::parsed_xml(keyence_member(archive, item, source), source, name);
     if (document.document_element().name() != std::string_view("MeasurementDataMap")) return;
     const auto parent = item.substr(0, std::min(item.find('/'), item.size()));
     for (const auto& measurement : document.document_element().children("MeasurementData")) {
         const auto folder = path_of(measurement);
         const bool hidden = bytes::lowered(trimmed(measurement.child_value("Visible"))) == "false";
-        for (auto& channel : member_channels(inner, fmt::format("{}/{}/{}", parent, folder, zon_member), title_of(measurement, folder), "zag", open_zon, options)) {
-            if (hidden) channel.info.alerts.push_back({"HIDDEN_MEASUREMENT", channel.info.name, "the file says that this measurement is not to be shown", "check whether it belongs to the others"});
+        for (auto& channel : member_channels(inner, fmt::format("{}/{}/{}", parent, folder, zon_member),
+                                             title_of(measurement, folder), "zag", open_zon, options)) {
+            if (hidden)
+                channel.info.alerts.push_back({"HIDDEN_MEASUREMENT", channel.info.name,
+                                               "the file says that this measurement is not to be shown",
+                                               "check whether it belongs to the others"});
             channels.push_back(std::move(channel));
         }
     }
@@ -64,7 +69,8 @@ std::vector<Channel> open_zag(const bytes::Source& source, const ReadOptions& op
     const auto inventory = bytes::parsed_xml(keyence_member(archive, inventory_member, source), source, name);
     std::vector<Channel> channels;
     for (const auto& item : inventory.document_element().children("Item"))
-        if (const auto path = path_of(item); !path.empty()) add_measurements(channels, inner, archive, path, source, options);
+        if (const auto path = path_of(item); !path.empty())
+            add_measurements(channels, inner, archive, path, source, options);
     if (channels.empty()) throw FormatError(source.name, {}, "ZAG: no measurement in the inventory");
     return channels;
 }
@@ -78,7 +84,8 @@ Format zag_format() {
             .description = "collections of measurements of Keyence's VR series, each a ZON file and a channel",
             .heights = "as in each ZON file",
             .orientation = "rows stored from the top",
-            .not_read = "measurements that are not to be shown are channels with an alert; templates and reports are left out",
+            .not_read =
+                "measurements that are not to be shown are channels with an alert; templates and reports are left out",
             .reference = "the inventory as SurfaceTopography 1.27's ZAG reader describes it",
             .detect = detect_zag,
             .open = open_zag};

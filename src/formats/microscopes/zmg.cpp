@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/core/constants.hpp"
+#include "storage/raster.hpp"
 
 // ZMG files of KLA Zeta: a header of 205 bytes and a comment, then integers of 2 bytes. Steps along x, y and z are µm.
 namespace setae::formats {
@@ -20,7 +20,9 @@ namespace at {
 constexpr std::uint64_t points = 85, steps = 97, comment_length = 117, recipe = 131;
 }
 
-Match detect_zmg(std::string_view head, const bytes::Source&) { return head.starts_with(signature) ? Match::yes : Match::no; }
+Match detect_zmg(std::string_view head, const bytes::Source&) {
+    return head.starts_with(signature) ? Match::yes : Match::no;
+}
 
 std::vector<Channel> open_zmg(const bytes::Source& source, const ReadOptions& options) {
     bytes::Cursor cursor(source, "ZMG", 0);
@@ -39,9 +41,11 @@ std::vector<Channel> open_zmg(const bytes::Source& source, const ReadOptions& op
     info.metadata.instrument = {.name = "KLA Zeta", .type = "optical"};
     cursor.seek(at::recipe);
     constexpr std::uint64_t recipe_bytes = 68, longest_comment = 4096;
-    if (auto recipe = cursor.text(recipe_bytes); !recipe.empty()) info.metadata.attributes["recipe"] = std::move(recipe);
+    if (auto recipe = cursor.text(recipe_bytes); !recipe.empty())
+        info.metadata.attributes["recipe"] = std::move(recipe);
     cursor.seek(header_bytes);
-    if (auto comment = cursor.text(std::min<std::uint64_t>(comment_bytes, longest_comment)); !comment.empty()) info.metadata.attributes["comment"] = std::move(comment);
+    if (auto comment = cursor.text(std::min<std::uint64_t>(comment_bytes, longest_comment)); !comment.empty())
+        info.metadata.attributes["comment"] = std::move(comment);
     const Raster raster{.offset = header_bytes + comment_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
     return {raster_channel(std::move(info), source, raster, {.factor = dz * units::um}, options)};
 }

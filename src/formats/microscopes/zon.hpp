@@ -13,7 +13,8 @@ namespace setae::formats {
 [[nodiscard]] bytes::Source keyence_archive(const bytes::Source& source);
 
 /// A member's content, expanded where it is packed once more by Zstandard.
-[[nodiscard]] std::string keyence_member(const bytes::Archive& archive, const std::string& name, const bytes::Source& source);
+[[nodiscard]] std::string keyence_member(const bytes::Archive& archive, const std::string& name,
+                                         const bytes::Source& source);
 
 /// Whether bytes begin as a ZON or ZAG file, and so whether keyence_archive may be asked.
 [[nodiscard]] bool is_keyence_package(std::string_view head);

@@ -3,11 +3,11 @@
 #include <string_view>
 #include <utility>
 
-#include "text/curve_channel.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
+#include "text/curve_channel.hpp"
 
 namespace setae::formats {
 namespace {
@@ -16,7 +16,8 @@ constexpr std::string_view stylus = "Stylus,Radius:";
 
 Match detect_dektak(std::string_view head, const bytes::Source&) {
     if (!head.starts_with("Scan Parameters")) return Match::no;
-    return head.find("\nScan Data") != std::string_view::npos || head.size() == bytes::detection_bytes ? Match::yes : Match::maybe;
+    return head.find("\nScan Data") != std::string_view::npos || head.size() == bytes::detection_bytes ? Match::yes
+                                                                                                       : Match::maybe;
 }
 
 /// "Ra,468.0 um,0.0 um,733.0 um,0.0 um,0.00525 um" among the results: the last cell is the value.
@@ -44,7 +45,9 @@ topography::Metadata metadata_of(const std::vector<std::string>& header, const b
 
 std::vector<Channel> open_dektak(const bytes::Source& source, const ReadOptions& options) {
     const auto table = tables::read_raw_table(source);
-    if (table.columns.size() < 2) throw FormatError(source.name, {.line = table.header.size() + 1}, "Dektak: one column below 'Scan Data', expected positions and heights");
+    if (table.columns.size() < 2)
+        throw FormatError(source.name, {.line = table.header.size() + 1},
+                          "Dektak: one column below 'Scan Data', expected positions and heights");
     const auto metadata = metadata_of(table.header, source);
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < table.columns.size(); ++k) {
@@ -61,16 +64,18 @@ std::vector<Channel> open_dektak(const bytes::Source& source, const ReadOptions&
 }  // namespace
 
 Format dektak_csv_format() {
-    return {.identifier = "dektak-csv",
-            .name = "Dektak CSV",
-            .extensions = ".csv",
-            .description = "profiles of Bruker and Veeco Dektak styluses as text: parameters of the scan, results and the data in columns with their units",
-            .heights = "values in the unit of their column; empty cells are undefined",
-            .orientation = "",
-            .reference = "SurfaceTopography 1.27.1, IO/XYZ.py",
-            .tested_on_real_files = true,
-            .detect = detect_dektak,
-            .open = open_dektak};
+    return {
+        .identifier = "dektak-csv",
+        .name = "Dektak CSV",
+        .extensions = ".csv",
+        .description =
+            "profiles of Bruker and Veeco Dektak styluses as text: parameters of the scan, results and the data in columns with their units",
+        .heights = "values in the unit of their column; empty cells are undefined",
+        .orientation = "",
+        .reference = "SurfaceTopography 1.27.1, IO/XYZ.py",
+        .tested_on_real_files = true,
+        .detect = detect_dektak,
+        .open = open_dektak};
 }
 
 }  // namespace setae::formats

@@ -7,25 +7,31 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/archive.hpp"
 #include "channel_building.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
 
-bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture, std::uint64_t picture_bytes, const std::string& format) {
+bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture, std::uint64_t picture_bytes,
+                                     const std::string& format) {
     constexpr std::uint64_t gap = 1024, signature_bytes = 4;
     const auto begin = picture + picture_bytes;
     if (begin > source.size || source.size - begin < signature_bytes)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("{}: the file ends here, its archive should begin at byte {}; it is truncated or damaged", format, begin));
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("{}: the file ends here, its archive should begin at byte {}; it is truncated or damaged",
+                        format, begin));
     const std::string window = source.bytes(begin, std::min(gap + signature_bytes, source.size - begin));
     for (std::uint64_t skipped = 0; skipped + signature_bytes <= window.size(); ++skipped)
-        if (bytes::is_zip(std::string_view(window).substr(skipped))) return bytes::part_of(source, source.name, begin + skipped, source.size - begin - skipped);
-    throw FormatError(source.name, {.offset = begin}, fmt::format("{}: no ZIP archive behind the picture; the file is damaged", format));
+        if (bytes::is_zip(std::string_view(window).substr(skipped)))
+            return bytes::part_of(source, source.name, begin + skipped, source.size - begin - skipped);
+    throw FormatError(source.name, {.offset = begin},
+                      fmt::format("{}: no ZIP archive behind the picture; the file is damaged", format));
 }
 
-std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member, const std::string& title, const std::string& format, const OpenFile& open_file,
-                                     const ReadOptions& options) {
+std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member, const std::string& title,
+                                     const std::string& format, const OpenFile& open_file, const ReadOptions& options) {
     try {
         auto channels = open_file(bytes::Archive(archive).member(member), options);
         for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -45,8 +51,10 @@ std::vector<Channel> member_channels(const bytes::Source& archive, const std::st
         ChannelInfo info{.name = title, .format = format, .is_height = false};
         info.metadata.file = archive.name;
         info.metadata.name = title;
-        info.alerts.push_back({"UNREADABLE_MEMBER", title, error.what(), "the other measurements are not affected; repair or replace this one"});
-        return {{std::move(info), [error = std::current_exception()]() -> topography::Measurement { std::rethrow_exception(error); }}};
+        info.alerts.push_back({"UNREADABLE_MEMBER", title, error.what(),
+                               "the other measurements are not affected; repair or replace this one"});
+        return {{std::move(info),
+                 [error = std::current_exception()]() -> topography::Measurement { std::rethrow_exception(error); }}};
     }
 }
 

@@ -6,20 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 
-/// The ZIP archive behind a picture of `picture_bytes` bytes at `picture`, as Keyence's programs put one before their data.
+/// The ZIP archive behind a picture of `picture_bytes` bytes at `picture`, as Keyence's programs put one before their
+/// data.
 /// @throws FormatError "<format>: …" where none begins there or within the next KiB.
-[[nodiscard]] bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture, std::uint64_t picture_bytes, const std::string& format);
+[[nodiscard]] bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture,
+                                                   std::uint64_t picture_bytes, const std::string& format);
 
 using OpenFile = std::function<std::vector<Channel>(const bytes::Source&, const ReadOptions&)>;
 
-/// The channels of a member that is a file of its own, under the archive's format. Nothing of it stays in memory: heights are read by opening it again. A member
-/// that cannot be read becomes a channel with the alert UNREADABLE_MEMBER, whose `read` throws what was wrong.
-[[nodiscard]] std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member, const std::string& title, const std::string& format, const OpenFile& open_file,
-                                                   const ReadOptions& options);
+/// The channels of a member that is a file of its own, under the archive's format. Nothing of it stays in memory:
+/// heights are read by opening it again. A member that cannot be read becomes a channel with the alert
+/// UNREADABLE_MEMBER, whose `read` throws what was wrong.
+[[nodiscard]] std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member,
+                                                   const std::string& title, const std::string& format,
+                                                   const OpenFile& open_file, const ReadOptions& options);
 
 }  // namespace setae::formats

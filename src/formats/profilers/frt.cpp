@@ -11,14 +11,14 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/bytes/unix_time.hpp"
+#include "setae/core/errors.hpp"
+#include "storage/raster.hpp"
 
-// FRT files of MicroProf: a signature with its version, then tagged blocks; their lengths take 4 bytes in version 1.00 and 8 in 1.01.
-// One block is a single map; newer files repeat it in a block of several images.
+// FRT files of MicroProf: a signature with its version, then tagged blocks; their lengths take 4 bytes in version 1.00
+// and 8 in 1.01. One block is a single map; newer files repeat it in a block of several images.
 namespace setae::formats {
 namespace {
 
@@ -26,7 +26,17 @@ constexpr std::string_view signature = "FRTM_GLIDERV";
 constexpr std::uint64_t version_bytes = 4;
 constexpr double undefined_raw = 1.0;
 
-enum Tag : std::uint16_t { single_map = 0x0b, description = 0x65, grid = 0x66, extent = 0x67, sensor = 0x6c, times = 0x72, parameter_set = 0x77, images = 0x7d, serial_number = 0x8e };
+enum Tag : std::uint16_t {
+    single_map = 0x0b,
+    description = 0x65,
+    grid = 0x66,
+    extent = 0x67,
+    sensor = 0x6c,
+    times = 0x72,
+    parameter_set = 0x77,
+    images = 0x7d,
+    serial_number = 0x8e
+};
 
 struct Block {
     std::uint64_t offset = 0, length = 0;
@@ -48,11 +58,23 @@ struct Image {
     Raster raster;
 };
 
-constexpr std::uint32_t type_mask = 0xffdf, topography = 0x0004, thickness = 0x0080, sample_thickness = 0x0800, afm = 0x1000, bottom_sensor = 0x10000000, filtered = 0x20, fit = 0x4000;
+constexpr std::uint32_t type_mask = 0xffdf, topography = 0x0004, thickness = 0x0080, sample_thickness = 0x0800,
+                        afm = 0x1000, bottom_sensor = 0x10000000, filtered = 0x20, fit = 0x4000;
 
 std::string type_name(std::uint32_t type) {
-    static constexpr std::array<std::pair<std::uint32_t, const char*>, 12> names{{{0x0001, "Piezo"}, {0x0002, "Intensity"}, {topography, "Topography"}, {0x0008, "Real part"},
-        {0x0010, "Imaginary part"}, {0x0040, "Camera"}, {thickness, "Thickness"}, {0x0200, "Absolute value"}, {0x0400, "Phase"}, {sample_thickness, "Sample thickness"}, {afm, "AFM"}, {0x2000, "Quality"}}};
+    static constexpr std::array<std::pair<std::uint32_t, const char*>, 12> names{
+        {{0x0001, "Piezo"},
+         {0x0002, "Intensity"},
+         {topography, "Topography"},
+         {0x0008, "Real part"},
+         {0x0010, "Imaginary part"},
+         {0x0040, "Camera"},
+         {thickness, "Thickness"},
+         {0x0200, "Absolute value"},
+         {0x0400, "Phase"},
+         {sample_thickness, "Sample thickness"},
+         {afm, "AFM"},
+         {0x2000, "Quality"}}};
     for (const auto& [value, name] : names)
         if ((type & type_mask) == value) return name;
     return fmt::format("Type {:#x}", type & type_mask);
@@ -66,7 +88,8 @@ bool is_height(std::uint32_t type) {
 FrtFile read_blocks(bytes::Cursor& cursor) {
     cursor.seek(signature.size());
     const auto version = cursor.text(version_bytes);
-    if (version != "1.00" && version != "1.01") cursor.fail(fmt::format("version '{}', expected 1.00 or 1.01", version));
+    if (version != "1.00" && version != "1.01")
+        cursor.fail(fmt::format("version '{}', expected 1.00 or 1.01", version));
     const auto count = cursor.number<std::uint16_t>();
     FrtFile file;
     for (std::uint16_t i = 0; i < count; ++i) {
@@ -83,7 +106,8 @@ Image image_of(bytes::Cursor& cursor, std::uint32_t type) {
     image.raster.nx = cursor.number<std::uint32_t>();
     image.raster.ny = cursor.number<std::uint32_t>();
     image.bits = cursor.number<std::uint32_t>();
-    if (image.bits != 16 && image.bits != 32) cursor.fail(fmt::format("values of {} bits, expected 16 or 32", image.bits));
+    if (image.bits != 16 && image.bits != 32)
+        cursor.fail(fmt::format("values of {} bits, expected 16 or 32", image.bits));
     image.raster.sample = image.bits == 16 ? Sample::uint16 : Sample::int32;
     return image;
 }
@@ -97,12 +121,16 @@ std::vector<Image> images_of(const Block& block, bytes::Cursor& cursor) {
     cursor.seek(block.offset);
     cursor.skip(std::min(identifiers_bytes, block.length));
     while (cursor.position() + header_bytes <= end) {
-        if (found.size() == most_images) cursor.fail(fmt::format("more than {} images; the file is damaged", most_images));
+        if (found.size() == most_images)
+            cursor.fail(fmt::format("more than {} images; the file is damaged", most_images));
         auto image = image_of(cursor, cursor.number<std::uint32_t>());
         image.raster.offset = cursor.position();
         require_raster(image.raster, cursor.source(), "FRT");
-        const auto bytes = static_cast<std::uint64_t>(image.raster.nx) * static_cast<std::uint64_t>(image.raster.ny) * bytes_of(image.raster.sample);
-        if (bytes > end - image.raster.offset) cursor.fail(fmt::format("an image of {} × {} values leads out of its block; the file is damaged", image.raster.nx, image.raster.ny));
+        const auto bytes = static_cast<std::uint64_t>(image.raster.nx) * static_cast<std::uint64_t>(image.raster.ny) *
+                           bytes_of(image.raster.sample);
+        if (bytes > end - image.raster.offset)
+            cursor.fail(fmt::format("an image of {} × {} values leads out of its block; the file is damaged",
+                                    image.raster.nx, image.raster.ny));
         cursor.skip(bytes);
         found.push_back(image);
     }
@@ -122,8 +150,11 @@ std::vector<Image> all_images(const FrtFile& file, bytes::Cursor& cursor) {
     auto image = image_of(cursor, topography);
     image.raster.offset = map->offset;
     require_raster(image.raster, cursor.source(), "FRT");
-    if (static_cast<std::uint64_t>(image.raster.nx) * static_cast<std::uint64_t>(image.raster.ny) * bytes_of(image.raster.sample) > map->length)
-        cursor.fail(fmt::format("a map of {} × {} values of {} bits in a block of {} bytes; the file is damaged", image.raster.nx, image.raster.ny, image.bits, map->length));
+    if (static_cast<std::uint64_t>(image.raster.nx) * static_cast<std::uint64_t>(image.raster.ny) *
+            bytes_of(image.raster.sample) >
+        map->length)
+        cursor.fail(fmt::format("a map of {} × {} values of {} bits in a block of {} bytes; the file is damaged",
+                                image.raster.nx, image.raster.ny, image.bits, map->length));
     found.insert(found.begin(), image);
     return found;
 }
@@ -142,10 +173,12 @@ topography::Metadata metadata_of(const FrtFile& file, bytes::Cursor& cursor) {
         const auto* block = file.find(tag);
         if (!block) continue;
         cursor.seek(block->offset);
-        if (auto text = cursor.text(std::min(block->length, longest_text)); !text.empty()) metadata.attributes[key] = std::move(text);
+        if (auto text = cursor.text(std::min(block->length, longest_text)); !text.empty())
+            metadata.attributes[key] = std::move(text);
     }
     if (const auto* block = file.find(Tag::serial_number, sizeof(std::uint32_t)))
-        if (auto text = counted_text(*block, cursor); !text.empty()) metadata.attributes["serial_number"] = std::move(text);
+        if (auto text = counted_text(*block, cursor); !text.empty())
+            metadata.attributes["serial_number"] = std::move(text);
     if (const auto* block = file.find(Tag::times, sizeof(std::uint32_t))) {
         constexpr std::uint32_t unset = 0xffffffff;
         const auto started = cursor.number_at<std::uint32_t>(block->offset);
@@ -154,7 +187,9 @@ topography::Metadata metadata_of(const FrtFile& file, bytes::Cursor& cursor) {
     return metadata;
 }
 
-Match detect_frt(std::string_view head, const bytes::Source&) { return head.starts_with(signature) ? Match::yes : Match::no; }
+Match detect_frt(std::string_view head, const bytes::Source&) {
+    return head.starts_with(signature) ? Match::yes : Match::no;
+}
 
 std::vector<Channel> open_frt(const bytes::Source& source, const ReadOptions& options) {
     bytes::Cursor cursor(source, "FRT");
@@ -164,7 +199,8 @@ std::vector<Channel> open_frt(const bytes::Source& source, const ReadOptions& op
     common.orientation = "rows from the bottom, turned; not stated in the file, as Gwyddion shows it";
     common.metadata = metadata_of(file, cursor);
     if (const auto* block = file.find(Tag::extent, 16)) {
-        const double width = std::abs(cursor.number_at<double>(block->offset)), height = std::abs(cursor.number_at<double>(block->offset + 8));
+        const double width = std::abs(cursor.number_at<double>(block->offset)),
+                     height = std::abs(cursor.number_at<double>(block->offset + 8));
         if (width > 0.0 && height > 0.0) common.size = {width, height};
     }
     std::optional<double> step;
@@ -182,7 +218,8 @@ std::vector<Channel> open_frt(const bytes::Source& source, const ReadOptions& op
             continue;
         }
         if (step) info.unit = "m";
-        channels.push_back(raster_channel(std::move(info), source, image.raster, {.factor = step.value_or(1.0), .undefined = {undefined_raw}}, options));
+        channels.push_back(raster_channel(std::move(info), source, image.raster,
+                                          {.factor = step.value_or(1.0), .undefined = {undefined_raw}}, options));
     }
     if (channels.empty()) throw FormatError(source.name, {.offset = source.size}, "FRT: no map among the blocks");
     return channels;
@@ -194,7 +231,8 @@ Format frt_format() {
     return {.identifier = "frt",
             .name = "FRT",
             .extensions = ".frt",
-            .description = "FRT MicroProf, versions 1.00 and 1.01: tagged blocks with one map or several images of 16 or 32 bits",
+            .description =
+                "FRT MicroProf, versions 1.00 and 1.01: tagged blocks with one map or several images of 16 or 32 bits",
             .heights = "raw times the sensor's step in m; raw 1 is undefined",
             .orientation = "rows stored from the bottom, turned; not stated in the file, as Gwyddion shows it",
             .not_read = "intensity, camera and other images are listed without being read",

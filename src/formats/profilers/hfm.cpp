@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "text/curve_channel.hpp"
 #include "format_list.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "text/curve_channel.hpp"
 
 namespace setae::formats {
 namespace {
@@ -21,7 +21,9 @@ Match detect_hfm(std::string_view head, const bytes::Source&) {
 
 std::vector<Channel> open_hfm(const bytes::Source& source, const ReadOptions& options) {
     const auto table = tables::read_raw_table(source, {.separator = ';'});
-    if (table.columns.size() != 3) throw FormatError(source.name, {.line = 1}, fmt::format("HFM: {} columns, expected X, Y and valid", table.columns.size()));
+    if (table.columns.size() != 3)
+        throw FormatError(source.name, {.line = 1},
+                          fmt::format("HFM: {} columns, expected X, Y and valid", table.columns.size()));
     Curve curve{table.columns[0], table.columns[1]};
     curve.heights.values = (table.columns[2].values != 0.0).select(curve.heights.values, undefined);
     ChannelInfo info;

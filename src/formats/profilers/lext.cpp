@@ -5,21 +5,29 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/text.hpp"
+#include "setae/bytes/xml_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 #include "storage/tiff_file.hpp"
-#include "setae/bytes/xml_file.hpp"
 
-// TIFF whose pages are named by their descriptions (HEIGHT, INTENSITY, …). The first page's description is XML with lengths per pixel and
-// per grey value; the device settings in its Exif directory are XML with the maker's calibration, a factor for each axis.
+// TIFF whose pages are named by their descriptions (HEIGHT, INTENSITY, …). The first page's description is XML with
+// lengths per pixel and per grey value; the device settings in its Exif directory are XML with the maker's calibration,
+// a factor for each axis.
 namespace setae::formats {
 namespace {
 
-enum Tag : std::uint16_t { description_tag = 270, maker_tag = 271, model_tag = 272, date_tag = 306, exif_tag = 34665, device_settings_tag = 0xa40b };
+enum Tag : std::uint16_t {
+    description_tag = 270,
+    maker_tag = 271,
+    model_tag = 272,
+    date_tag = 306,
+    exif_tag = 34665,
+    device_settings_tag = 0xa40b
+};
 constexpr std::string_view root_name = "TiffTagDescData", exif_root_name = "ExifTagDescData";
 constexpr std::size_t most_pages = 300;  ///< what follows is not looked at
-constexpr double picometre = 1e-12;  ///< lengths of the XML: micrometres in millionths
+constexpr double picometre = 1e-12;      ///< lengths of the XML: micrometres in millionths
 
 /// Metres per pixel and per grey value.
 struct LextScale {
@@ -30,7 +38,10 @@ struct LextScale {
 double length_in(const pugi::xml_node& node, const std::string& name, const TiffFile& file, std::uint64_t offset) {
     const auto child = node.child(name.c_str());
     const double value = bytes::xml_number(child, 0.0, file.source, "LEXT");
-    if (!(value > 0.0)) throw FormatError(file.source.name, {.offset = offset}, fmt::format("LEXT: <{}> of the description is '{:.40}', expected a positive number", name, child.child_value()));
+    if (!(value > 0.0))
+        throw FormatError(file.source.name, {.offset = offset},
+                          fmt::format("LEXT: <{}> of the description is '{:.40}', expected a positive number", name,
+                                      child.child_value()));
     return value;
 }
 
@@ -42,16 +53,22 @@ LextScale calibration_of(const TiffFile& file) {
     if (!exif.find(device_settings_tag)) return {1.0, 1.0, 1.0};
     const auto document = bytes::parsed_xml(file.text(exif, device_settings_tag), file.source, "LEXT");
     const auto settings = document.child(exif_root_name.data()).child("ImageCommonSettingsInfo");
-    const auto factor = [&](const char* axis) { return bytes::xml_number(settings.child(fmt::format("MakerCalibrationValue{}", axis).c_str()), 1.0, file.source, "LEXT"); };
+    const auto factor = [&](const char* axis) {
+        return bytes::xml_number(settings.child(fmt::format("MakerCalibrationValue{}", axis).c_str()), 1.0, file.source,
+                                 "LEXT");
+    };
     return {factor("X"), factor("Y"), factor("Z")};
 }
 
 LextScale scale_of(const TiffFile& file, const pugi::xml_node& heights, std::uint64_t offset) {
     for (const char* axis : {"X", "Y", "Z"})
         if (heights.child(fmt::format("HeightDataUnit{}", axis).c_str()).text().as_string("2") != std::string_view("2"))
-            throw FormatError(file.source.name, {.offset = offset}, fmt::format("LEXT: <HeightDataUnit{}> is '{:.20}', expected 2 (µm)", axis, heights.child(fmt::format("HeightDataUnit{}", axis).c_str()).child_value()));
+            throw FormatError(file.source.name, {.offset = offset},
+                              fmt::format("LEXT: <HeightDataUnit{}> is '{:.20}', expected 2 (µm)", axis,
+                                          heights.child(fmt::format("HeightDataUnit{}", axis).c_str()).child_value()));
     const auto calibration = calibration_of(file);
-    return {picometre * calibration.x * length_in(heights, "HeightDataPerPixelX", file, offset), picometre * calibration.y * length_in(heights, "HeightDataPerPixelY", file, offset),
+    return {picometre * calibration.x * length_in(heights, "HeightDataPerPixelX", file, offset),
+            picometre * calibration.y * length_in(heights, "HeightDataPerPixelY", file, offset),
             picometre * calibration.z * length_in(heights, "HeightDataPerPixelZ", file, offset)};
 }
 
@@ -86,13 +103,16 @@ std::vector<Channel> open_lext(const bytes::Source& source, const ReadOptions& o
         }
         any_heights = true;
         const auto pixels = tiff_pixels(file, file.pages[k]);
-        const auto scale = scale_of(file, document.child(root_name.data()).child("HeightInfo"), first.find(description_tag)->offset);
+        const auto scale =
+            scale_of(file, document.child(root_name.data()).child("HeightInfo"), first.find(description_tag)->offset);
         info.size = {scale.x * static_cast<double>(pixels.raster.nx), scale.y * static_cast<double>(pixels.raster.ny)};
         info.unit = "um";
         info.orientation = "rows from the top, as stored";
         channels.push_back(raster_channel(std::move(info), pixels.source, pixels.raster, {.factor = scale.z}, options));
     }
-    if (!any_heights) throw FormatError(source.name, {.offset = first.offset}, "LEXT: the file has no page named HEIGHT; save it with its height data");
+    if (!any_heights)
+        throw FormatError(source.name, {.offset = first.offset},
+                          "LEXT: the file has no page named HEIGHT; save it with its height data");
     return channels;
 }
 
@@ -100,7 +120,8 @@ Match detect_lext(std::string_view head, const bytes::Source& source) {
     if (!is_tiff(head)) return Match::no;
     try {
         const auto file = open_tiff(source, "LEXT", 1);
-        return file.text(file.pages.front(), description_tag).find(root_name) != std::string::npos ? Match::yes : Match::no;
+        return file.text(file.pages.front(), description_tag).find(root_name) != std::string::npos ? Match::yes
+                                                                                                   : Match::no;
     } catch (const FormatError&) {
         return Match::no;
     }
@@ -109,18 +130,22 @@ Match detect_lext(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format lext_format() {
-    return {.identifier = "lext",
-            .name = "Olympus LEXT",
-            .extensions = ".lext",
-            .description = "Olympus LEXT confocal microscopes (OLS4000 and later): TIFF with XML in its description and its Exif directory",
-            .heights = "grey value times HeightDataPerPixelZ (pm) times the maker's calibration along z, if the file has one; no point is undefined",
-            .orientation = "rows stored from the top, as stored",
-            .not_read = "intensity and colour are listed; the page INVALID, whose meaning is not published, marks no point as undefined",
-            .reference = "Gwyddion's module lextfile and TIFF 6.0",
-            .tested_on_real_files = false,
-            .carries_scale = true,
-            .detect = detect_lext,
-            .open = open_lext};
+    return {
+        .identifier = "lext",
+        .name = "Olympus LEXT",
+        .extensions = ".lext",
+        .description =
+            "Olympus LEXT confocal microscopes (OLS4000 and later): TIFF with XML in its description and its Exif directory",
+        .heights =
+            "grey value times HeightDataPerPixelZ (pm) times the maker's calibration along z, if the file has one; no point is undefined",
+        .orientation = "rows stored from the top, as stored",
+        .not_read =
+            "intensity and colour are listed; the page INVALID, whose meaning is not published, marks no point as undefined",
+        .reference = "Gwyddion's module lextfile and TIFF 6.0",
+        .tested_on_real_files = false,
+        .carries_scale = true,
+        .detect = detect_lext,
+        .open = open_lext};
 }
 
 }  // namespace setae::formats

@@ -6,16 +6,17 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/bytes/unix_time.hpp"
+#include "setae/core/errors.hpp"
+#include "storage/raster.hpp"
 
 // MetroPro files of Zygo: a big-endian header of 834 or 4096 bytes, the intensities of every bucket, then the phases.
-// Height = ± raw · S O W / R with S the interference scale factor, O the obliquity factor, W the wavelength, R by phase resolution.
+// Height = ± raw · S O W / R with S the interference scale factor, O the obliquity factor, W the wavelength, R by phase
+// resolution.
 namespace setae::formats {
 namespace {
 
@@ -31,17 +32,22 @@ constexpr std::uint64_t common_header_bytes = 834;
 
 /// Offsets in the header.
 namespace at {
-constexpr std::uint64_t header_format = 4, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68, time = 76, comment = 80, scale_factor = 164,
-                        wavelength = 168, obliquity = 176, lateral_resolution = 184, phase_resolution = 218, sign = 232, system_type = 238, serial = 242, objective = 246,
-                        part = 258, full_serial = 798;
+constexpr std::uint64_t header_format = 4, software_date = 12, intensity_width = 52, buckets = 56, phase_width = 68,
+                        time = 76, comment = 80, scale_factor = 164, wavelength = 168, obliquity = 176,
+                        lateral_resolution = 184, phase_resolution = 218, sign = 232, system_type = 238, serial = 242,
+                        objective = 246, part = 258, full_serial = 798;
 }
 
 struct Grid {
     Index nx = 0, ny = 0;
-    [[nodiscard]] std::uint64_t points() const { return static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny); }
+    [[nodiscard]] std::uint64_t points() const {
+        return static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny);
+    }
 };
 
-Grid grid_at(bytes::Cursor& cursor, std::uint64_t offset) { return {cursor.number_at<std::uint16_t>(offset), cursor.number_at<std::uint16_t>(offset + 2)}; }
+Grid grid_at(bytes::Cursor& cursor, std::uint64_t offset) {
+    return {cursor.number_at<std::uint16_t>(offset), cursor.number_at<std::uint16_t>(offset + 2)};
+}
 
 const Version* version_of(std::string_view head) {
     if (head.size() < sizeof(std::uint32_t)) return nullptr;
@@ -56,14 +62,17 @@ void check_header(const Version& version, bytes::Cursor& cursor) {
     const auto format = cursor.number<std::uint16_t>();
     const auto bytes = cursor.number<std::uint32_t>();
     if (format != version.header_format || bytes != version.header_bytes)
-        cursor.fail(fmt::format("header of format {} and {} bytes, expected {} and {} after this signature", format, bytes, version.header_format, version.header_bytes));
+        cursor.fail(fmt::format("header of format {} and {} bytes, expected {} and {} after this signature", format,
+                                bytes, version.header_format, version.header_bytes));
     cursor.seek(0);
     cursor.skip(version.header_bytes);
 }
 
 /// Names of Zygo's systems by their number.
 std::string system_name(int type) {
-    static constexpr std::array names{"software generated data", "Mark IVxp", "Maxim 3D", "Maxim NT", "GPI-XP", "NewView", "Maxim GP", "NewView/GP", "Mark to GPI conversion"};
+    static constexpr std::array names{
+        "software generated data", "Mark IVxp", "Maxim 3D", "Maxim NT", "GPI-XP", "NewView", "Maxim GP", "NewView/GP",
+        "Mark to GPI conversion"};
     return type >= 0 && type < static_cast<int>(names.size()) ? names[static_cast<std::size_t>(type)] : "";
 }
 
@@ -76,7 +85,8 @@ topography::Metadata metadata_of(bytes::Cursor& cursor) {
     topography::Metadata metadata;
     metadata.instrument.type = "interferometer";
     metadata.instrument.name = "Zygo";
-    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty()) metadata.instrument.name += " " + system;
+    if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty())
+        metadata.instrument.name += " " + system;
     metadata.acquisition_time = bytes::utc_text(cursor.number_at<std::int32_t>(at::time));
     // the older field holds the lower 16 bits; the newer one is little-endian
     cursor.set_order(std::endian::little);
@@ -84,7 +94,11 @@ topography::Metadata metadata_of(bytes::Cursor& cursor) {
     cursor.set_order(std::endian::big);
     const auto serial = full_serial != 0 ? full_serial : cursor.number_at<std::uint16_t>(at::serial);
     if (serial != 0) metadata.attributes["serial_number"] = fmt::format("{}", serial);
-    const std::array<std::tuple<const char*, std::uint64_t, std::uint64_t>, 4> texts{{{"software_date", at::software_date, 30}, {"comment", at::comment, 82}, {"objective", at::objective, 12}, {"part", at::part, 40}}};
+    const std::array<std::tuple<const char*, std::uint64_t, std::uint64_t>, 4> texts{
+        {{"software_date", at::software_date, 30},
+         {"comment", at::comment, 82},
+         {"objective", at::objective, 12},
+         {"part", at::part, 40}}};
     for (const auto& [key, offset, bytes] : texts)
         if (auto text = text_at(cursor, offset, bytes); !text.empty()) metadata.attributes[key] = std::move(text);
     metadata.attributes["wavelength"] = fmt::format("{} m", cursor.number_at<float>(at::wavelength));
@@ -94,10 +108,14 @@ topography::Metadata metadata_of(bytes::Cursor& cursor) {
 double phase_scale(bytes::Cursor& cursor) {
     cursor.seek(at::phase_resolution);
     const auto resolution = cursor.number<std::int16_t>();
-    if (resolution < 0 || resolution >= static_cast<int>(resolutions.size())) cursor.fail(fmt::format("phase resolution {}, expected 0, 1 or 2", resolution));
-    const double scale = static_cast<double>(cursor.number_at<float>(at::scale_factor)) * static_cast<double>(cursor.number_at<float>(at::obliquity)) *
-                         static_cast<double>(cursor.number_at<float>(at::wavelength)) / resolutions[static_cast<std::size_t>(resolution)];
-    if (!std::isfinite(scale) || scale == 0.0) cursor.fail(fmt::format("heights of {} m a step, expected a length; the header is damaged", scale));
+    if (resolution < 0 || resolution >= static_cast<int>(resolutions.size()))
+        cursor.fail(fmt::format("phase resolution {}, expected 0, 1 or 2", resolution));
+    const double scale = static_cast<double>(cursor.number_at<float>(at::scale_factor)) *
+                         static_cast<double>(cursor.number_at<float>(at::obliquity)) *
+                         static_cast<double>(cursor.number_at<float>(at::wavelength)) /
+                         resolutions[static_cast<std::size_t>(resolution)];
+    if (!std::isfinite(scale) || scale == 0.0)
+        cursor.fail(fmt::format("heights of {} m a step, expected a length; the header is damaged", scale));
     return cursor.number_at<std::int16_t>(at::sign) != 0 ? -scale : scale;
 }
 
@@ -107,7 +125,9 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
     bytes::Cursor cursor(source, "MetroPro", 0, std::endian::big);
     const auto* version = version_of(source.head(sizeof(std::uint32_t)));
     if (!version || source.size < common_header_bytes)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("MetroPro: the file ends here, its header has {} bytes; it is truncated", version ? version->header_bytes : common_header_bytes));
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("MetroPro: the file ends here, its header has {} bytes; it is truncated",
+                                      version ? version->header_bytes : common_header_bytes));
     check_header(*version, cursor);
     const auto phase = grid_at(cursor, at::phase_width), intensity = grid_at(cursor, at::intensity_width);
     const auto buckets = intensity.points() > 0 ? cursor.number_at<std::uint16_t>(at::buckets) : std::uint64_t{0};
@@ -121,7 +141,8 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
         auto info = common;
         info.name = info.metadata.name = name;
         info.shape = {grid.nx, grid.ny};
-        if (pixel_size > 0.0) info.size = {static_cast<double>(grid.nx) * pixel_size, static_cast<double>(grid.ny) * pixel_size};
+        if (pixel_size > 0.0)
+            info.size = {static_cast<double>(grid.nx) * pixel_size, static_cast<double>(grid.ny) * pixel_size};
         return info;
     };
     const auto intensity_bytes = buckets * intensity.points() * sizeof(std::uint16_t);
@@ -129,8 +150,13 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
     if (phase.points() > 0) {
         auto info = channel_info("Phase", phase);
         info.unit = "m";
-        const Raster raster{.offset = version->header_bytes + intensity_bytes, .nx = phase.nx, .ny = phase.ny, .sample = Sample::int32, .order = std::endian::big};
-        channels.push_back(raster_channel(std::move(info), source, raster, {.factor = phase_scale(cursor), .greatest = greatest_phase}, options));
+        const Raster raster{.offset = version->header_bytes + intensity_bytes,
+                            .nx = phase.nx,
+                            .ny = phase.ny,
+                            .sample = Sample::int32,
+                            .order = std::endian::big};
+        channels.push_back(raster_channel(std::move(info), source, raster,
+                                          {.factor = phase_scale(cursor), .greatest = greatest_phase}, options));
     }
     if (buckets > 0) {
         cursor.seek(version->header_bytes);
@@ -139,25 +165,29 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
         info.metadata.attributes["buckets"] = fmt::format("{}", buckets);
         channels.push_back(non_height_channel(std::move(info)));
     }
-    if (channels.empty()) throw FormatError(source.name, {.offset = at::phase_width}, "MetroPro: neither phases nor intensities in the file");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = at::phase_width},
+                          "MetroPro: neither phases nor intensities in the file");
     return channels;
 }
 
 }  // namespace
 
 Format metropro_format() {
-    return {.identifier = "metropro",
-            .name = "MetroPro",
-            .extensions = ".dat",
-            .description = "Zygo MetroPro, versions 1 to 3: phases, which are heights, and intensities",
-            .heights = "raw times scale factor times obliquity factor times wavelength over 4096, 32768 or 131072 by phase resolution, negated where the header says so; "
-                       "2147483640 and above are undefined",
-            .orientation = "rows from the top, as stored",
-            .not_read = "intensities are listed without being read",
-            .reference = "MetroPro reference guide, as used by Gwyddion's module metropro",
-            .tested_on_real_files = true,
-            .detect = detect_metropro,
-            .open = open_metropro};
+    return {
+        .identifier = "metropro",
+        .name = "MetroPro",
+        .extensions = ".dat",
+        .description = "Zygo MetroPro, versions 1 to 3: phases, which are heights, and intensities",
+        .heights =
+            "raw times scale factor times obliquity factor times wavelength over 4096, 32768 or 131072 by phase resolution, negated where the header says so; "
+            "2147483640 and above are undefined",
+        .orientation = "rows from the top, as stored",
+        .not_read = "intensities are listed without being read",
+        .reference = "MetroPro reference guide, as used by Gwyddion's module metropro",
+        .tested_on_real_files = true,
+        .detect = detect_metropro,
+        .open = open_metropro};
 }
 
 }  // namespace setae::formats

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/archive.hpp"
-#include "text/curve_channel.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
 #include "setae/tables/workbook.hpp"
+#include "text/curve_channel.hpp"
 
 namespace setae::formats {
 namespace {
@@ -24,7 +24,9 @@ Match detect_mitutoyo(std::string_view head, const bytes::Source& source) {
         const bytes::Archive archive(source);
         if (!archive.has("xl/workbook.xml")) return Match::no;
         const auto sheets = archive.head("xl/workbook.xml", bytes::detection_bytes);
-        const auto named = [&](const char* name) { return sheets.find(fmt::format("name=\"{}\"", name)) != std::string::npos; };
+        const auto named = [&](const char* name) {
+            return sheets.find(fmt::format("name=\"{}\"", name)) != std::string::npos;
+        };
         return named("DATA") && named("Certificate") ? Match::yes : Match::no;
     } catch (const FormatError&) {
         return Match::no;
@@ -78,12 +80,17 @@ Curve curve_of(const tables::SheetRows& data, const bytes::Source& source) {
         if (position.empty() && height.empty()) continue;
         double at = 0.0, value = 0.0;
         if (position.empty() || !bytes::parse_cell(position, '.', at) || !bytes::parse_cell(height, '.', value))
-            throw FormatError(source.name, {.line = row + 1}, fmt::format("Mitutoyo: sheet 'DATA' has '{:.40}' and '{:.40}' in {} and {}, expected position and height", position, height,
-                                                                          tables::cell_name(row, x_column), tables::cell_name(row, height_column)));
+            throw FormatError(
+                source.name, {.line = row + 1},
+                fmt::format(
+                    "Mitutoyo: sheet 'DATA' has '{:.40}' and '{:.40}' in {} and {}, expected position and height",
+                    position, height, tables::cell_name(row, x_column), tables::cell_name(row, height_column)));
         x.push_back(at);
         heights.push_back(value);
     }
-    const auto array = [](const std::vector<double>& values) -> Array1D { return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())); };
+    const auto array = [](const std::vector<double>& values) -> Array1D {
+        return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
+    };
     Curve curve;
     curve.x.values = array(x);
     curve.heights.values = array(heights);
@@ -116,7 +123,8 @@ std::vector<Channel> open_mitutoyo(const bytes::Source& source, const ReadOption
     if (cut_off != info.metadata.attributes.end()) curve.x.unit = unit_of(cut_off->second);
     for (const auto& metric : metrics_of(data)) {
         if (curve.heights.unit.empty() && is_length_unit(metric.unit)) curve.heights.unit = metric.unit;
-        info.metadata.attributes.insert_or_assign(metric.name, metric.unit.empty() ? metric.value : metric.value + " " + metric.unit);
+        info.metadata.attributes.insert_or_assign(
+            metric.name, metric.unit.empty() ? metric.value : metric.value + " " + metric.unit);
     }
     return {curve_channel(std::move(info), std::move(curve), options, source)};
 }
@@ -124,17 +132,20 @@ std::vector<Channel> open_mitutoyo(const bytes::Source& source, const ReadOption
 }  // namespace
 
 Format mitutoyo_format() {
-    return {.identifier = "mitutoyo",
-            .name = "Mitutoyo SurfTest",
-            .extensions = ".xlsx",
-            .description = "profiles of SurfTest roughness testers as workbooks with the sheets DATA and Certificate; the instrument's own Ra to A2 are kept as attributes",
-            .heights = "column F in the unit of the instrument's Ra; positions in column E, in the unit of the cut-off, the first one step from the start",
-            .orientation = "",
-            .not_read = "bearing curves and pictures",
-            .reference = "SurfaceTopography 1.27.1, IO/Mitutoyo.py; ECMA-376 part 1, 18.2 to 18.4",
-            .tested_on_real_files = true,
-            .detect = detect_mitutoyo,
-            .open = open_mitutoyo};
+    return {
+        .identifier = "mitutoyo",
+        .name = "Mitutoyo SurfTest",
+        .extensions = ".xlsx",
+        .description =
+            "profiles of SurfTest roughness testers as workbooks with the sheets DATA and Certificate; the instrument's own Ra to A2 are kept as attributes",
+        .heights =
+            "column F in the unit of the instrument's Ra; positions in column E, in the unit of the cut-off, the first one step from the start",
+        .orientation = "",
+        .not_read = "bearing curves and pictures",
+        .reference = "SurfaceTopography 1.27.1, IO/Mitutoyo.py; ECMA-376 part 1, 18.2 to 18.4",
+        .tested_on_real_files = true,
+        .detect = detect_mitutoyo,
+        .open = open_mitutoyo};
 }
 
 }  // namespace setae::formats

@@ -10,30 +10,36 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
+#include "format_list.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/bytes/expanded_source.hpp"
-#include "format_list.hpp"
-#include "setae/tables/header.hpp"
 #include "setae/bytes/ole_file.hpp"
-#include "storage/point_mask.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/parallel/for_each.hpp"
-#include "setae/bytes/text.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/point_mask.hpp"
+#include "storage/raster.hpp"
 
-// Digital Surf Mountains documents: a compound file whose stream "ScopedContents" is a tree of entries (tag of 2 bytes, size of 8,
-// content). A measured surface (class 9012) has two lateral axes, an axis of heights and an array of integers in zlib blocks:
-// height = count · step + origin. Layers computed from it store what was done, no heights.
+// Digital Surf Mountains documents: a compound file whose stream "ScopedContents" is a tree of entries (tag of 2 bytes,
+// size of 8, content). A measured surface (class 9012) has two lateral axes, an axis of heights and an array of
+// integers in zlib blocks: height = count · step + origin. Layers computed from it store what was done, no heights.
 namespace setae::formats {
 namespace {
 
 constexpr const char* name = "MNT";
 constexpr const char* contents_stream = "ScopedContents";
 constexpr std::uint16_t base = 0xffff;  ///< tag of what an entry inherits
-enum Class : std::uint32_t { surface_object = 9012, surface_data = 9062, mask_object = 9056, mask_array = 9048, height_array = 9049 };
+enum Class : std::uint32_t {
+    surface_object = 9012,
+    surface_data = 9062,
+    mask_object = 9056,
+    mask_array = 9048,
+    height_array = 9049
+};
 constexpr std::uint8_t mask_measured = 9;
 constexpr std::uint64_t entry_header = 10;
 
@@ -100,7 +106,9 @@ private:
         cursor_.seek(at);
         const auto tag = cursor_.number<std::uint16_t>();
         const auto size = cursor_.number<std::uint64_t>();
-        if (size > end - at - entry_header) cursor_.fail(fmt::format("entry {:#06x} has {} bytes, more than its parent; the file is damaged", tag, size));
+        if (size > end - at - entry_header)
+            cursor_.fail(
+                fmt::format("entry {:#06x} has {} bytes, more than its parent; the file is damaged", tag, size));
         return {tag, {at + entry_header, size}};
     }
 
@@ -113,7 +121,7 @@ private:
 
 /// A zlib block of an array.
 struct Block {
-    std::uint64_t first = 0, count = 0;   ///< elements
+    std::uint64_t first = 0, count = 0;  ///< elements
     std::uint64_t offset = 0, size = 0;  ///< in the stream
 };
 
@@ -128,25 +136,34 @@ std::vector<Block> blocks_of(const bytes::Source& stream, const Entry& data, std
         block.size = cursor.number<std::uint32_t>();
         block.offset = cursor.position();
         cursor.skip(block.size);
-        if (cursor.position() > end) broken(stream, block.offset, "a block of heights is longer than its array; the file is damaged");
+        if (cursor.position() > end)
+            broken(stream, block.offset, "a block of heights is longer than its array; the file is damaged");
         blocks.push_back(block);
     }
-    std::sort(blocks.begin(), blocks.end(), [](const Block& left, const Block& right) { return left.first < right.first; });
+    std::sort(blocks.begin(), blocks.end(),
+              [](const Block& left, const Block& right) { return left.first < right.first; });
     std::uint64_t next = 0;
     for (const auto& block : blocks) {
-        if (block.first != next) broken(stream, block.offset, fmt::format("a block begins at point {}, expected {}; the file is damaged", block.first, next));
+        if (block.first != next)
+            broken(stream, block.offset,
+                   fmt::format("a block begins at point {}, expected {}; the file is damaged", block.first, next));
         next += block.count;
     }
-    if (next != elements) broken(stream, end, fmt::format("blocks of {} points, expected {}; the file is damaged", next, elements));
+    if (next != elements)
+        broken(stream, end, fmt::format("blocks of {} points, expected {}; the file is damaged", next, elements));
     return blocks;
 }
 
-std::string expanded_blocks(const bytes::Source& stream, const std::vector<Block>& blocks, std::uint64_t elements, std::uint64_t element_bytes) {
+std::string expanded_blocks(const bytes::Source& stream, const std::vector<Block>& blocks, std::uint64_t elements,
+                            std::uint64_t element_bytes) {
     std::string array(elements * element_bytes, '\0');
     parallel::for_each_index(blocks.size(), {}, [&](std::size_t i) {
         const auto& block = blocks[i];
         const auto part = bytes::inflated(stream.bytes(block.offset, block.size), stream, block.offset, name);
-        if (part.size() != block.count * element_bytes) broken(stream, block.offset, fmt::format("a block of {} points has {} bytes, expected {}", block.count, part.size(), block.count * element_bytes));
+        if (part.size() != block.count * element_bytes)
+            broken(stream, block.offset,
+                   fmt::format("a block of {} points has {} bytes, expected {}", block.count, part.size(),
+                               block.count * element_bytes));
         std::memcpy(array.data() + block.first * element_bytes, part.data(), part.size());
     });
     return array;
@@ -163,10 +180,13 @@ Array array_of(Tree& tree, const Entry& object, std::uint64_t elements) {
     const auto count = tree.number<std::uint32_t>(object, {2, 1});
     const auto data = tree.at(object, {2, 2});
     if (!data || data->size < 8 || count != elements)
-        broken(stream, object.offset, fmt::format("an array of {} elements, expected {}; the file is damaged", count.value_or(0), elements));
+        broken(stream, object.offset,
+               fmt::format("an array of {} elements, expected {}; the file is damaged", count.value_or(0), elements));
     const auto bytes = bytes::Cursor(stream, name).number_at<std::uint64_t>(data->offset);
     if (elements == 0 || bytes % elements != 0 || bytes > bytes::most_expanded(data->size))
-        broken(stream, data->offset, fmt::format("{} bytes announced for {} elements in {} compressed bytes; the file is damaged", bytes, elements, data->size));
+        broken(stream, data->offset,
+               fmt::format("{} bytes announced for {} elements in {} compressed bytes; the file is damaged", bytes,
+                           elements, data->size));
     const auto element_bytes = bytes / elements;
     return {element_bytes, bytes::expanded_source(stream.name, bytes, [stream, data = *data, elements, element_bytes] {
                 return expanded_blocks(stream, blocks_of(stream, data, elements), elements, element_bytes);
@@ -187,8 +207,10 @@ Axis axis_of(Tree& tree, const Entry& scale) {
     const auto shown_unit = tree.text(scale, {3});
     axis.unit = shown_unit.empty() ? step_unit : shown_unit;
     const auto step_factor = tables::try_parse_unit(step_unit), shown_factor = tables::try_parse_unit(axis.unit);
-    if (!step || !std::isfinite(*step)) broken(tree.stream(), scale.offset, "an axis without its step; the file is damaged");
-    axis.is_length = !step_unit.empty() && step_factor && shown_factor && step_factor->dimension == dimension::length && shown_factor->dimension == dimension::length;
+    if (!step || !std::isfinite(*step))
+        broken(tree.stream(), scale.offset, "an axis without its step; the file is damaged");
+    axis.is_length = !step_unit.empty() && step_factor && shown_factor && step_factor->dimension == dimension::length &&
+                     shown_factor->dimension == dimension::length;
     if (!axis.is_length) return axis;
     axis.step = *step * step_factor->factor;
     axis.origin = tree.number<double>(scale, {5}).value_or(0.0) * shown_factor->factor;
@@ -200,13 +222,15 @@ topography::Metadata metadata_of(Tree& tree, const Entry& document, const bytes:
     metadata.file = file.name;
     std::string version;
     for (std::uint16_t part = 1; part <= 4; ++part)
-        if (const auto number = tree.number<std::uint32_t>(document, {0xc8, part})) version += fmt::format("{}{}", version.empty() ? "" : ".", *number);
+        if (const auto number = tree.number<std::uint32_t>(document, {0xc8, part}))
+            version += fmt::format("{}{}", version.empty() ? "" : ".", *number);
     if (!version.empty()) metadata.attributes["software_version"] = version;
     return metadata;
 }
 
 /// The map of a surface object; nothing for objects that hold none.
-std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const topography::Metadata& common, const ReadOptions& options) {
+std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const topography::Metadata& common,
+                                       const ReadOptions& options) {
     if (!tree.is(object, surface_object)) return std::nullopt;
     const auto data = tree.at(object, {2, 1});
     if (!data || !tree.is(*data, surface_data)) return std::nullopt;
@@ -218,9 +242,11 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
     const auto z_scale = measurement ? tree.at(*measurement, {2, base}) : std::nullopt;
     if (!x_scale || !y_scale || !z_scale || !heights || !tree.is(*heights, height_array)) return std::nullopt;
 
-    const auto nx = tree.number<std::uint32_t>(*x, {1}).value_or(0), ny = tree.number<std::uint32_t>(*y, {1}).value_or(0);
+    const auto nx = tree.number<std::uint32_t>(*x, {1}).value_or(0),
+               ny = tree.number<std::uint32_t>(*y, {1}).value_or(0);
     const auto x_axis = axis_of(tree, *x_scale), y_axis = axis_of(tree, *y_scale), z_axis = axis_of(tree, *z_scale);
-    ChannelInfo info{.name = tree.text(*grid, {base, base, 1}), .format = "mnt", .unit = z_axis.unit, .metadata = common};
+    ChannelInfo info{
+        .name = tree.text(*grid, {base, base, 1}), .format = "mnt", .unit = z_axis.unit, .metadata = common};
     const auto title = tree.text(object, {2, base, 4});
     if (info.name.empty()) info.name = title.empty() ? "surface" : title;
     if (!title.empty()) info.metadata.attributes["title"] = title;
@@ -232,15 +258,21 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
     if (ny > 1) info.orientation = "rows from the top, as stored; not stated in the file, taken as Mountains shows it";
     const auto counts = array_of(tree, *heights, std::uint64_t{nx} * ny);
     if (counts.element_bytes != 2 && counts.element_bytes != 4)
-        broken(tree.stream(), heights->offset, fmt::format("heights of {} bytes each, expected 2 or 4", counts.element_bytes));
+        broken(tree.stream(), heights->offset,
+               fmt::format("heights of {} bytes each, expected 2 or 4", counts.element_bytes));
     const Raster raster{.nx = nx, .ny = ny, .sample = counts.element_bytes == 2 ? Sample::int16 : Sample::int32};
-    auto channel = raster_channel(std::move(info), counts.content, raster, {.factor = z_axis.step, .offset = z_axis.origin}, options);
+    auto channel = raster_channel(std::move(info), counts.content, raster,
+                                  {.factor = z_axis.step, .offset = z_axis.origin}, options);
     const auto mask = tree.child(*grid, 3);
     if (!mask || !tree.is(*mask, mask_object) || ny == 1) return channel;
     const auto array = tree.at(*mask, {2, 5});
-    if (!array || !tree.is(*array, mask_array)) broken(tree.stream(), mask->offset, "a mask without its points; the file is damaged");
+    if (!array || !tree.is(*array, mask_array))
+        broken(tree.stream(), mask->offset, "a mask without its points; the file is damaged");
     const std::uint64_t row = std::uint64_t{nx} + 2;  // the mask has a border of one point
-    return masked(std::move(channel), {.source = array_of(tree, *array, row * (std::uint64_t{ny} + 2)).content, .offset = row + 1, .row_distance = row, .defined = mask_measured});
+    return masked(std::move(channel), {.source = array_of(tree, *array, row * (std::uint64_t{ny} + 2)).content,
+                                       .offset = row + 1,
+                                       .row_distance = row,
+                                       .defined = mask_measured});
 }
 
 Match detect_mnt(std::string_view head, const bytes::Source& source) {
@@ -254,7 +286,8 @@ Match detect_mnt(std::string_view head, const bytes::Source& source) {
 
 std::vector<Channel> open_mnt(const bytes::Source& source, const ReadOptions& options) {
     const bytes::OleFile file(source, name);
-    for (const auto& stream : file.names()) (void)file.stream(stream);  // a truncated file is refused whichever stream it cuts
+    for (const auto& stream : file.names())
+        (void)file.stream(stream);  // a truncated file is refused whichever stream it cuts
     Tree tree(file.stream(contents_stream));
     const auto& stream = tree.stream();
     if (stream.size < 8) broken(source, 0, "its contents are empty");
@@ -265,24 +298,30 @@ std::vector<Channel> open_mnt(const bytes::Source& source, const ReadOptions& op
     std::vector<Channel> channels;
     for (const auto& entry : tree.objects(*list))
         if (auto channel = surface_channel(tree, entry, common, options)) channels.push_back(std::move(*channel));
-    if (channels.empty()) throw FormatError(source.name, {.offset = 0}, "MNT: no measured surface in the document; export one as SUR from Mountains");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = 0},
+                          "MNT: no measured surface in the document; export one as SUR from Mountains");
     return channels;
 }
 
 }  // namespace
 
 Format mnt_format() {
-    return {.identifier = "mnt",
-            .name = "Digital Surf Mountains",
-            .extensions = ".mnt",
-            .description = "documents of MountainsMap: the surfaces as measured, each a channel",
-            .heights = "count times step plus origin; points that the mask does not call measured are undefined, a count of 0 is a height",
-            .orientation = "rows stored from the top",
-            .not_read = "layers that Mountains computes from the measured surface (levelled, filtered …), profiles, views and results are left out",
-            .reference = "[MS-CFB] for the container; its tree of entries as SurfaceTopography 1.27's MNT reader describes it",
-            .tested_on_real_files = true,
-            .detect = detect_mnt,
-            .open = open_mnt};
+    return {
+        .identifier = "mnt",
+        .name = "Digital Surf Mountains",
+        .extensions = ".mnt",
+        .description = "documents of MountainsMap: the surfaces as measured, each a channel",
+        .heights =
+            "count times step plus origin; points that the mask does not call measured are undefined, a count of 0 is a height",
+        .orientation = "rows stored from the top",
+        .not_read =
+            "layers that Mountains computes from the measured surface (levelled, filtered …), profiles, views and results are left out",
+        .reference =
+            "[MS-CFB] for the container; its tree of entries as SurfaceTopography 1.27's MNT reader describes it",
+        .tested_on_real_files = true,
+        .detect = detect_mnt,
+        .open = open_mnt};
 }
 
 }  // namespace setae::formats

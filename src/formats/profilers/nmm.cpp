@@ -10,25 +10,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/bytes/archive.hpp"
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "setae/tables/header_number.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/header_number.hpp"
 
-// SIOS nanomeasuring machine: a ZIP archive with NAME.dsc, which describes the scan field, and for scan s and line l the pair
-// NAME_s_l.dsc, which names columns ("number : date : name : points : description"), and NAME_s_l.dat, which holds them as text.
-// Lines have length/distance + 1 points; heights are the column "-Lz+Az" in metres.
+// SIOS nanomeasuring machine: a ZIP archive with NAME.dsc, which describes the scan field, and for scan s and line l
+// the pair NAME_s_l.dsc, which names columns ("number : date : name : points : description"), and NAME_s_l.dat, which
+// holds them as text. Lines have length/distance + 1 points; heights are the column "-Lz+Az" in metres.
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view dashes = "------------------------------------------", title = "Scan procedure description file", height_column = "-Lz+Az";
+constexpr std::string_view dashes = "------------------------------------------",
+                           title = "Scan procedure description file", height_column = "-Lz+Az";
 constexpr double agreement = 1e-6;  ///< relative, of lengths that tell the same
 constexpr Index most_lines = 1 << 20;
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t line, const std::string& what) { throw FormatError(source.name, {.line = line}, "NMM: " + what); }
+[[noreturn]] void broken(const bytes::Source& source, std::uint64_t line, const std::string& what) {
+    throw FormatError(source.name, {.line = line}, "NMM: " + what);
+}
 
 /// The member that describes the procedure; empty where the archive is of another kind.
 std::string description_member(const bytes::Archive& archive) {
@@ -47,30 +50,39 @@ std::map<std::string, std::string> parse_description(const bytes::Source& source
     for (const auto raw : bytes::split_lines(text)) {
         const auto line = trimmed(raw);
         const auto colon = line.find(':');
-        if (colon != std::string_view::npos) entries.emplace(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
+        if (colon != std::string_view::npos)
+            entries.emplace(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
     }
     return entries;
 }
 
-const std::string& entry(const std::map<std::string, std::string>& entries, const std::string& key, const bytes::Source& source) {
+const std::string& entry(const std::map<std::string, std::string>& entries, const std::string& key,
+                         const bytes::Source& source) {
     const auto at = entries.find(key);
-    if (at == entries.end()) throw FormatError(source.name, {}, fmt::format("NMM: no '{}' in the description of the scan", key));
+    if (at == entries.end())
+        throw FormatError(source.name, {}, fmt::format("NMM: no '{}' in the description of the scan", key));
     return at->second;
 }
 
 /// "10.0 [µm]" in metres.
-double length_of(const std::map<std::string, std::string>& entries, const std::string& key, const bytes::Source& source) {
+double length_of(const std::map<std::string, std::string>& entries, const std::string& key,
+                 const bytes::Source& source) {
     const auto& text = entry(entries, key, source);
     const auto open = text.find('['), close = text.find(']');
     const auto number = tables::finite_number(std::string_view(text).substr(0, open));
     if (open == std::string::npos || close == std::string::npos || close < open || !number || !(*number >= 0.0))
-        throw FormatError(source.name, {}, fmt::format("NMM: '{}' is '{:.40}', expected a length such as '10.0 [µm]'", key, text));
+        throw FormatError(source.name, {},
+                          fmt::format("NMM: '{}' is '{:.40}', expected a length such as '10.0 [µm]'", key, text));
     return *number * length_unit(text.substr(open + 1, close - open - 1), source).factor;
 }
 
-Index number_of(const std::map<std::string, std::string>& entries, const std::string& key, const bytes::Source& source) {
+Index number_of(const std::map<std::string, std::string>& entries, const std::string& key,
+                const bytes::Source& source) {
     const auto count = tables::count_in(entry(entries, key, source));
-    if (!count || *count < 1 || *count > most_lines) throw FormatError(source.name, {}, fmt::format("NMM: '{}' is '{:.40}', expected 1 to {}", key, entry(entries, key, source), most_lines));
+    if (!count || *count < 1 || *count > most_lines)
+        throw FormatError(
+            source.name, {},
+            fmt::format("NMM: '{}' is '{:.40}', expected 1 to {}", key, entry(entries, key, source), most_lines));
     return *count;
 }
 
@@ -85,7 +97,9 @@ struct ScanField {
 Index points_along(double length, double distance, const bytes::Source& source) {
     const double steps = length / distance;
     if (!(distance > 0.0) || !(steps >= 1.0) || steps > 0x1p31 || std::abs(std::round(steps) / steps - 1.0) > agreement)
-        throw FormatError(source.name, {}, fmt::format("NMM: a line of {} m with points {} m apart, expected a whole number of steps", length, distance));
+        throw FormatError(source.name, {},
+                          fmt::format("NMM: a line of {} m with points {} m apart, expected a whole number of steps",
+                                      length, distance));
     return static_cast<Index>(std::llround(steps)) + 1;
 }
 
@@ -102,7 +116,9 @@ ScanField read_field(const bytes::Archive& archive, const std::string& member) {
         field.dy = length_of(entries, "Distance beetween lines", source);
         const double width = length_of(entries, "Scan field width", source);
         if (points_along(width, field.dy, source) != field.lines)
-            throw FormatError(source.name, {}, fmt::format("NMM: {} lines {} m apart in a field {} m wide, which do not fit", field.lines, field.dy, width));
+            throw FormatError(source.name, {},
+                              fmt::format("NMM: {} lines {} m apart in a field {} m wide, which do not fit",
+                                          field.lines, field.dy, width));
     }
     if (const auto at = entries.find("Creation time"); at != entries.end()) field.date = at->second;
     return field;
@@ -127,23 +143,32 @@ Columns read_columns(const bytes::Source& source) {
             rest.remove_prefix(at + 3);
         }
         const auto count = cells.size() < 4 ? std::nullopt : tables::count_in(cells[3]);
-        if (!count || (columns.points != 0 && *count != columns.points)) broken(source, i + 1, "expected 'number : date : name : points : description' and as many points as the column before");
+        if (!count || (columns.points != 0 && *count != columns.points))
+            broken(source, i + 1,
+                   "expected 'number : date : name : points : description' and as many points as the column before");
         columns.points = *count;
         columns.names.emplace_back(cells[2]);
     }
     return columns;
 }
 
-std::string line_member(const ScanField& field, Index scan, Index line) { return fmt::format("{}_{}_{}", field.prefix, scan + 1, line + 1); }
+std::string line_member(const ScanField& field, Index scan, Index line) {
+    return fmt::format("{}_{}_{}", field.prefix, scan + 1, line + 1);
+}
 
 /// Heights of one line behind those of the lines before; memory grows with what is there.
-void read_line(const bytes::Archive& archive, const ScanField& field, Index scan, Index line, std::vector<double>& heights) {
+void read_line(const bytes::Archive& archive, const ScanField& field, Index scan, Index line,
+               std::vector<double>& heights) {
     const auto member = line_member(field, scan, line);
     const auto description = archive.member(member + ".dsc");
     const auto columns = read_columns(description);
     const auto at = std::find(columns.names.begin(), columns.names.end(), height_column);
-    if (at == columns.names.end()) throw FormatError(description.name, {}, fmt::format("NMM: no column '{}', got {}", height_column, fmt::join(columns.names, ", ")));
-    if (columns.points != field.points) throw FormatError(description.name, {}, fmt::format("NMM: a line of {} points, expected {}", columns.points, field.points));
+    if (at == columns.names.end())
+        throw FormatError(description.name, {},
+                          fmt::format("NMM: no column '{}', got {}", height_column, fmt::join(columns.names, ", ")));
+    if (columns.points != field.points)
+        throw FormatError(description.name, {},
+                          fmt::format("NMM: a line of {} points, expected {}", columns.points, field.points));
     const auto column = static_cast<std::size_t>(at - columns.names.begin());
     const auto data = archive.member(member + ".dat");
     const auto text = data.all();
@@ -152,34 +177,48 @@ void read_line(const bytes::Archive& archive, const ScanField& field, Index scan
     for (const auto raw : bytes::split_lines(text)) {
         tables::split_cells(raw, ' ', cells);
         if (cells.empty()) continue;
-        if (row == field.points) broken(data, static_cast<std::uint64_t>(row) + 1, fmt::format("more rows than the {} points announced", field.points));
+        if (row == field.points)
+            broken(data, static_cast<std::uint64_t>(row) + 1,
+                   fmt::format("more rows than the {} points announced", field.points));
         double value = 0.0;
         if (cells.size() != columns.names.size() || !bytes::parse_cell(cells[column], '.', value))
-            broken(data, static_cast<std::uint64_t>(row) + 1, fmt::format("'{:.60}', expected {} numbers", trimmed(raw), columns.names.size()));
+            broken(data, static_cast<std::uint64_t>(row) + 1,
+                   fmt::format("'{:.60}', expected {} numbers", trimmed(raw), columns.names.size()));
         heights.push_back(value);
         ++row;
     }
-    if (row != field.points) broken(data, static_cast<std::uint64_t>(row) + 1, fmt::format("the member ends after {} of {} points", row, field.points));
+    if (row != field.points)
+        broken(data, static_cast<std::uint64_t>(row) + 1,
+               fmt::format("the member ends after {} of {} points", row, field.points));
 }
 
-topography::Measurement read_scan(const bytes::Source& source, const ScanField& field, Index scan, const topography::Metadata& metadata) {
+topography::Measurement read_scan(const bytes::Source& source, const ScanField& field, Index scan,
+                                  const topography::Metadata& metadata) {
     const bytes::Archive archive(source);
     std::vector<double> heights;
     for (Index line = 0; line < field.lines; ++line) read_line(archive, field, scan, line, heights);
     const Eigen::Map<const Array2D> lines(heights.data(), field.lines, field.points);
-    if (field.lines == 1) return checked(topography::LineScan{lines.row(0).transpose(), field.dx * static_cast<double>(field.points), false, metadata}, source);
-    const std::array<double, 2> size{field.dx * static_cast<double>(field.points), field.dy * static_cast<double>(field.lines)};
+    if (field.lines == 1)
+        return checked(topography::LineScan{lines.row(0).transpose(), field.dx * static_cast<double>(field.points),
+                                            false, metadata},
+                       source);
+    const std::array<double, 2> size{field.dx * static_cast<double>(field.points),
+                                     field.dy * static_cast<double>(field.lines)};
     return checked(topography::HeightMap{lines.transpose(), size, false, metadata}, source);
 }
 
 void require_members(const bytes::Archive& archive, const ScanField& field, const bytes::Source& source) {
     if (archive.names().size() < 2 * static_cast<std::uint64_t>(field.scans) * static_cast<std::uint64_t>(field.lines))
-        throw FormatError(source.name, {}, fmt::format("NMM: {} scans of {} lines announced, the archive has {} members; it is not complete", field.scans, field.lines, archive.names().size()));
+        throw FormatError(
+            source.name, {},
+            fmt::format("NMM: {} scans of {} lines announced, the archive has {} members; it is not complete",
+                        field.scans, field.lines, archive.names().size()));
     for (Index scan = 0; scan < field.scans; ++scan)
         for (Index line = 0; line < field.lines; ++line)
             for (const auto* ending : {".dsc", ".dat"})
                 if (const auto name = line_member(field, scan, line) + ending; !archive.has(name))
-                    throw FormatError(source.name, {}, fmt::format("NMM: no member '{}'; the archive is not complete", name));
+                    throw FormatError(source.name, {},
+                                      fmt::format("NMM: no member '{}'; the archive is not complete", name));
 }
 
 /// Unit of the machine's other columns; empty for those of unknown meaning.
@@ -196,15 +235,20 @@ std::vector<Channel> open_nmm(const bytes::Source& source, const ReadOptions& op
     std::vector<Channel> channels;
     for (Index scan = 0; scan < field.scans; ++scan) {
         ChannelInfo info{.name = fmt::format("scan {}", scan + 1), .format = "nmm"};
-        info.shape = field.lines == 1 ? std::vector<Index>{field.points} : std::vector<Index>{field.points, field.lines};
+        info.shape =
+            field.lines == 1 ? std::vector<Index>{field.points} : std::vector<Index>{field.points, field.lines};
         info.size = {field.dx * static_cast<double>(field.points)};
         if (field.lines > 1) info.size.push_back(field.dy * static_cast<double>(field.lines));
-        if (field.lines > 1) info.orientation = "lines in the order of their numbers from the top; not stated in the file, taken as Gwyddion does";
+        if (field.lines > 1)
+            info.orientation =
+                "lines in the order of their numbers from the top; not stated in the file, taken as Gwyddion does";
         info.unit = "m";
         info.metadata.acquisition_time = field.date;
         info.metadata.instrument.name = "SIOS nanomeasuring machine";
         (void)complete(info, options, source);
-        auto read = [source, field, scan, metadata = info.metadata] { return read_scan(source, field, scan, metadata); };
+        auto read = [source, field, scan, metadata = info.metadata] {
+            return read_scan(source, field, scan, metadata);
+        };
         channels.push_back({info, std::move(read)});
         for (const auto& column : read_columns(archive.member(line_member(field, scan, 0) + ".dsc")).names) {
             if (column == height_column) continue;
@@ -225,17 +269,19 @@ Match detect_nmm(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format nmm_format() {
-    return {.identifier = "nmm",
-            .name = "Nanomeasuring machine",
-            .extensions = ".zip",
-            .description = "ZIP archives of the SIOS nanomeasuring machine: a description and a pair of .dsc and .dat a line; a channel a scan, a map or a profile",
-            .heights = "the column -Lz+Az in metres; 'nan' is undefined",
-            .orientation = "lines in the order of their numbers, from the top",
-            .not_read = "other columns are listed; positions are those of the grid, not the measured ones",
-            .reference = "nmmxyz module of Gwyddion, NMM reader of SurfaceTopography 1.27; no real file at hand",
-            .carries_scale = true,
-            .detect = detect_nmm,
-            .open = open_nmm};
+    return {
+        .identifier = "nmm",
+        .name = "Nanomeasuring machine",
+        .extensions = ".zip",
+        .description =
+            "ZIP archives of the SIOS nanomeasuring machine: a description and a pair of .dsc and .dat a line; a channel a scan, a map or a profile",
+        .heights = "the column -Lz+Az in metres; 'nan' is undefined",
+        .orientation = "lines in the order of their numbers, from the top",
+        .not_read = "other columns are listed; positions are those of the grid, not the measured ones",
+        .reference = "nmmxyz module of Gwyddion, NMM reader of SurfaceTopography 1.27; no real file at hand",
+        .carries_scale = true,
+        .detect = detect_nmm,
+        .open = open_nmm};
 }
 
 }  // namespace setae::formats

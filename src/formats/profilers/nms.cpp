@@ -4,16 +4,16 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "storage/raster.hpp"
 
-// NMS files of NanoFocus: a header of fixed offsets and 3468 bytes, heights as integers of 2 bytes between two limits in µm, then
-// a picture of 1 byte a point. No signature: the header tells its own length, and the rest must agree.
+// NMS files of NanoFocus: a header of fixed offsets and 3468 bytes, heights as integers of 2 bytes between two limits
+// in µm, then a picture of 1 byte a point. No signature: the header tells its own length, and the rest must agree.
 namespace setae::formats {
 namespace {
 
@@ -23,7 +23,8 @@ constexpr double steps_of_range = 65534.0;
 constexpr std::uint32_t most_points = 100000;
 
 namespace at {
-constexpr std::uint64_t limits = 16, program = 32, title = 52, date = 1076, header_length = 1352, points = 1368, pitch = 1376;
+constexpr std::uint64_t limits = 16, program = 32, title = 52, date = 1076, header_length = 1352, points = 1368,
+                        pitch = 1376;
 }
 
 template <class T>
@@ -38,8 +39,9 @@ bool is_consistent(std::string_view head) {
     const auto nx = value_at<std::uint32_t>(head, at::points), ny = value_at<std::uint32_t>(head, at::points + 4);
     const auto dx = value_at<double>(head, at::pitch), dy = value_at<double>(head, at::pitch + 8);
     constexpr double farthest = 1e6, least_pitch = 1e-3, greatest_pitch = 1e9;  // µm, nm
-    return std::abs(lowest) < farthest && std::abs(highest) < farthest && lowest < highest && nx > 0 && ny > 0 && nx <= most_points && ny <= most_points && dx > least_pitch &&
-           dy > least_pitch && dx < greatest_pitch && dy < greatest_pitch;
+    return std::abs(lowest) < farthest && std::abs(highest) < farthest && lowest < highest && nx > 0 && ny > 0 &&
+           nx <= most_points && ny <= most_points && dx > least_pitch && dy > least_pitch && dx < greatest_pitch &&
+           dy < greatest_pitch;
 }
 
 Match detect_nms(std::string_view head, const bytes::Source&) {
@@ -67,7 +69,8 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
     info.metadata.name = info.name;
     info.metadata.instrument.type = "confocal";
     info.metadata.acquisition_time = text(at::date, 16);
-    if (auto version = text(at::program, 16); !version.empty()) info.metadata.attributes["software_version"] = std::move(version);
+    if (auto version = text(at::program, 16); !version.empty())
+        info.metadata.attributes["software_version"] = std::move(version);
     const Raster raster{.offset = header_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
     auto picture = info;
     const RawScale scale{.factor = (highest - lowest) * units::um / steps_of_range, .offset = lowest * units::um};
@@ -75,7 +78,9 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
     const auto points = std::uint64_t{nx} * ny;
     const auto behind = source.size - header_bytes - 2 * points;
     if (behind > 0 && behind < points)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("NMS: the file ends here, its picture should end at byte {}; it is truncated", header_bytes + 3 * points));
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("NMS: the file ends here, its picture should end at byte {}; it is truncated",
+                                      header_bytes + 3 * points));
     if (behind >= points) {
         picture.name = picture.metadata.name = "Intensity";
         picture.shape = {nx, ny};
@@ -88,17 +93,19 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
 }  // namespace
 
 Format nms_format() {
-    return {.identifier = "nms",
-            .name = "NMS",
-            .extensions = ".nms",
-            .description = "NanoFocus µsurf confocal microscopes: one map between two limits of height, and a picture",
-            .heights = "lower limit plus raw times the range of limits over 65534, in µm; no point is undefined (over 65535, the highest raw value, heights would be 15 millionths closer)",
-            .orientation = "rows from the top, as stored; not stated in the file",
-            .not_read = "the picture behind the heights is listed without being read",
-            .reference = "SurfaceTopography and surfalize, and a file: its pitch of 312.5 is nm, for a map of 160 µm",
-            .tested_on_real_files = true,
-            .detect = detect_nms,
-            .open = open_nms};
+    return {
+        .identifier = "nms",
+        .name = "NMS",
+        .extensions = ".nms",
+        .description = "NanoFocus µsurf confocal microscopes: one map between two limits of height, and a picture",
+        .heights =
+            "lower limit plus raw times the range of limits over 65534, in µm; no point is undefined (over 65535, the highest raw value, heights would be 15 millionths closer)",
+        .orientation = "rows from the top, as stored; not stated in the file",
+        .not_read = "the picture behind the heights is listed without being read",
+        .reference = "SurfaceTopography and surfalize, and a file: its pitch of 312.5 is nm, for a map of 160 µm",
+        .tested_on_real_files = true,
+        .detect = detect_nms,
+        .open = open_nms};
 }
 
 }  // namespace setae::formats

@@ -10,17 +10,18 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/bytes/pieces.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/xml_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/xml_file.hpp"
+#include "storage/raster.hpp"
 
-// Olympus OIR: a header of 96 bytes and chunks, each with its size and kind: lists of metadata in XML, pictures, and points, which go
-// by the name of their image. The properties tell which image holds heights. Height = raw · length z · calibration z.
+// Olympus OIR: a header of 96 bytes and chunks, each with its size and kind: lists of metadata in XML, pictures, and
+// points, which go by the name of their image. The properties tell which image holds heights. Height = raw · length z ·
+// calibration z.
 namespace setae::formats {
 namespace {
 
@@ -33,12 +34,15 @@ enum Block : std::uint32_t { properties = 2, image_prefix = 6 };
 /// What the chunks hold that is needed.
 struct Content {
     std::string properties, prefix;
-    std::map<std::string, std::vector<bytes::Piece>, std::less<>> images;  ///< by name, without the number of the part at its end
+    std::map<std::string, std::vector<bytes::Piece>, std::less<>>
+        images;  ///< by name, without the number of the part at its end
 };
 
-/// What follows a block's header, letter by letter: t a text behind its length, i a number; behind 'n', as often as a number says.
+/// What follows a block's header, letter by letter: t a text behind its length, i a number; behind 'n', as often as a
+/// number says.
 std::string_view layout_of(std::uint32_t block) {
-    static constexpr std::string_view layouts[] = {"", "t", "t", "t", "t", "ntt", "nti", "nti", "nti", "nitt", "ntitt", "ntt", "nti", "nti", "t"};
+    static constexpr std::string_view layouts[] = {"",    "t",    "t",     "t",   "t",   "ntt", "nti", "nti",
+                                                   "nti", "nitt", "ntitt", "ntt", "nti", "nti", "t"};
     return block < std::size(layouts) ? layouts[block] : "";
 }
 
@@ -55,10 +59,8 @@ std::string first_text(bytes::Cursor& cursor, std::string_view layout) {
         for (const char kind : layout) {
             const auto number = cursor.number<std::uint32_t>();
             if (kind != 't') continue;
-            if (i == 0 && first.empty() && number < longest)
-                first = cursor.bytes(number);
-            else
-                cursor.skip(number);
+            if (i == 0 && first.empty() && number < longest) first = cursor.bytes(number);
+            else cursor.skip(number);
         }
     first.resize(std::min(first.find('\0'), first.size()));
     return first;
@@ -74,7 +76,9 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, Content& content) {
         if (block == properties) content.properties = std::move(text);
         if (block == image_prefix) content.prefix = std::move(text);
     }
-    if (cursor.position() != end) cursor.fail(fmt::format("a list of metadata goes on to byte {}, its chunk ends at byte {}; the file is damaged", cursor.position(), end));
+    if (cursor.position() != end)
+        cursor.fail(fmt::format("a list of metadata goes on to byte {}, its chunk ends at byte {}; the file is damaged",
+                                cursor.position(), end));
 }
 
 /// Points of an image: its name ends in "_0", longer images go on in parts "_1", "_2" …
@@ -99,14 +103,10 @@ Content content_of(bytes::Cursor& cursor) {
         const auto kind = cursor.number<std::int32_t>();
         if (size < 0) cursor.fail(fmt::format("a chunk of {} bytes; the file is damaged", size));
         const auto end = cursor.position() + static_cast<std::uint64_t>(size);
-        if (kind == metadata_list)
-            read_list(cursor, end, content);
-        else if (kind == points)
-            read_points(cursor, end, content);
-        else if (kind == metadata || kind == picture || kind == spacer)
-            cursor.skip(static_cast<std::uint64_t>(size));
-        else
-            break;
+        if (kind == metadata_list) read_list(cursor, end, content);
+        else if (kind == points) read_points(cursor, end, content);
+        else if (kind == metadata || kind == picture || kind == spacer) cursor.skip(static_cast<std::uint64_t>(size));
+        else break;
     }
     return content;
 }
@@ -127,50 +127,66 @@ Step step_of(const pugi::xml_node& channel, const pugi::xml_node& calibration, c
     const auto parameter = fmt::format("commonparam:{}", axis), unit_name = fmt::format("commonphase:{}", axis);
     auto unit = text_of(channel, {"commonphase:pixelUnit", unit_name.c_str()});
     if (unit == "MICRO_METER") unit = "µm";
-    const double length = bytes::xml_number(channel.child("commonphase:length").child(parameter.c_str()), 0.0, source, name);
+    const double length =
+        bytes::xml_number(channel.child("commonphase:length").child(parameter.c_str()), 0.0, source, name);
     const double factor = bytes::xml_number(calibration.child(parameter.c_str()), 1.0, source, name);
     if (unit.empty() || !(length > 0.0) || !(factor > 0.0))
-        throw FormatError(source.name, {}, fmt::format("OIR: image without a positive length or unit along {}: {} '{}' × {}", axis, length, unit, factor));
+        throw FormatError(source.name, {},
+                          fmt::format("OIR: image without a positive length or unit along {}: {} '{}' × {}", axis,
+                                      length, unit, factor));
     return {length * factor * length_unit(unit, source).factor, unit};
 }
 
 Sample sample_of(const pugi::xml_node& definition, const bytes::Source& source) {
     const double bits = bytes::xml_number(definition.child("commonphase:bitCounts"), 0.0, source, name);
     const double bytes = bytes::xml_number(definition.child("commonphase:depth"), bits > 8.0 ? 2.0 : 1.0, source, name);
-    if (bytes != 1.0 && bytes != 2.0) throw FormatError(source.name, {}, fmt::format("OIR: heights of {} bytes, expected 1 or 2", bytes));
+    if (bytes != 1.0 && bytes != 2.0)
+        throw FormatError(source.name, {}, fmt::format("OIR: heights of {} bytes, expected 1 or 2", bytes));
     return bytes == 1.0 ? Sample::uint8 : Sample::uint16;
 }
 
 Index points_along(const pugi::xml_node& image, const char* direction, const bytes::Source& source) {
     const double count = bytes::xml_number(image.child(direction), 0.0, source, name);
-    if (!(count >= 1.0) || count > 1e9) throw FormatError(source.name, {}, fmt::format("OIR: '{}' is {}, expected a number of points", direction, count));
+    if (!(count >= 1.0) || count > 1e9)
+        throw FormatError(source.name, {},
+                          fmt::format("OIR: '{}' is {}, expected a number of points", direction, count));
     return static_cast<Index>(count);
 }
 
-Channel image_channel(const pugi::xml_node& channel, const pugi::xml_node& root, const Content& content, const topography::Metadata& common, const bytes::Source& source, const ReadOptions& options) {
+Channel image_channel(const pugi::xml_node& channel, const pugi::xml_node& root, const Content& content,
+                      const topography::Metadata& common, const bytes::Source& source, const ReadOptions& options) {
     const std::string identifier = channel.attribute("id").value();
     const auto definition = channel.child("commonphase:imageDefinition");
     const auto kind = text_of(definition, {"commonphase:imageType"});
     const auto image = root.child("commonimage:imageInfo");
     ChannelInfo info{.name = kind.empty() ? identifier : kind, .format = "oir", .metadata = common};
     info.metadata.attributes["channel"] = identifier;
-    const Index nx = points_along(image, "commonimage:width", source), ny = points_along(image, "commonimage:height", source);
+    const Index nx = points_along(image, "commonimage:width", source),
+                ny = points_along(image, "commonimage:height", source);
     info.shape = {nx, ny};
     if (kind != "HEIGHT") return non_height_channel(std::move(info));
 
-    const auto calibration = root.child("commonimage:acquisition").child("commonimage:microscopeConfiguration").child("commonimage:pixelCalibration");
-    const auto x = step_of(channel, calibration, 'x', source), y = step_of(channel, calibration, 'y', source), z = step_of(channel, calibration, 'z', source);
+    const auto calibration = root.child("commonimage:acquisition")
+                                 .child("commonimage:microscopeConfiguration")
+                                 .child("commonimage:pixelCalibration");
+    const auto x = step_of(channel, calibration, 'x', source), y = step_of(channel, calibration, 'y', source),
+               z = step_of(channel, calibration, 'z', source);
     info.name = "Height";
     info.size = {static_cast<double>(nx) * x.length, static_cast<double>(ny) * y.length};
     info.unit = z.unit;
     if (ny > 1) info.orientation = "rows from the top, as stored";
     const auto found = content.images.find(fmt::format("{}_{}", content.prefix, identifier));
     if (found == content.images.end())
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("OIR: the file ends without the points of image '{}'; it is truncated or damaged", identifier));
-    return raster_channel(std::move(info), bytes::joined(source, source.name, found->second), {.nx = nx, .ny = ny, .sample = sample_of(definition, source)}, {.factor = z.length}, options);
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("OIR: the file ends without the points of image '{}'; it is truncated or damaged", identifier));
+    return raster_channel(std::move(info), bytes::joined(source, source.name, found->second),
+                          {.nx = nx, .ny = ny, .sample = sample_of(definition, source)}, {.factor = z.length}, options);
 }
 
-Match detect_oir(std::string_view head, const bytes::Source&) { return head.starts_with(signature) ? Match::yes : Match::no; }
+Match detect_oir(std::string_view head, const bytes::Source&) {
+    return head.starts_with(signature) ? Match::yes : Match::no;
+}
 
 }  // namespace
 
@@ -178,9 +194,12 @@ std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& op
     bytes::Cursor cursor(source, name);
     if (cursor.bytes(signature.size()) != signature) cursor.fail(fmt::format("it does not begin with '{}'", signature));
     if (const auto size = cursor.number_at<std::uint32_t>(32); size > source.size)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("OIR: the file ends here, it announces {} bytes; it is truncated", size));
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("OIR: the file ends here, it announces {} bytes; it is truncated", size));
     const auto content = content_of(cursor);
-    if (content.properties.empty()) throw FormatError(source.name, {.offset = source.size}, "OIR: no properties among the metadata; the file is damaged");
+    if (content.properties.empty())
+        throw FormatError(source.name, {.offset = source.size},
+                          "OIR: no properties among the metadata; the file is damaged");
     const auto document = bytes::parsed_xml(content.properties, source, name);
     topography::Metadata metadata;
     metadata.file = source.name;
@@ -191,23 +210,28 @@ std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& op
     metadata.instrument.type = "confocal";
     metadata.attributes["vendor"] = "Olympus";
     std::vector<Channel> channels;
-    for (const auto& channel : root.child("commonimage:imageInfo").child("commonimage:phase").child("commonphase:group").children("commonphase:channel"))
+    for (const auto& channel : root.child("commonimage:imageInfo")
+                                   .child("commonimage:phase")
+                                   .child("commonphase:group")
+                                   .children("commonphase:channel"))
         channels.push_back(image_channel(channel, root, content, metadata, source, options));
     if (channels.empty()) throw FormatError(source.name, {}, "OIR: no image in the properties");
     return channels;
 }
 
 Format oir_format() {
-    return {.identifier = "oir",
-            .name = "Olympus OIR",
-            .extensions = ".oir",
-            .description = "images of Olympus' laser scanning microscopes: chunks of XML and points of one or two bytes",
-            .heights = "raw times the length of a step along z times the microscope's calibration of z; no point is undefined",
-            .orientation = "rows stored from the top",
-            .not_read = "images of intensity and colour and camera pictures are listed",
-            .reference = "the chunks as Gwyddion's oirfile.c and SurfaceTopography 1.27 describe them",
-            .detect = detect_oir,
-            .open = open_oir};
+    return {
+        .identifier = "oir",
+        .name = "Olympus OIR",
+        .extensions = ".oir",
+        .description = "images of Olympus' laser scanning microscopes: chunks of XML and points of one or two bytes",
+        .heights =
+            "raw times the length of a step along z times the microscope's calibration of z; no point is undefined",
+        .orientation = "rows stored from the top",
+        .not_read = "images of intensity and colour and camera pictures are listed",
+        .reference = "the chunks as Gwyddion's oirfile.c and SurfaceTopography 1.27 describe them",
+        .detect = detect_oir,
+        .open = open_oir};
 }
 
 }  // namespace setae::formats

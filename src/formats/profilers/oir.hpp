@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 

@@ -9,23 +9,27 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/bytes/cursor.hpp"
 #include "format_list.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "storage/raster.hpp"
 #include "vca_tree.hpp"
 
-// OPD files of Wyko Vision: two bytes, then a directory of 24-byte entries (name, type, length), then the blocks they name, one
-// after the other. Height = raw · Wavelength [nm] / Mult; columns are stored one after the other, each from the bottom.
+// OPD files of Wyko Vision: two bytes, then a directory of 24-byte entries (name, type, length), then the blocks they
+// name, one after the other. Height = raw · Wavelength [nm] / Mult; columns are stored one after the other, each from
+// the bottom.
 namespace setae::formats {
 namespace {
 
 using namespace std::string_view_literals;
-constexpr auto signature = "\x01\0" "Directory"sv;
+constexpr auto signature =
+    "\x01\0"
+    "Directory"sv;
 constexpr std::uint64_t directory_offset = 2, entry_bytes = 24, name_bytes = 16, array_header_bytes = 6;
 constexpr std::uint64_t most_blocks = 65536;
-constexpr int array_type = 3, text_type = 5, short_type = 6, float_type = 7, double_type = 8, long_type = 12, tagged_type = 15;
+constexpr int array_type = 3, text_type = 5, short_type = 6, float_type = 7, double_type = 8, long_type = 12,
+              tagged_type = 15;
 constexpr double greatest_integer = 32765.0, greatest_float = 9.9e37;
 
 struct Block {
@@ -38,7 +42,8 @@ struct OpdFile {
     std::vector<Block> blocks;
 
     [[nodiscard]] const Block* find(std::string_view name) const {
-        const auto at = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) { return block.name == name; });
+        const auto at =
+            std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) { return block.name == name; });
         return at == blocks.end() ? nullptr : &*at;
     }
 };
@@ -48,21 +53,26 @@ OpdFile read_directory(bytes::Cursor& cursor) {
     (void)cursor.number<std::uint16_t>();
     const auto length = static_cast<std::uint64_t>(std::max(cursor.number<std::int32_t>(), 0));
     if (length % entry_bytes != 0 || length < entry_bytes || length / entry_bytes > most_blocks)
-        cursor.fail(fmt::format("a directory of {} bytes, expected a multiple of {} for at most {} blocks; the file is damaged", length, entry_bytes, most_blocks));
+        cursor.fail(
+            fmt::format("a directory of {} bytes, expected a multiple of {} for at most {} blocks; the file is damaged",
+                        length, entry_bytes, most_blocks));
     const auto count = length / entry_bytes - 1;
     auto offset = directory_offset + length;
     cursor.seek(directory_offset + entry_bytes);
     OpdFile file;
     for (std::uint64_t i = 0; i < count; ++i) {
         Block block{.name = cursor.text(name_bytes), .type = cursor.number<std::uint16_t>(), .offset = offset};
-        block.length = static_cast<std::uint64_t>(std::max(cursor.number<std::int32_t>(), 0));  // negative: a block without content
+        block.length = static_cast<std::uint64_t>(
+            std::max(cursor.number<std::int32_t>(), 0));  // negative: a block without content
         (void)cursor.number<std::uint16_t>();
         // Vision announces 40 bytes for this number and writes 4
-        if (block.name == "ImageModificat~0" && block.type == float_type) block.length = std::min<std::uint64_t>(block.length, sizeof(float));
+        if (block.name == "ImageModificat~0" && block.type == float_type)
+            block.length = std::min<std::uint64_t>(block.length, sizeof(float));
         offset += block.length;
         if (offset > cursor.source().size)
             throw FormatError(cursor.source().name, {.offset = cursor.source().size},
-                              fmt::format("OPD: the file ends here, block '{}' should end at byte {}; it is truncated", block.name, offset));
+                              fmt::format("OPD: the file ends here, block '{}' should end at byte {}; it is truncated",
+                                          block.name, offset));
         if (block.length > 0) file.blocks.push_back(std::move(block));
     }
     return file;
@@ -82,7 +92,8 @@ std::optional<double> number(const OpdFile& file, std::string_view name, bytes::
     if (block->type == double_type && block->length >= 8) return cursor.number<double>();
     if (block->type == long_type && block->length >= 4) return cursor.number<std::int32_t>();
     if (block->type == tagged_type) return tagged_value(*block, cursor).number;
-    cursor.fail(fmt::format("block '{}' of type {} and {} bytes, expected a number", block->name, block->type, block->length));
+    cursor.fail(
+        fmt::format("block '{}' of type {} and {} bytes, expected a number", block->name, block->type, block->length));
 }
 
 std::string text(const OpdFile& file, std::string_view name, bytes::Cursor& cursor) {
@@ -111,10 +122,15 @@ Common common_of(const OpdFile& file, bytes::Cursor& cursor) {
     metadata.instrument.type = "interferometer";
     const auto date = text(file, "Date", cursor), time = text(file, "Time", cursor);
     metadata.acquisition_time = date.empty() || time.empty() ? date + time : date + " " + time;
-    const std::pair<const char*, const char*> kept[] = {{"title", "Title"}, {"time_stamp", "TimeStamp"}, {"measurement_mode", "MeasMode"}, {"data_set", "DataSetName"}, {"comment", "Note"}};
+    const std::pair<const char*, const char*> kept[] = {{"title", "Title"},
+                                                        {"time_stamp", "TimeStamp"},
+                                                        {"measurement_mode", "MeasMode"},
+                                                        {"data_set", "DataSetName"},
+                                                        {"comment", "Note"}};
     for (const auto& [key, name] : kept)
         if (auto value = text(file, name, cursor); !value.empty()) metadata.attributes[key] = std::move(value);
-    if (const auto magnification = number(file, "Magnification", cursor)) metadata.attributes["magnification"] = fmt::format("{}", *magnification);
+    if (const auto magnification = number(file, "Magnification", cursor))
+        metadata.attributes["magnification"] = fmt::format("{}", *magnification);
     if (const auto size = number(file, "Pixel_size", cursor)) common.pixel_size = *size * units::mm;
     common.aspect = number(file, "Aspect", cursor).value_or(1.0);
     const auto multiplier = number(file, "Mult", cursor).value_or(1.0);
@@ -131,27 +147,35 @@ bool holds_heights(const std::string& name, const Common& common) {
 Channel array_channel(const Block& block, const Common& common, bytes::Cursor& cursor, const ReadOptions& options) {
     if (block.length < array_header_bytes) {
         cursor.seek(block.offset);
-        cursor.fail(fmt::format("array '{}' of {} bytes has no place for its dimensions; the file is damaged", block.name, block.length));
+        cursor.fail(fmt::format("array '{}' of {} bytes has no place for its dimensions; the file is damaged",
+                                block.name, block.length));
     }
     cursor.seek(block.offset);
     Raster raster{.offset = block.offset + array_header_bytes, .columns = true, .bottom_up = true};
     raster.nx = cursor.number<std::uint16_t>();
     raster.ny = cursor.number<std::uint16_t>();
     const auto bytes = cursor.number<std::uint16_t>();
-    if (bytes != 1 && bytes != 2 && bytes != 4) cursor.fail(fmt::format("array '{}' has values of {} bytes, expected 1, 2 or 4", block.name, bytes));
+    if (bytes != 1 && bytes != 2 && bytes != 4)
+        cursor.fail(fmt::format("array '{}' has values of {} bytes, expected 1, 2 or 4", block.name, bytes));
     raster.sample = bytes == 1 ? Sample::uint8 : bytes == 2 ? Sample::int16 : Sample::float32;
-    if (array_header_bytes + static_cast<std::uint64_t>(raster.nx) * static_cast<std::uint64_t>(raster.ny) * bytes > block.length)
-        cursor.fail(fmt::format("array '{}' announces {} × {} values of {} bytes in a block of {} bytes; the file is damaged", block.name, raster.nx, raster.ny, bytes, block.length));
+    if (array_header_bytes + static_cast<std::uint64_t>(raster.nx) * static_cast<std::uint64_t>(raster.ny) * bytes >
+        block.length)
+        cursor.fail(
+            fmt::format("array '{}' announces {} × {} values of {} bytes in a block of {} bytes; the file is damaged",
+                        block.name, raster.nx, raster.ny, bytes, block.length));
     auto info = common.info;
     info.name = info.metadata.name = block.name;
     info.shape = {raster.nx, raster.ny};
-    if (common.pixel_size) info.size = {static_cast<double>(raster.nx) * *common.pixel_size, static_cast<double>(raster.ny) * *common.pixel_size * common.aspect};
+    if (common.pixel_size)
+        info.size = {static_cast<double>(raster.nx) * *common.pixel_size,
+                     static_cast<double>(raster.ny) * *common.pixel_size * common.aspect};
     if (!holds_heights(block.name, common)) {
         require_raster(raster, cursor.source(), info.format);
         return non_height_channel(std::move(info));
     }
     if (!common.scale || !std::isfinite(*common.scale))
-        cursor.fail(fmt::format("heights '{}' without a usable scale, expected the blocks 'Wavelength' and, above 0, 'Mult'", block.name));
+        cursor.fail(fmt::format(
+            "heights '{}' without a usable scale, expected the blocks 'Wavelength' and, above 0, 'Mult'", block.name));
     info.unit = "nm";
     RawScale scale{.factor = *common.scale};
     if (bytes == 2) scale.greatest = greatest_integer;
@@ -159,7 +183,9 @@ Channel array_channel(const Block& block, const Common& common, bytes::Cursor& c
     return raster_channel(std::move(info), cursor.source(), raster, scale, options);
 }
 
-Match detect_opd(std::string_view head, const bytes::Source&) { return head.starts_with(signature) ? Match::yes : Match::no; }
+Match detect_opd(std::string_view head, const bytes::Source&) {
+    return head.starts_with(signature) ? Match::yes : Match::no;
+}
 
 std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& options) {
     constexpr std::size_t most_channels = 1000;
@@ -168,30 +194,37 @@ std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& op
     const auto common = common_of(file, cursor);
     std::vector<Channel> channels;
     for (const auto& block : file.blocks) {
-        if (channels.size() == most_channels) cursor.fail(fmt::format("more than {} arrays, which no such file has; it is damaged", most_channels));
+        if (channels.size() == most_channels)
+            cursor.fail(fmt::format("more than {} arrays, which no such file has; it is damaged", most_channels));
         if (block.type == array_type) channels.push_back(array_channel(block, common, cursor, options));
         if (block.type != tagged_type) continue;
         const auto item = tagged_value(block, cursor);
-        if (item.type == VcaType::map_data && item.find("Matrix")) channels.push_back(vca_map_channel(item, common.info, source, options));
+        if (item.type == VcaType::map_data && item.find("Matrix"))
+            channels.push_back(vca_map_channel(item, common.info, source, options));
     }
-    if (channels.empty()) throw FormatError(source.name, {.offset = source.size}, "OPD: no array among the blocks; the file holds no map");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = source.size},
+                          "OPD: no array among the blocks; the file holds no map");
     return channels;
 }
 
 }  // namespace
 
 Format opd_format() {
-    return {.identifier = "opd",
-            .name = "OPD",
-            .extensions = ".opd",
-            .description = "Wyko Vision (Veeco, Bruker): a directory of blocks; every array of 1, 2 or 4 bytes a value is listed",
-            .heights = "raw times Wavelength over Mult; 32766 and above (2 bytes) or 1e38 and above (4 bytes) are undefined, no value of 1 byte is",
-            .orientation = "columns stored from the left, each from the bottom; turned",
-            .not_read = "intensity, modulation and other arrays are listed without being read",
-            .reference = "Gwyddion's module opdfile",
-            .tested_on_real_files = true,
-            .detect = detect_opd,
-            .open = open_opd};
+    return {
+        .identifier = "opd",
+        .name = "OPD",
+        .extensions = ".opd",
+        .description =
+            "Wyko Vision (Veeco, Bruker): a directory of blocks; every array of 1, 2 or 4 bytes a value is listed",
+        .heights =
+            "raw times Wavelength over Mult; 32766 and above (2 bytes) or 1e38 and above (4 bytes) are undefined, no value of 1 byte is",
+        .orientation = "columns stored from the left, each from the bottom; turned",
+        .not_read = "intensity, modulation and other arrays are listed without being read",
+        .reference = "Gwyddion's module opdfile",
+        .tested_on_real_files = true,
+        .detect = detect_opd,
+        .open = open_opd};
 }
 
 }  // namespace setae::formats

@@ -10,13 +10,13 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/text.hpp"
 #include "vca_tree.hpp"
 
-// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and "2D_Data" hold the
-// channels, "MetaData" says which of them are heights and which is the primary one.
+// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and "2D_Data"
+// hold the channels, "MetaData" says which of them are heights and which is the primary one.
 namespace setae::formats {
 namespace {
 
@@ -38,7 +38,9 @@ std::optional<double> tip_radius(const std::string& stylus) {
 }
 
 std::string instrument_type(const std::string& told, const std::string& mode) {
-    if (bytes::lowered(told).find("stylus") != std::string::npos || bytes::lowered(mode).find("stylus") != std::string::npos) return "stylus";
+    if (bytes::lowered(told).find("stylus") != std::string::npos ||
+        bytes::lowered(mode).find("stylus") != std::string::npos)
+        return "stylus";
     return mode == "PSI" || mode == "VSI" || mode == "VXI" || mode == "HDVSI" ? "interferometer" : "";
 }
 
@@ -49,7 +51,8 @@ ChannelInfo common_info(const VcaItem& tree) {
     const auto date = tree.text_at("MetaData/Date"), time = tree.text_at("MetaData/Time");
     metadata.acquisition_time = date.empty() || time.empty() ? date + time : date + " " + time;
     metadata.instrument.name = tree.text_at("MetaData/MeasurementSettings/InstrumentName");
-    metadata.instrument.type = instrument_type(tree.text_at("MetaData/MeasurementSettings/InstrumentType"), tree.text_at("MetaData/MeasurementSettings/MeasMode"));
+    metadata.instrument.type = instrument_type(tree.text_at("MetaData/MeasurementSettings/InstrumentType"),
+                                               tree.text_at("MetaData/MeasurementSettings/MeasMode"));
     metadata.instrument.tip_radius = tip_radius(tree.text_at("MetaData/MeasurementSettings/StylusType"));
     const std::pair<const char*, const char*> kept[] = {{"time_stamp", "TimeStamp"},
                                                         {"data_set", "DataSetName"},
@@ -57,67 +60,88 @@ ChannelInfo common_info(const VcaItem& tree) {
                                                         {"serial_number", "MeasurementSettings/InstrumentSerial"},
                                                         {"objective", "MeasurementSettings/Objective"}};
     for (const auto& [key, path] : kept)
-        if (const auto text = tree.text_at(fmt::format("MetaData/{}", path)); !text.empty()) metadata.attributes[key] = text;
+        if (const auto text = tree.text_at(fmt::format("MetaData/{}", path)); !text.empty())
+            metadata.attributes[key] = text;
     for (const auto& [key, path] : {std::pair{"stylus_force", "StylusForce"}, {"scan_duration", "ScanDuration"}})
-        if (const auto* item = tree.find(fmt::format("MetaData/MeasurementSettings/{}", path)); item && item->type == VcaType::quantity)
+        if (const auto* item = tree.find(fmt::format("MetaData/MeasurementSettings/{}", path));
+            item && item->type == VcaType::quantity)
             metadata.attributes[key] = fmt::format("{} {}", item->number, item->text);
     return info;
 }
 
 /// Names in the order in which they are listed as heights, the primary one first.
-std::vector<std::string> heights_first(const VcaItem& tree, const char* lists, const char* primary, const bytes::Source& source) {
+std::vector<std::string> heights_first(const VcaItem& tree, const char* lists, const char* primary,
+                                       const bytes::Source& source) {
     std::vector<std::string> names;
-    if (const auto* list = tree.find(lists); list && list->type == VcaType::string_list) names = texts_of(*list, source, format_name);
+    if (const auto* list = tree.find(lists); list && list->type == VcaType::string_list)
+        names = texts_of(*list, source, format_name);
     const auto first = tree.text_at(primary);
-    if (const auto at = std::find(names.begin(), names.end(), first); at != names.end()) std::rotate(names.begin(), at, at + 1);
+    if (const auto at = std::find(names.begin(), names.end(), first); at != names.end())
+        std::rotate(names.begin(), at, at + 1);
     return names;
 }
 
 /// Entries that hold `content`, those named first.
-std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, const char* content, const std::vector<std::string>& names, const bytes::Source& source) {
+std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, const char* content,
+                                       const std::vector<std::string>& names, const bytes::Source& source) {
     std::map<std::string, std::size_t> ranks;
     for (const auto& name : names) ranks.emplace(name, ranks.size());
     std::vector<std::pair<std::size_t, const VcaItem*>> ranked;
     if (const auto* data = tree.find(folder))
         for (const auto& child : data->children)
-            if (child.find(content)) ranked.emplace_back(ranks.contains(child.name) ? ranks[child.name] : ranks.size(), &child);
+            if (child.find(content))
+                ranked.emplace_back(ranks.contains(child.name) ? ranks[child.name] : ranks.size(), &child);
     if (ranked.size() > most_channels)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("OPDx: {} channels, expected {} at most; the file is damaged", ranked.size(), most_channels));
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("OPDx: {} channels, expected {} at most; the file is damaged", ranked.size(), most_channels));
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const VcaItem*> items;
     for (const auto& [rank, item] : ranked) items.push_back(item);
     return items;
 }
 
-Match detect_opdx(std::string_view head, const bytes::Source&) { return head.starts_with(signature) ? Match::yes : Match::no; }
+Match detect_opdx(std::string_view head, const bytes::Source&) {
+    return head.starts_with(signature) ? Match::yes : Match::no;
+}
 
 std::vector<Channel> open_opdx(const bytes::Source& source, const ReadOptions& options) {
     bytes::Cursor cursor(source, format_name, signature.size());
     const auto tree = read_vca_tree(cursor);
     const auto common = common_info(tree);
     std::vector<Channel> channels;
-    for (const auto* item : data_items(tree, "2D_Data", "Matrix", heights_first(tree, "MetaData/2D_Channels/Height", "MetaData/PrimaryData2D", source), source))
+    for (const auto* item :
+         data_items(tree, "2D_Data", "Matrix",
+                    heights_first(tree, "MetaData/2D_Channels/Height", "MetaData/PrimaryData2D", source), source))
         channels.push_back(vca_map_channel(*item, common, source, options));
-    for (const auto* item : data_items(tree, "1D_Data", "Array", heights_first(tree, "MetaData/1D_Channels/Height", "MetaData/PrimaryData1D", source), source))
+    for (const auto* item :
+         data_items(tree, "1D_Data", "Array",
+                    heights_first(tree, "MetaData/1D_Channels/Height", "MetaData/PrimaryData1D", source), source))
         channels.push_back(vca_line_channel(*item, common, source, options));
-    if (channels.empty()) throw FormatError(source.name, {.offset = source.size}, "OPDx: no map and no profile in the file");
+    if (channels.empty())
+        throw FormatError(source.name, {.offset = source.size}, "OPDx: no map and no profile in the file");
     return channels;
 }
 
 }  // namespace
 
 Format opdx_format() {
-    return {.identifier = "opdx",
-            .name = "OPDx",
-            .extensions = ".opdx",
-            .description = "Bruker Dektak XT and Vision64: a tree of typed entries with profiles and maps; every channel is listed",
-            .heights = "stored floating-point value times the channel's data scale; NaN and values of 1e38 and more are undefined",
-            .orientation = "rows from the top, as stored; extents are from the first point to the last and are made n · pixel size",
-            .not_read = "maps of intensity and modulation are listed without being read; explicit positions of a profile's points",
-            .reference = "Gwyddion's module dektakvca, and the files themselves: they repeat positions and extents",
-            .tested_on_real_files = true,
-            .detect = detect_opdx,
-            .open = open_opdx};
+    return {
+        .identifier = "opdx",
+        .name = "OPDx",
+        .extensions = ".opdx",
+        .description =
+            "Bruker Dektak XT and Vision64: a tree of typed entries with profiles and maps; every channel is listed",
+        .heights =
+            "stored floating-point value times the channel's data scale; NaN and values of 1e38 and more are undefined",
+        .orientation =
+            "rows from the top, as stored; extents are from the first point to the last and are made n · pixel size",
+        .not_read =
+            "maps of intensity and modulation are listed without being read; explicit positions of a profile's points",
+        .reference = "Gwyddion's module dektakvca, and the files themselves: they repeat positions and extents",
+        .tested_on_real_files = true,
+        .detect = detect_opdx,
+        .open = open_opdx};
 }
 
 }  // namespace setae::formats

@@ -2,12 +2,12 @@
 #include <string_view>
 #include <utility>
 
-#include "setae/bytes/archive.hpp"
 #include "embedded_archive.hpp"
 #include "format_list.hpp"
 #include "oir.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/core/errors.hpp"
 
 // Olympus POIR: a ZIP archive of OIR files, usually one of the laser and one of the camera.
 namespace setae::formats {
@@ -27,7 +27,9 @@ std::vector<Channel> open_poir(const bytes::Source& source, const ReadOptions& o
     const bytes::Archive archive(source);
     for (const auto& member : archive.names()) {
         if (!is_oir(member)) continue;
-        for (auto& channel : member_channels(source, member, member.substr(member.rfind('/') + 1), "poir", open_oir, options)) channels.push_back(std::move(channel));
+        for (auto& channel :
+             member_channels(source, member, member.substr(member.rfind('/') + 1), "poir", open_oir, options))
+            channels.push_back(std::move(channel));
     }
     return channels;
 }

@@ -9,18 +9,19 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/calendar_time.hpp"
 #include "channel_building.hpp"
+#include "format_list.hpp"
+#include "setae/bytes/calendar_time.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/bytes/expanded_source.hpp"
-#include "format_list.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
 #include "storage/raster.hpp"
-#include "setae/core/errors.hpp"
 
-// Digital Surf SUR and PRO: objects one after another, each with a header of 512 bytes, a comment, a private zone and its points as
-// integers of 16 or 32 bits, or as zlib streams behind a list of their lengths. Height = raw · z spacing + z offset.
+// Digital Surf SUR and PRO: objects one after another, each with a header of 512 bytes, a comment, a private zone and
+// its points as integers of 16 or 32 bits, or as zlib streams behind a list of their lengths. Height = raw · z spacing
+// + z offset.
 namespace setae::formats {
 namespace {
 
@@ -29,9 +30,24 @@ constexpr std::uint16_t macintosh = 0x0101;
 constexpr std::uint64_t header_bytes = 512;
 
 enum ObjectType : std::uint16_t {
-    profile = 1, surface = 2, binary_image = 3, profile_series = 4, surface_series = 5, meridian_disc = 6, multilayer_profile = 7, multilayer_surface = 8,
-    parallel_disc = 9, intensity_image = 10, intensity_surface = 11, rgb_image = 12, rgb_surface = 13, force_curve = 14, force_curve_series = 15,
-    rgb_intensity_surface = 16, contour = 17, rgb_image_series = 18
+    profile = 1,
+    surface = 2,
+    binary_image = 3,
+    profile_series = 4,
+    surface_series = 5,
+    meridian_disc = 6,
+    multilayer_profile = 7,
+    multilayer_surface = 8,
+    parallel_disc = 9,
+    intensity_image = 10,
+    intensity_surface = 11,
+    rgb_image = 12,
+    rgb_surface = 13,
+    force_curve = 14,
+    force_curve_series = 15,
+    rgb_intensity_surface = 16,
+    contour = 17,
+    rgb_image_series = 18
 };
 
 /// How the heights were turned before they were stored.
@@ -64,7 +80,12 @@ std::string unit_text(bytes::Cursor& cursor) {
 std::string time_text(bytes::Cursor& cursor) {
     std::array<int, 6> fields{};  // second first
     for (auto& field : fields) field = cursor.number<std::int16_t>();
-    return bytes::iso_text({.year = fields[5], .month = fields[4], .day = fields[3], .hour = fields[2], .minute = fields[1], .second = fields[0]});
+    return bytes::iso_text({.year = fields[5],
+                            .month = fields[4],
+                            .day = fields[3],
+                            .hour = fields[2],
+                            .minute = fields[1],
+                            .second = fields[0]});
 }
 
 void read_axes(Header& header, bytes::Cursor& cursor) {
@@ -80,7 +101,8 @@ Header read_header(bytes::Cursor& cursor) {
     const auto begin = cursor.position();
     const auto signature = cursor.bytes(plain_signature.size());
     if (signature != plain_signature && signature != compressed_signature)
-        cursor.fail(fmt::format("no object begins here, expected '{}' or '{}'; the file is damaged", plain_signature, compressed_signature));
+        cursor.fail(fmt::format("no object begins here, expected '{}' or '{}'; the file is damaged", plain_signature,
+                                compressed_signature));
     header.compressed = signature == compressed_signature;
     if (cursor.number<std::uint16_t>() == macintosh) header.order = std::endian::big;
     cursor.set_order(header.order);
@@ -95,7 +117,8 @@ Header read_header(bytes::Cursor& cursor) {
     header.special_points = cursor.number<std::uint16_t>();
     cursor.skip(2 + 4 + 4);  // absolute, gauge resolution, length of spectra
     header.bits = cursor.number<std::uint16_t>();
-    if (header.bits != 16 && header.bits != 32) cursor.fail(fmt::format("{} bits a point, expected 16 or 32", header.bits));
+    if (header.bits != 16 && header.bits != 32)
+        cursor.fail(fmt::format("{} bits a point, expected 16 or 32", header.bits));
     header.least = cursor.number<std::int32_t>();
     cursor.skip(4);  // greatest
     header.points = cursor.number<std::int32_t>();
@@ -129,7 +152,9 @@ struct Stream {
 /// The points behind a list of streams, expanded when they are read; the cursor goes behind them.
 bytes::Source compressed_points(const Header& header, bytes::Cursor& cursor) {
     const auto count = cursor.number<std::uint32_t>();
-    if (count > cursor.remaining() / 8) cursor.fail(fmt::format("{} compressed streams announced, more than the file has room for; it is truncated or damaged", count));
+    if (count > cursor.remaining() / 8)
+        cursor.fail(fmt::format(
+            "{} compressed streams announced, more than the file has room for; it is truncated or damaged", count));
     std::vector<Stream> streams(count);
     for (auto& stream : streams) {
         stream.expanded = cursor.number<std::uint32_t>();
@@ -140,14 +165,20 @@ bytes::Source compressed_points(const Header& header, bytes::Cursor& cursor) {
         stream.offset = cursor.position();
         cursor.skip(stream.size);
         expanded += stream.expanded;
-        if (stream.expanded > bytes::most_expanded(stream.size)) cursor.fail(fmt::format("{} compressed bytes announce {}; the file is damaged", stream.size, stream.expanded));
+        if (stream.expanded > bytes::most_expanded(stream.size))
+            cursor.fail(
+                fmt::format("{} compressed bytes announce {}; the file is damaged", stream.size, stream.expanded));
     }
-    const auto needed = static_cast<std::uint64_t>(header.points) * static_cast<std::uint64_t>(header.lines) * header.value_bytes();
-    if (expanded != needed) cursor.fail(fmt::format("{} × {} points of {} bits in {} expanded bytes, expected {}", header.points, header.lines, header.bits, expanded, needed));
+    const auto needed =
+        static_cast<std::uint64_t>(header.points) * static_cast<std::uint64_t>(header.lines) * header.value_bytes();
+    if (expanded != needed)
+        cursor.fail(fmt::format("{} × {} points of {} bits in {} expanded bytes, expected {}", header.points,
+                                header.lines, header.bits, expanded, needed));
     const auto& file = cursor.source();
     return bytes::expanded_source(file.name, needed, [file, streams] {
         std::string points;
-        for (const auto& stream : streams) points += bytes::inflated(file.bytes(stream.offset, stream.size), file, stream.offset, std::string(name));
+        for (const auto& stream : streams)
+            points += bytes::inflated(file.bytes(stream.offset, stream.size), file, stream.offset, std::string(name));
         return points;
     });
 }
@@ -184,15 +215,18 @@ std::string orientation_text(const Header& header) {
 
 /// Extent along each direction [m]; nothing where a unit is missing or no length.
 std::vector<double> extent_of(const Header& header) {
-    const auto x = tables::try_parse_unit(header.x.unit), y = tables::try_parse_unit(header.lines > 1 ? header.y.unit : header.x.unit);
-    if (header.x.unit.empty() || !x || !y || x->dimension != dimension::length || y->dimension != dimension::length) return {};
+    const auto x = tables::try_parse_unit(header.x.unit),
+               y = tables::try_parse_unit(header.lines > 1 ? header.y.unit : header.x.unit);
+    if (header.x.unit.empty() || !x || !y || x->dimension != dimension::length || y->dimension != dimension::length)
+        return {};
     std::vector<double> size{header.points * std::abs(header.x.spacing) * x->factor};
     if (header.lines > 1) size.push_back(header.lines * std::abs(header.y.spacing) * y->factor);
     return size;
 }
 
 /// The points of one object, after which the cursor stands.
-Channel object_channel(const Header& header, const std::string& title, bool is_height, const topography::Metadata& metadata, bytes::Cursor& cursor, const ReadOptions& options) {
+Channel object_channel(const Header& header, const std::string& title, bool is_height,
+                       const topography::Metadata& metadata, bytes::Cursor& cursor, const ReadOptions& options) {
     const bool turned = header.inversion >= negated && header.inversion <= negated_and_upside_down;
     Raster raster{.offset = header.compressed ? 0 : header.data,
                   .nx = header.points,
@@ -203,8 +237,11 @@ Channel object_channel(const Header& header, const std::string& title, bool is_h
                   .right_to_left = header.inversion == negated_and_mirrored};
     const auto source = header.compressed ? compressed_points(header, cursor) : cursor.source();
     require_raster(raster, source, std::string(name));
-    if (!header.compressed) cursor.skip(static_cast<std::uint64_t>(raster.nx) * static_cast<std::uint64_t>(raster.ny) * header.value_bytes());
-    ChannelInfo info{.name = title, .format = "sur", .size = extent_of(header), .unit = header.z.unit, .metadata = metadata};
+    if (!header.compressed)
+        cursor.skip(static_cast<std::uint64_t>(raster.nx) * static_cast<std::uint64_t>(raster.ny) *
+                    header.value_bytes());
+    ChannelInfo info{
+        .name = title, .format = "sur", .size = extent_of(header), .unit = header.z.unit, .metadata = metadata};
     const auto unit = tables::try_parse_unit(header.z.unit);
     if (!is_height || (!header.z.unit.empty() && (!unit || unit->dimension != dimension::length))) {
         info.shape = raster.ny > 1 ? std::vector<Index>{raster.nx, raster.ny} : std::vector<Index>{raster.nx};
@@ -220,9 +257,12 @@ Channel object_channel(const Header& header, const std::string& title, bool is_h
 
 [[noreturn]] void refuse(const bytes::Source& source, std::uint16_t type) {
     const bool force = type == force_curve || type == force_curve_series;
-    throw FormatError(source.name, {.offset = 18},
-                      force ? "SUR: it holds force curves, no topography; export them as text, which `setae jkr fit` reads"
-                            : fmt::format("SUR: objects of type {} are no map and no profile; expected type 1 to 5, 7, 8, 10 to 13, 16 or 18", type));
+    throw FormatError(
+        source.name, {.offset = 18},
+        force ? "SUR: it holds force curves, no topography; export them as text, which `setae jkr fit` reads"
+              : fmt::format(
+                    "SUR: objects of type {} are no map and no profile; expected type 1 to 5, 7, 8, 10 to 13, 16 or 18",
+                    type));
 }
 
 /// How many objects follow one another, and of how many of them the first is heights.
@@ -232,7 +272,8 @@ struct Group {
 };
 
 Group group_of(const Header& first, const bytes::Source& source) {
-    const std::size_t objects = std::max<std::size_t>(first.objects, 1), channels = std::max<std::size_t>(first.channels, 1);
+    const std::size_t objects = std::max<std::size_t>(first.objects, 1),
+                      channels = std::max<std::size_t>(first.channels, 1);
     switch (first.type) {
         case profile:
         case surface: return {};
@@ -242,11 +283,13 @@ Group group_of(const Header& first, const bytes::Source& source) {
         case multilayer_surface: return {.objects = objects * channels};
         case intensity_surface:
         case rgb_surface:
-        case rgb_intensity_surface: return {.objects = objects * channels, .channels = channels, .others_are_heights = false};
+        case rgb_intensity_surface:
+            return {.objects = objects * channels, .channels = channels, .others_are_heights = false};
         case binary_image:
         case intensity_image:
         case rgb_image:
-        case rgb_image_series: return {.objects = objects * channels, .others_are_heights = false, .first_is_height = false};
+        case rgb_image_series:
+            return {.objects = objects * channels, .others_are_heights = false, .first_is_height = false};
         default: refuse(source, first.type);
     }
 }
@@ -264,7 +307,9 @@ std::vector<Channel> open_sur(const bytes::Source& source, const ReadOptions& op
     for (std::size_t i = 0;; ++i) {
         const bool first = i % group.channels == 0;
         const auto label = header.z.label.empty() ? "Z" : header.z.label;
-        channels.push_back(object_channel(header, group.objects > 1 ? fmt::format("{} {}", label, i + 1) : label, first ? group.first_is_height : group.others_are_heights, metadata, cursor, options));
+        channels.push_back(object_channel(header, group.objects > 1 ? fmt::format("{} {}", label, i + 1) : label,
+                                          first ? group.first_is_height : group.others_are_heights, metadata, cursor,
+                                          options));
         if (i + 1 == group.objects) return channels;
         header = read_header(cursor);
     }
@@ -273,17 +318,22 @@ std::vector<Channel> open_sur(const bytes::Source& source, const ReadOptions& op
 }  // namespace
 
 Format sur_format() {
-    return {.identifier = "sur",
-            .name = "Digital Surf SUR",
-            .extensions = ".sur .pro",
-            .description = "surfaces and profiles of MountainsMap and of instruments that write for it, single, in series or in layers, plain or compressed",
-            .heights = "raw times z spacing plus z offset, negated where the header says inverted; with special points the value two below the least is undefined",
-            .orientation = "rows stored from the top; where the header says mirrored or upside down, turned",
-            .not_read = "discs, contours, spectra and force curves are refused; images and colours are listed; saturated points (one beyond least and greatest) stay heights; axes' origins",
-            .reference = "Digital Surf's header of 512 bytes as Gwyddion's surffile.c, RosettaSciIO and surfalize describe it",
-            .tested_on_real_files = true,
-            .detect = detect_sur,
-            .open = open_sur};
+    return {
+        .identifier = "sur",
+        .name = "Digital Surf SUR",
+        .extensions = ".sur .pro",
+        .description =
+            "surfaces and profiles of MountainsMap and of instruments that write for it, single, in series or in layers, plain or compressed",
+        .heights =
+            "raw times z spacing plus z offset, negated where the header says inverted; with special points the value two below the least is undefined",
+        .orientation = "rows stored from the top; where the header says mirrored or upside down, turned",
+        .not_read =
+            "discs, contours, spectra and force curves are refused; images and colours are listed; saturated points (one beyond least and greatest) stay heights; axes' origins",
+        .reference =
+            "Digital Surf's header of 512 bytes as Gwyddion's surffile.c, RosettaSciIO and surfalize describe it",
+        .tested_on_real_files = true,
+        .detect = detect_sur,
+        .open = open_sur};
 }
 
 }  // namespace setae::formats

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/tables/header.hpp"
-#include "storage/raster.hpp"
+#include "setae/bytes/unix_time.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/unix_time.hpp"
+#include "setae/tables/header.hpp"
+#include "storage/raster.hpp"
 
 namespace setae::formats {
 namespace {
@@ -41,19 +41,23 @@ public:
     }
 
     VcaItem value(std::string name, std::uint64_t end, int depth) {
-        if (++count_ > most_items) cursor_.fail(fmt::format("more than {} entries, which no such file has; it is damaged", most_items));
+        if (++count_ > most_items)
+            cursor_.fail(fmt::format("more than {} entries, which no such file has; it is damaged", most_items));
         VcaItem item;
         item.name = std::move(name);
         item.type = static_cast<VcaType>(cursor_.number<std::uint8_t>());
         content(item, depth);
-        if (cursor_.position() > end) cursor_.fail(fmt::format("entry '{:.40}' leads out of what holds it; the file is damaged", item.name));
+        if (cursor_.position() > end)
+            cursor_.fail(fmt::format("entry '{:.40}' leads out of what holds it; the file is damaged", item.name));
         return item;
     }
 
 private:
     std::string name() {
         const auto length = cursor_.number<std::uint32_t>();
-        if (length > longest_text) cursor_.fail(fmt::format("a name of {} characters, expected {} at most; the file is damaged", length, longest_text));
+        if (length > longest_text)
+            cursor_.fail(
+                fmt::format("a name of {} characters, expected {} at most; the file is damaged", length, longest_text));
         return cursor_.text(length);
     }
 
@@ -65,11 +69,15 @@ private:
             case 2: bytes = cursor_.number<std::uint16_t>(); break;
             case 4: bytes = cursor_.number<std::uint32_t>(); break;
             case 8: bytes = cursor_.number<std::uint64_t>(); break;
-            default: cursor_.fail(fmt::format("a length of {} bytes, expected 1, 2, 4 or 8; the file is damaged", width));
+            default:
+                cursor_.fail(fmt::format("a length of {} bytes, expected 1, 2, 4 or 8; the file is damaged", width));
         }
         if (bytes > cursor_.remaining())
-            throw FormatError(cursor_.source().name, {.offset = cursor_.source().size},
-                              fmt::format("Vision64: the file ends here, an entry of {} bytes begins at byte {}; it is truncated or damaged", bytes, cursor_.position()));
+            throw FormatError(
+                cursor_.source().name, {.offset = cursor_.source().size},
+                fmt::format(
+                    "Vision64: the file ends here, an entry of {} bytes begins at byte {}; it is truncated or damaged",
+                    bytes, cursor_.position()));
         return bytes;
     }
 
@@ -80,7 +88,9 @@ private:
         (void)name();
         item.text = name();
         if (!value_first) item.number = cursor_.number<double>();
-        if (cursor_.position() > end) cursor_.fail(fmt::format("quantity '{:.40}' is longer than its {} bytes; the file is damaged", item.name, bytes));
+        if (cursor_.position() > end)
+            cursor_.fail(
+                fmt::format("quantity '{:.40}' is longer than its {} bytes; the file is damaged", item.name, bytes));
         cursor_.seek(end);
     }
 
@@ -98,7 +108,9 @@ private:
         }
         const auto bytes = length();
         constexpr std::uint64_t dimensions = 2 * sizeof(std::uint32_t);
-        if (bytes < dimensions) cursor_.fail(fmt::format("matrix '{:.40}' of {} bytes has no place for its dimensions; the file is damaged", item.name, bytes));
+        if (bytes < dimensions)
+            cursor_.fail(fmt::format("matrix '{:.40}' of {} bytes has no place for its dimensions; the file is damaged",
+                                     item.name, bytes));
         item.rows = cursor_.number<std::uint32_t>();
         item.columns = cursor_.number<std::uint32_t>();
         item.offset = cursor_.position();
@@ -110,7 +122,9 @@ private:
         (void)name();
         elements(item);
         constexpr std::uint64_t prefix = 5;  // type of elements, their bytes
-        if (item.length < prefix) cursor_.fail(fmt::format("array '{:.40}' of {} bytes has no place for its type; the file is damaged", item.name, item.length));
+        if (item.length < prefix)
+            cursor_.fail(fmt::format("array '{:.40}' of {} bytes has no place for its type; the file is damaged",
+                                     item.name, item.length));
         item.element = cursor_.number_at<std::uint8_t>(item.offset);
         item.offset += prefix;
         item.length -= prefix;
@@ -129,10 +143,8 @@ private:
             case VcaType::float64: item.number = cursor_.number<double>(); return;
             case VcaType::string: {
                 const auto bytes = length();
-                if (bytes <= longest_text)
-                    item.text = cursor_.text(bytes);
-                else
-                    cursor_.skip(bytes);
+                if (bytes <= longest_text) item.text = cursor_.text(bytes);
+                else cursor_.skip(bytes);
                 return;
             }
             case VcaType::quantity: return quantity(item, true);
@@ -144,22 +156,22 @@ private:
             case VcaType::array: return array(item);
             case VcaType::type_identifier:
             case VcaType::string_list:
-            case VcaType::positions:
-                (void)name();
-                return elements(item);
+            case VcaType::positions: (void)name(); return elements(item);
             case VcaType::matrix:
             case VcaType::anonymous_matrix: return matrix(item);
             case VcaType::container:
             case VcaType::line_data:
             case VcaType::map_data: {
-                if (depth >= deepest) cursor_.fail(fmt::format("entries nested deeper than {}; the file is damaged", deepest));
+                if (depth >= deepest)
+                    cursor_.fail(fmt::format("entries nested deeper than {}; the file is damaged", deepest));
                 const auto bytes = length();
                 item.children = items(cursor_.position() + bytes, depth + 1);
                 return;
             }
             case VcaType::terminator: return;
         }
-        cursor_.fail(fmt::format("entry '{:.40}' is of the unknown type {:#04x}", item.name, static_cast<unsigned>(item.type)));
+        cursor_.fail(
+            fmt::format("entry '{:.40}' is of the unknown type {:#04x}", item.name, static_cast<unsigned>(item.type)));
     }
 
     bytes::Cursor& cursor_;
@@ -174,7 +186,8 @@ std::optional<double> whole_size(const VcaItem* extent, Index points) {
     return extent->number * unit->factor * static_cast<double>(points) / static_cast<double>(points - 1);
 }
 
-/// What raw values are multiplied with to be metres; 0 where they are no heights. Without a stated scale, heights keep 1 and no unit.
+/// What raw values are multiplied with to be metres; 0 where they are no heights. Without a stated scale, heights keep
+/// 1 and no unit.
 double height_factor(const VcaItem& data, ChannelInfo& info) {
     const auto* scale = data.find("DataScale");
     const auto kind = data.text_at("DataKind");
@@ -191,12 +204,14 @@ ChannelInfo named(const VcaItem& data, const ChannelInfo& common) {
     return info;
 }
 
-Channel channel_of(ChannelInfo info, const Raster& raster, double factor, const bytes::Source& source, const ReadOptions& options) {
+Channel channel_of(ChannelInfo info, const Raster& raster, double factor, const bytes::Source& source,
+                   const ReadOptions& options) {
     if (factor == 0.0) {
         require_raster(raster, source, info.format);
         return non_height_channel(std::move(info));
     }
-    return raster_channel(std::move(info), source, raster, {.factor = factor, .least = -greatest_height, .greatest = greatest_height}, options);
+    return raster_channel(std::move(info), source, raster,
+                          {.factor = factor, .least = -greatest_height, .greatest = greatest_height}, options);
 }
 
 }  // namespace
@@ -223,47 +238,66 @@ VcaItem read_vca_tree(bytes::Cursor& cursor) {
     return root;
 }
 
-VcaItem read_vca_value(bytes::Cursor& cursor, std::string name, std::uint64_t end) { return TreeReader(cursor).value(std::move(name), end, 0); }
+VcaItem read_vca_value(bytes::Cursor& cursor, std::string name, std::uint64_t end) {
+    return TreeReader(cursor).value(std::move(name), end, 0);
+}
 
 std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& source, const std::string& format) {
     std::vector<std::string> texts;
     bytes::Cursor cursor(source, format, list.offset);
     while (cursor.position() < list.offset + list.length && texts.size() < most_texts) {
         const auto length = cursor.number<std::uint32_t>();
-        if (length > longest_text) cursor.fail(fmt::format("a text of {} characters, expected {} at most; the file is damaged", length, longest_text));
+        if (length > longest_text)
+            cursor.fail(
+                fmt::format("a text of {} characters, expected {} at most; the file is damaged", length, longest_text));
         texts.push_back(cursor.text(length));
     }
     return texts;
 }
 
-Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source, const ReadOptions& options) {
+Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
+                        const ReadOptions& options) {
     auto info = named(data, common);
     const auto* matrix = data.find("Matrix");
     const auto points = static_cast<std::uint64_t>(matrix->rows) * static_cast<std::uint64_t>(matrix->columns);
     const auto bytes = points > 0 ? matrix->length / points : 0;
     if (bytes * points != matrix->length || (bytes != sizeof(float) && bytes != sizeof(double)))
         throw FormatError(source.name, {.offset = matrix->offset},
-                          fmt::format("{}: matrix '{}' has {} × {} values in {} bytes, expected 4 or 8 bytes a value", info.format, info.name, matrix->columns, matrix->rows, matrix->length));
-    const Raster raster{.offset = matrix->offset, .nx = matrix->columns, .ny = matrix->rows, .sample = bytes == sizeof(float) ? Sample::float32 : Sample::float64};
+                          fmt::format("{}: matrix '{}' has {} × {} values in {} bytes, expected 4 or 8 bytes a value",
+                                      info.format, info.name, matrix->columns, matrix->rows, matrix->length));
+    const Raster raster{.offset = matrix->offset,
+                        .nx = matrix->columns,
+                        .ny = matrix->rows,
+                        .sample = bytes == sizeof(float) ? Sample::float32 : Sample::float64};
     info.shape = {raster.nx, raster.ny};
-    const auto width = whole_size(data.find("Dimension2Extent"), raster.nx), height = whole_size(data.find("Dimension1Extent"), raster.ny);
+    const auto width = whole_size(data.find("Dimension2Extent"), raster.nx),
+               height = whole_size(data.find("Dimension1Extent"), raster.ny);
     if (width && height) info.size = {*width, *height};
     info.orientation = "rows from the top, as stored; not stated in the file";
     const double factor = height_factor(data, info);
     return channel_of(std::move(info), raster, factor, source, options);
 }
 
-Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source, const ReadOptions& options) {
+Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
+                         const ReadOptions& options) {
     auto info = named(data, common);
     const auto* array = data.find("Array");
     const bool single = array->element == static_cast<std::uint8_t>(VcaType::float32);
     if (!single && array->element != static_cast<std::uint8_t>(VcaType::float64))
-        throw FormatError(source.name, {.offset = array->offset}, fmt::format("{}: values of profile '{}' are of type {:#04x}, expected 0x0c or 0x0d (floating point)", info.format, info.name, array->element));
+        throw FormatError(
+            source.name, {.offset = array->offset},
+            fmt::format("{}: values of profile '{}' are of type {:#04x}, expected 0x0c or 0x0d (floating point)",
+                        info.format, info.name, array->element));
     const auto points = array->length / (single ? sizeof(float) : sizeof(double));
     const auto* announced = data.find("NumPoints");
     if (announced && announced->number != static_cast<double>(points))
-        throw FormatError(source.name, {.offset = array->offset}, fmt::format("{}: profile '{}' announces {} points and has {}", info.format, info.name, announced->number, points));
-    const Raster raster{.offset = array->offset, .nx = static_cast<Index>(points), .ny = 1, .sample = single ? Sample::float32 : Sample::float64};
+        throw FormatError(source.name, {.offset = array->offset},
+                          fmt::format("{}: profile '{}' announces {} points and has {}", info.format, info.name,
+                                      announced->number, points));
+    const Raster raster{.offset = array->offset,
+                        .nx = static_cast<Index>(points),
+                        .ny = 1,
+                        .sample = single ? Sample::float32 : Sample::float64};
     info.shape = {raster.nx};
     if (const auto size = whole_size(data.find("Extent"), raster.nx)) info.size = {*size};
     const double factor = height_factor(data, info);

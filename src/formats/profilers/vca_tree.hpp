@@ -67,13 +67,16 @@ struct VcaItem {
 [[nodiscard]] VcaItem read_vca_value(bytes::Cursor& cursor, std::string name, std::uint64_t end);
 
 /// The texts of a list.
-[[nodiscard]] std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& source, const std::string& format);
+[[nodiscard]] std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& source,
+                                                const std::string& format);
 
-/// The channel of an entry that holds a matrix and its extents ("2D_Data/Raw"): heights where its scale has a unit of length.
-/// `common` has format and metadata.
-[[nodiscard]] Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source, const ReadOptions& options);
+/// The channel of an entry that holds a matrix and its extents ("2D_Data/Raw"): heights where its scale has a unit of
+/// length. `common` has format and metadata.
+[[nodiscard]] Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
+                                      const ReadOptions& options);
 
 /// The channel of an entry that holds an array ("1D_Data/Raw").
-[[nodiscard]] Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source, const ReadOptions& options);
+[[nodiscard]] Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
+                                       const ReadOptions& options);
 
 }  // namespace setae::formats

@@ -57,10 +57,15 @@ Hdf5Handle opened_dataset(hid_t file, const std::string& path) {
 
 }  // namespace
 
-bool unpacks(H5Z_filter_t filter) { return filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32; }
+bool unpacks(H5Z_filter_t filter) {
+    return filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32;
+}
 
 ChunkedValues::ChunkedValues(const bytes::Source& source, Hdf5Chunks chunks)
-    : source_(source), chunks_(std::move(chunks)), file_(opened_hdf5(source)), data_(opened_dataset(file_, chunks_.path)) {
+    : source_(source),
+      chunks_(std::move(chunks)),
+      file_(opened_hdf5(source)),
+      data_(opened_dataset(file_, chunks_.path)) {
     if (!data_) damaged(source_, chunks_.path, "no header");
 }
 
@@ -77,7 +82,8 @@ std::string ChunkedValues::unpacked_piece(std::uint64_t row, std::uint64_t colum
     if (stored > source_.size) damaged(source_, chunks_.path, fmt::format("a piece of {} bytes", stored));
     std::string bytes(stored, '\0');
     std::uint32_t skipped = 0;
-    if (H5Dread_chunk(data_, H5P_DEFAULT, place.data(), &skipped, bytes.data()) < 0) damaged(source_, chunks_.path, "an unreadable piece");
+    if (H5Dread_chunk(data_, H5P_DEFAULT, place.data(), &skipped, bytes.data()) < 0)
+        damaged(source_, chunks_.path, "an unreadable piece");
     for (auto k = chunks_.filters.size(); k-- > 0;) {
         if (k < 32 && (skipped >> k & 1)) continue;
         const auto& filter = chunks_.filters[k];
@@ -92,7 +98,8 @@ std::string ChunkedValues::unpacked_piece(std::uint64_t row, std::uint64_t colum
             if (fletcher32(bytes) != sum) damaged(source_, chunks_.path, "a wrong checksum");
         }
     }
-    if (bytes.size() != expected) damaged(source_, chunks_.path, fmt::format("a piece of {} bytes, expected {}", bytes.size(), expected));
+    if (bytes.size() != expected)
+        damaged(source_, chunks_.path, fmt::format("a piece of {} bytes, expected {}", bytes.size(), expected));
     return bytes;
 }
 
@@ -103,9 +110,12 @@ std::string ChunkedValues::unpacked_band(std::uint64_t index) const {
     std::string values(rows * row_bytes, '\0');
     for (std::uint64_t column = 0; column * chunks_.chunk_columns() < chunks_.columns(); ++column) {
         const auto piece = unpacked_piece(index, column);
-        const auto left = column * chunks_.chunk_columns(), width = std::min(chunks_.chunk_columns(), chunks_.columns() - left);
+        const auto left = column * chunks_.chunk_columns(),
+                   width = std::min(chunks_.chunk_columns(), chunks_.columns() - left);
         for (hsize_t row = 0; row < rows; ++row)
-            std::memcpy(values.data() + row * row_bytes + left * chunks_.value_bytes, piece.data() + row * chunks_.chunk_columns() * chunks_.value_bytes, width * chunks_.value_bytes);
+            std::memcpy(values.data() + row * row_bytes + left * chunks_.value_bytes,
+                        piece.data() + row * chunks_.chunk_columns() * chunks_.value_bytes,
+                        width * chunks_.value_bytes);
     }
     return values;
 }

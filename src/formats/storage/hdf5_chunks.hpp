@@ -34,8 +34,9 @@ struct Hdf5Chunks {
 /// Whether setae unpacks this filter itself, with bounds: deflate, shuffle and Fletcher's checksum.
 [[nodiscard]] bool unpacks(H5Z_filter_t filter);
 
-/// The values of a dataset in pieces as if they lay one after another. Rows of pieces are unpacked when asked for; the last few are
-/// kept, so that readers that walk in parallel through parts of the file unpack each once. From one thread at a time.
+/// The values of a dataset in pieces as if they lay one after another. Rows of pieces are unpacked when asked for; the
+/// last few are kept, so that readers that walk in parallel through parts of the file unpack each once. From one thread
+/// at a time.
 class ChunkedValues {
 public:
     ChunkedValues(const bytes::Source& source, Hdf5Chunks chunks);

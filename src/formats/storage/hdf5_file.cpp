@@ -12,9 +12,9 @@
 
 #include "hdf5_handle.hpp"
 #include "hdf5_layout.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::formats {
 namespace {
@@ -23,7 +23,9 @@ constexpr int deepest_group = 16;
 constexpr std::size_t most_objects = 10'000, most_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
 constexpr std::uint64_t longest_text = 1 << 16, most_record_bytes = 1 << 24;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) { throw FormatError(source.name, {}, "HDF5: " + what); }
+[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+    throw FormatError(source.name, {}, "HDF5: " + what);
+}
 
 std::string clean_text(std::string bytes) {
     bytes.resize(std::min(bytes.find('\0'), bytes.size()));
@@ -44,13 +46,16 @@ std::vector<std::string> members_of(hid_t group) {
     return names;
 }
 
-void find_datasets(hid_t group, const std::string& path, int depth, std::size_t& visited, std::vector<std::string>& found) {
+void find_datasets(hid_t group, const std::string& path, int depth, std::size_t& visited,
+                   std::vector<std::string>& found) {
     for (const auto& name : members_of(group)) {
         if (++visited > most_objects) return;
         const Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
-        const auto type = member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
+        const auto type =
+            member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
         if (type == H5I_DATASET) found.push_back(path + "/" + name);
-        if (type == H5I_GROUP && depth < deepest_group) find_datasets(member, path + "/" + name, depth + 1, visited, found);
+        if (type == H5I_GROUP && depth < deepest_group)
+            find_datasets(member, path + "/" + name, depth + 1, visited, found);
     }
 }
 
@@ -63,7 +68,8 @@ Hdf5Handle opened_object(hid_t file, const std::string& path) {
         at = end + 1;
         if (name.empty()) continue;
         H5L_info_t link;
-        const bool is_hard = object && H5Iget_type(object) == H5I_GROUP && H5Lget_info(object, name.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
+        const bool is_hard = object && H5Iget_type(object) == H5I_GROUP &&
+                             H5Lget_info(object, name.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
         Hdf5Handle next(is_hard ? H5Oopen(object, name.c_str(), H5P_DEFAULT) : -1, &H5Oclose);
         std::swap(object.id, next.id);
     }
@@ -75,7 +81,8 @@ bool is_in(hid_t file, const std::string& path) {
     const auto slash = path.rfind('/');
     const auto group = opened_object(file, path.substr(0, slash));
     H5L_info_t link;
-    return group && H5Iget_type(group) == H5I_GROUP && H5Lget_info(group, path.substr(slash + 1).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
+    return group && H5Iget_type(group) == H5I_GROUP &&
+           H5Lget_info(group, path.substr(slash + 1).c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
 }
 
 // ---- attributes and records -----------------------------------------------------------------------------------------
@@ -96,7 +103,8 @@ std::optional<NativeType> native(hid_t stored) {
 }
 
 std::string text_in(const char* value, hid_t type) {
-    if (H5Tis_variable_str(type) <= 0) return clean_text({value, std::min<std::size_t>(H5Tget_size(type), longest_text)});
+    if (H5Tis_variable_str(type) <= 0)
+        return clean_text({value, std::min<std::size_t>(H5Tget_size(type), longest_text)});
     const char* text = nullptr;
     std::memcpy(&text, value, sizeof text);
     return text ? clean_text({text, strnlen(text, longest_text)}) : std::string{};
@@ -125,7 +133,9 @@ void append_member(const char* value, hid_t type, Hdf5Record& record) {
     } else if (kind == H5T_VLEN || kind == H5T_ARRAY) {
         const Hdf5Handle base(H5Tget_super(type), &H5Tclose);
         if (!base || !is_number(H5Tget_class(base))) return;
-        if (kind == H5T_ARRAY) return append_numbers(value, H5Tget_size(type) / std::max<std::size_t>(H5Tget_size(base), 1), base, record.numbers);
+        if (kind == H5T_ARRAY)
+            return append_numbers(value, H5Tget_size(type) / std::max<std::size_t>(H5Tget_size(base), 1), base,
+                                  record.numbers);
         hvl_t list{};
         std::memcpy(&list, value, sizeof list);
         if (list.p) append_numbers(static_cast<const char*>(list.p), list.len, base, record.numbers);
@@ -143,7 +153,8 @@ Hdf5Record record_in(const char* value, hid_t type) {
 }
 
 /// Values that `read` fetches as `type`, each given to `take`; what the library allocated for them is freed.
-void with_values(hid_t space, const NativeType& type, std::uint64_t count, const std::function<herr_t(void*)>& read, const std::function<void(const char*)>& take) {
+void with_values(hid_t space, const NativeType& type, std::uint64_t count, const std::function<herr_t(void*)>& read,
+                 const std::function<void(const char*)>& take) {
     std::string values(count * type.bytes, '\0');
     if (read(values.data()) < 0) return;
     for (std::uint64_t i = 0; i < count; ++i) take(values.data() + i * type.bytes);
@@ -161,7 +172,8 @@ void with_attribute(hid_t object, const std::string& name, const std::function<v
     const auto count = static_cast<std::uint64_t>(points);
     if (count > most_numbers || count * type->bytes > most_record_bytes) return;
     with_values(
-        space, *type, count, [&](void* values) { return H5Aread(attribute, type->type, values); }, [&](const char* value) { take(value, type->type); });
+        space, *type, count, [&](void* values) { return H5Aread(attribute, type->type, values); },
+        [&](const char* value) { take(value, type->type); });
 }
 
 herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
@@ -186,18 +198,22 @@ Attributes attributes_of(hid_t object) {
     return attributes;
 }
 
-/// Whether a table's pieces cannot take much memory, whatever they announce: deflate makes at most a thousand bytes of one.
+/// Whether a table's pieces cannot take much memory, whatever they announce: deflate makes at most a thousand bytes of
+/// one.
 bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
     constexpr std::uint64_t most_packed = 1 << 16, most_piece = 1 << 18;
-    if (H5Pget_layout(properties) != H5D_CHUNKED) return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
+    if (H5Pget_layout(properties) != H5D_CHUNKED)
+        return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
     std::vector<hsize_t> chunk(dimensions);
-    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || hdf5_product(chunk) > most_piece) return false;
+    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || hdf5_product(chunk) > most_piece)
+        return false;
     return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= most_packed;
 }
 
 }  // namespace
 
-Hdf5File::Hdf5File(const bytes::Source& source) : source_(source), file_(std::make_shared<const Hdf5Handle>(opened_hdf5(source))) {}
+Hdf5File::Hdf5File(const bytes::Source& source)
+    : source_(source), file_(std::make_shared<const Hdf5Handle>(opened_hdf5(source))) {}
 
 std::vector<std::string> Hdf5File::datasets() const {
     const Hdf5Session session;
@@ -222,12 +238,14 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
         unsigned major = 0, minor = 0, release = 0;
         H5get_libversion(&major, &minor, &release);
         StoredArray closed{.name = path, .data = source_};
-        closed.refusal = fmt::format("HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}, whose h5repack --high=2 makes it older", path, major, minor,
-                                     release);
+        closed.refusal = fmt::format(
+            "HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}, whose h5repack --high=2 makes it older",
+            path, major, minor, release);
         return closed;
     }
     if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
-    const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose), properties(H5Dget_create_plist(data), &H5Pclose);
+    const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose),
+        properties(H5Dget_create_plist(data), &H5Pclose);
     const auto plain = type ? hdf5_number(type) : std::nullopt;
     if (!plain || !space || !properties) return std::nullopt;
     const auto extents = hdf5_extents(space);
@@ -238,7 +256,9 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
     array.attributes = attributes_of(data);
     array.data = source_;
     for (const auto extent : extents) {
-        if (extent > hsize_t{1} << 40) broken(source_, fmt::format("dataset {:.200} has {} values along a dimension; the file is damaged", path, extent));
+        if (extent > hsize_t{1} << 40)
+            broken(source_,
+                   fmt::format("dataset {:.200} has {} values along a dimension; the file is damaged", path, extent));
         array.shape.push_back(static_cast<Index>(extent));
     }
     if (!is_map_or_line(array)) return array;
@@ -273,10 +293,13 @@ std::vector<Hdf5Record> Hdf5File::records(const std::string& path) const {
     const auto type = native(stored);
     const auto extents = hdf5_extents(space);
     const auto count = hdf5_product(extents);
-    if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records || count * type->bytes > most_record_bytes) return {};
+    if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records ||
+        count * type->bytes > most_record_bytes)
+        return {};
     std::vector<Hdf5Record> records;
     with_values(
-        space, *type, count, [&](void* values) { return H5Dread(data, type->type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values); },
+        space, *type, count,
+        [&](void* values) { return H5Dread(data, type->type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values); },
         [&](const char* value) { records.push_back(record_in(value, type->type)); });
     return records;
 }

@@ -13,8 +13,8 @@
 
 namespace setae::formats {
 
-/// Where the signature of HDF5 stands: at the start, or behind a block of the user's of 512, 1024, 2048 … bytes; nothing where it is
-/// not among the bytes given.
+/// Where the signature of HDF5 stands: at the start, or behind a block of the user's of 512, 1024, 2048 … bytes;
+/// nothing where it is not among the bytes given.
 [[nodiscard]] std::optional<std::uint64_t> find_hdf5(std::string_view head);
 
 /// A record of a compound type, its members in order: the texts, and all numbers of the others.
@@ -23,11 +23,11 @@ struct Hdf5Record {
     std::vector<double> numbers;
 };
 
-/// An HDF5 file open for reading, on disk or in memory. Only what stands in the file itself is seen: links, values and virtual
-/// datasets that lead elsewhere are not followed. Numbers of objects, depth and length of texts are bounded.
+/// An HDF5 file open for reading, on disk or in memory. Only what stands in the file itself is seen: links, values and
+/// virtual datasets that lead elsewhere are not followed. Numbers of objects, depth and length of texts are bounded.
 ///
-/// HDF5 1.10 checks little of a file's structure: what can be is checked before it sees the file (signature, version, end of file),
-/// and values are read by setae itself, by their places in the file or piece by piece.
+/// HDF5 1.10 checks little of a file's structure: what can be is checked before it sees the file (signature, version,
+/// end of file), and values are read by setae itself, by their places in the file or piece by piece.
 class Hdf5File {
 public:
     /// @throws FormatError for bytes that are no HDF5, are truncated, or that the library refuses.
@@ -37,8 +37,8 @@ public:
     [[nodiscard]] std::vector<std::string> datasets() const;
     /// Names of what a group holds, sorted; nothing where there is no such group.
     [[nodiscard]] std::vector<std::string> members(const std::string& group) const;
-    /// A dataset of integers or floats; nothing where there is none of that path, or its values are no plain numbers. What the library
-    /// cannot open has a refusal and no shape.
+    /// A dataset of integers or floats; nothing where there is none of that path, or its values are no plain numbers.
+    /// What the library cannot open has a refusal and no shape.
     /// @throws FormatError for one that announces more than its file can hold.
     [[nodiscard]] std::optional<StoredArray> array(const std::string& path) const;
     /// Texts and numbers that an object, "/" for the file, has as attributes; of several texts the first.

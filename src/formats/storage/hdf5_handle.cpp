@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/cursor.hpp"
 #include "hdf5_file.hpp"
 #include "hdf5_heaps.hpp"
+#include "setae/bytes/cursor.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
@@ -46,7 +46,8 @@ void require_whole(const bytes::Source& source, std::uint64_t start) {
     (void)address(cursor, bytes);                            // free space, or the extension
     const auto end = address(cursor, bytes);
     if (end > source.size)
-        throw FormatError(source.name, {.offset = source.size}, fmt::format("HDF5: the file ends here, it should end at byte {}; it is truncated", end));
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("HDF5: the file ends here, it should end at byte {}; it is truncated", end));
     if (end <= start) cursor.fail(fmt::format("the file should end at byte {}, before it begins; it is damaged", end));
 }
 
@@ -73,7 +74,9 @@ std::optional<std::uint64_t> find_hdf5(std::string_view head) {
 
 Hdf5Handle opened_hdf5(const bytes::Source& source) {
     const auto start = find_hdf5(source.head(1 << 16));
-    if (!start) throw FormatError(source.name, {.offset = std::min<std::uint64_t>(source.size, 512)}, "HDF5: no signature; the file is damaged or truncated");
+    if (!start)
+        throw FormatError(source.name, {.offset = std::min<std::uint64_t>(source.size, 512)},
+                          "HDF5: no signature; the file is damaged or truncated");
     require_whole(source, *start);
     require_sound_heaps(source);
     const Hdf5Session session;
@@ -83,14 +86,18 @@ Hdf5Handle opened_hdf5(const bytes::Source& source) {
         H5Pset_fapl_core(access, image_increment, 0);
         H5Pset_file_image(access, image.data(), image.size());
     }
-    Hdf5Handle file(H5Fopen(source.path.empty() ? source.name.c_str() : source.path.c_str(), H5F_ACC_RDONLY, access), &H5Fclose);
-    if (!file) throw FormatError(source.name, {.offset = *start}, "HDF5: the library cannot open it; it is damaged, or another program is writing it");
+    Hdf5Handle file(H5Fopen(source.path.empty() ? source.name.c_str() : source.path.c_str(), H5F_ACC_RDONLY, access),
+                    &H5Fclose);
+    if (!file)
+        throw FormatError(source.name, {.offset = *start},
+                          "HDF5: the library cannot open it; it is damaged, or another program is writing it");
     return file;
 }
 
 std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start) {
     for (const auto extent : extents) {
-        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent) return std::numeric_limits<std::uint64_t>::max();
+        if (extent != 0 && start > std::numeric_limits<std::uint64_t>::max() / extent)
+            return std::numeric_limits<std::uint64_t>::max();
         start *= extent;
     }
     return start;

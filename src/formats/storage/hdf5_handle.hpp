@@ -13,7 +13,8 @@
 
 namespace setae::formats {
 
-/// While one lives no other thread uses HDF5, which may be built without care for threads, and the library does not print.
+/// While one lives no other thread uses HDF5, which may be built without care for threads, and the library does not
+/// print.
 class Hdf5Session {
 public:
     Hdf5Session();

@@ -37,7 +37,8 @@ void require_sound_heaps(const bytes::Source& source) {
     const auto content = source.all();
     const std::string_view bytes(content);
     for (auto at = bytes.find(signature); at != std::string_view::npos; at = bytes.find(signature, at + alignment))
-        if (const auto what = fault(bytes.substr(at)); !what.empty()) throw FormatError(source.name, {.offset = at}, fmt::format("HDF5: a heap {}; the file is damaged", what));
+        if (const auto what = fault(bytes.substr(at)); !what.empty())
+            throw FormatError(source.name, {.offset = at}, fmt::format("HDF5: a heap {}; the file is damaged", what));
 }
 
 }  // namespace setae::formats

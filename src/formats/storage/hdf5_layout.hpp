@@ -29,9 +29,9 @@ struct Hdf5Dataset {
     const std::vector<hsize_t>& extents;
 };
 
-/// Tells an array where its values lie: in the file, in pieces that are unpacked when asked for, or in the dataset's header; or why they
-/// cannot be read: values in other files or datasets, never written, packed with filters that setae does not unpack, or so many that
-/// the bytes there are cannot have been them.
+/// Tells an array where its values lie: in the file, in pieces that are unpacked when asked for, or in the dataset's
+/// header; or why they cannot be read: values in other files or datasets, never written, packed with filters that setae
+/// does not unpack, or so many that the bytes there are cannot have been them.
 /// @throws FormatError for a damaged dataset.
 void place_values(const Hdf5Dataset& dataset, StoredArray& array);
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 
@@ -18,7 +18,8 @@ struct PointMask {
 };
 
 /// The channel of a map with the heights made undefined that the mask tells.
-/// @throws FormatError "<format>: …" now, where the mask is not wholly in its source; (read) UndefinedDataError where no height is left.
+/// @throws FormatError "<format>: …" now, where the mask is not wholly in its source; (read) UndefinedDataError where
+/// no height is left.
 [[nodiscard]] Channel masked(Channel channel, const PointMask& mask);
 
 }  // namespace setae::formats

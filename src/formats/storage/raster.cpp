@@ -23,12 +23,14 @@ namespace setae::formats {
 namespace {
 
 constexpr Index most_points_a_direction = Index{1} << 31;
-/// Lines and samples that are converted and turned together: in the first cache, and 512 bytes of each row of heights in one go.
+/// Lines and samples that are converted and turned together: in the first cache, and 512 bytes of each row of heights
+/// in one go.
 constexpr Index tile_lines = 64, tile_samples = 32;
 /// What a thread reads together; less of each line where lines are long.
 constexpr std::uint64_t block_bytes = std::uint64_t{4} << 20;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& format, std::uint64_t offset, const std::string& what) {
+[[noreturn]] void broken(const bytes::Source& source, const std::string& format, std::uint64_t offset,
+                         const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, format + ": " + what);
 }
 
@@ -65,7 +67,8 @@ template <class Raw, bool Swapped>
 void take_samples(const char* from, std::uint64_t step, Index count, double* values) {
     const auto n = static_cast<std::size_t>(count);
     if (step == sizeof(Raw))
-        for (std::size_t i = 0; i < n; ++i) values[i] = static_cast<double>(sample_at<Raw, Swapped>(from + i * sizeof(Raw)));
+        for (std::size_t i = 0; i < n; ++i)
+            values[i] = static_cast<double>(sample_at<Raw, Swapped>(from + i * sizeof(Raw)));
     else
         for (std::size_t i = 0; i < n; ++i) values[i] = static_cast<double>(sample_at<Raw, Swapped>(from + i * step));
 }
@@ -73,7 +76,9 @@ void take_samples(const char* from, std::uint64_t step, Index count, double* val
 using TakeSamples = void (*)(const char*, std::uint64_t, Index, double*);
 
 TakeSamples samples_taker(Sample sample, std::endian order) {
-    const auto of = [&]<class Raw>(Raw) -> TakeSamples { return order == std::endian::native ? take_samples<Raw, false> : take_samples<Raw, true>; };
+    const auto of = [&]<class Raw>(Raw) -> TakeSamples {
+        return order == std::endian::native ? take_samples<Raw, false> : take_samples<Raw, true>;
+    };
     switch (sample) {
         case Sample::int8: return of(std::int8_t{});
         case Sample::uint8: return of(std::uint8_t{});
@@ -114,8 +119,10 @@ struct Block {
 
 /// How a raster is cut into blocks.
 struct Blocks {
-    explicit Blocks(const Raster& raster) : lines(raster.columns ? raster.nx : raster.ny), samples(raster.columns ? raster.ny : raster.nx) {
-        const auto tile = static_cast<std::uint64_t>(raster.columns ? 1 : tile_lines), distance = std::max<std::uint64_t>(raster.row_distance(), 1);
+    explicit Blocks(const Raster& raster)
+        : lines(raster.columns ? raster.nx : raster.ny), samples(raster.columns ? raster.ny : raster.nx) {
+        const auto tile = static_cast<std::uint64_t>(raster.columns ? 1 : tile_lines),
+                   distance = std::max<std::uint64_t>(raster.row_distance(), 1);
         const auto whole_lines = static_cast<Index>(block_bytes / distance) / tile_lines * tile_lines;
         lines_together = std::clamp<Index>(whole_lines, raster.columns ? 1 : std::min(tile_lines, lines), lines);
         const auto fitting = static_cast<Index>(block_bytes / tile / raster.sample_distance());
@@ -125,7 +132,8 @@ struct Blocks {
     }
 
     [[nodiscard]] Block operator[](std::size_t number) const {
-        const Index line = static_cast<Index>(number) / across * lines_together, sample = static_cast<Index>(number) % across * samples_together;
+        const Index line = static_cast<Index>(number) / across * lines_together,
+                    sample = static_cast<Index>(number) % across * samples_together;
         return {line, std::min(lines_together, lines - line), sample, std::min(samples_together, samples - sample)};
     }
 
@@ -151,20 +159,23 @@ struct BlockReader {
         const auto needed = (lines - 1) * apart + part;
         if (needed > capacity) memory.reset(new char[needed]);  // not set to zero
         capacity = std::max(capacity, needed);
-        const auto begin = raster.offset + static_cast<std::uint64_t>(block.first_line) * distance + static_cast<std::uint64_t>(block.first_sample) * step;
-        if (whole)
-            source.read_into(begin, needed, memory.get());
+        const auto begin = raster.offset + static_cast<std::uint64_t>(block.first_line) * distance +
+                           static_cast<std::uint64_t>(block.first_sample) * step;
+        if (whole) source.read_into(begin, needed, memory.get());
         else
-            for (std::uint64_t line = 0; line < lines; ++line) source.read_into(begin + line * distance, part, memory.get() + line * apart);
+            for (std::uint64_t line = 0; line < lines; ++line)
+                source.read_into(begin + line * distance, part, memory.get() + line * apart);
         return apart;
     }
 };
 
 /// A block whose lines run along y, to which rows of heights run as well.
-void place_columns(const char* data, std::uint64_t distance, const Block& block, const Raster& raster, const RawScale& scale, TakeSamples take, Array2D& heights) {
+void place_columns(const char* data, std::uint64_t distance, const Block& block, const Raster& raster,
+                   const RawScale& scale, TakeSamples take, Array2D& heights) {
     const Index first_y = raster.bottom_up ? raster.ny - block.first_sample - block.samples : block.first_sample;
     for (Index line = 0; line < block.lines; ++line) {
-        const Index from_left = block.first_line + line, x = raster.right_to_left ? raster.nx - 1 - from_left : from_left;
+        const Index from_left = block.first_line + line,
+                    x = raster.right_to_left ? raster.nx - 1 - from_left : from_left;
         double* const row = heights.data() + x * raster.ny + first_y;
         take(data + static_cast<std::uint64_t>(line) * distance, raster.sample_distance(), block.samples, row);
         make_heights(row, block.samples, scale);
@@ -173,7 +184,8 @@ void place_columns(const char* data, std::uint64_t distance, const Block& block,
 }
 
 /// A block whose lines run along x: turned tile by tile.
-void place_rows(const char* data, std::uint64_t distance, const Block& block, const Raster& raster, const RawScale& scale, TakeSamples take, Array2D& heights) {
+void place_rows(const char* data, std::uint64_t distance, const Block& block, const Raster& raster,
+                const RawScale& scale, TakeSamples take, Array2D& heights) {
     alignas(64) std::array<double, tile_lines * tile_samples> tile;
     for (Index top = 0; top < block.lines; top += tile_lines) {
         const Index lines = std::min(tile_lines, block.lines - top), first = block.first_line + top;
@@ -182,23 +194,29 @@ void place_rows(const char* data, std::uint64_t distance, const Block& block, co
             const Index samples = std::min(tile_samples, block.samples - left);
             for (Index line = 0; line < lines; ++line) {
                 double* const values = tile.data() + (raster.bottom_up ? lines - 1 - line : line) * tile_samples;
-                take(data + static_cast<std::uint64_t>(top + line) * distance + static_cast<std::uint64_t>(left) * raster.sample_distance(), raster.sample_distance(), samples, values);
+                take(data + static_cast<std::uint64_t>(top + line) * distance +
+                         static_cast<std::uint64_t>(left) * raster.sample_distance(),
+                     raster.sample_distance(), samples, values);
                 make_heights(values, samples, scale);
             }
             for (Index sample = 0; sample < samples; ++sample) {
-                const Index from_left = block.first_sample + left + sample, x = raster.right_to_left ? raster.nx - 1 - from_left : from_left;
+                const Index from_left = block.first_sample + left + sample,
+                            x = raster.right_to_left ? raster.nx - 1 - from_left : from_left;
                 double* const row = heights.data() + x * raster.ny + first_y;
-                for (Index line = 0; line < lines; ++line) row[line] = tile[static_cast<std::size_t>(line * tile_samples + sample)];
+                for (Index line = 0; line < lines; ++line)
+                    row[line] = tile[static_cast<std::size_t>(line * tile_samples + sample)];
             }
         }
     }
 }
 
-/// Large pages for memory about to be filled, where the system has them: a fault a page is most of what reading from the cache costs.
+/// Large pages for memory about to be filled, where the system has them: a fault a page is most of what reading from
+/// the cache costs.
 void prefer_large_pages([[maybe_unused]] double* begin, [[maybe_unused]] Index count) {
 #ifdef MADV_HUGEPAGE
     constexpr std::uintptr_t page = std::uintptr_t{2} << 20;
-    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page, last = reinterpret_cast<std::uintptr_t>(begin + count) / page * page;
+    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
+               last = reinterpret_cast<std::uintptr_t>(begin + count) / page * page;
     if (last > first) (void)::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
 }
@@ -219,13 +237,14 @@ Raster lines_of(const Raster& raster, Index first, Index count) {
     return part;
 }
 
-topography::Measurement measured(const bytes::Source& source, const Raster& raster, const RawScale& scale, bool line, const std::vector<double>& size, const topography::Metadata& metadata) {
+topography::Measurement measured(const bytes::Source& source, const Raster& raster, const RawScale& scale, bool line,
+                                 const std::vector<double>& size, const topography::Metadata& metadata) {
     auto heights = read_raster(source, raster, scale);
     topography::Measurement measurement = topography::LineScan{};
     if (line)
-        measurement = topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata};
-    else
-        measurement = topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata};
+        measurement =
+            topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata};
+    else measurement = topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata};
     require_measurement(measurement, source);
     return measurement;
 }
@@ -247,14 +266,20 @@ std::uint64_t bytes_of(Sample sample) {
 
 void require_raster(const Raster& raster, const bytes::Source& source, const std::string& format) {
     if (raster.nx < 1 || raster.ny < 1 || raster.nx > most_points_a_direction || raster.ny > most_points_a_direction)
-        broken(source, format, std::min(raster.offset, source.size), fmt::format("{} × {} points, expected 1 to 2^31 along each direction", raster.nx, raster.ny));
+        broken(source, format, std::min(raster.offset, source.size),
+               fmt::format("{} × {} points, expected 1 to 2^31 along each direction", raster.nx, raster.ny));
     const auto lines = static_cast<std::uint64_t>(raster.columns ? raster.nx : raster.ny);
     const auto samples = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
-    if (samples > source.size / raster.sample_distance() + 1 || lines > source.size / std::max<std::uint64_t>(raster.row_distance(), 1) + 1)
-        broken(source, format, source.size, fmt::format("the file ends here, it announces {} × {} points of {} bytes; it is truncated or damaged", raster.nx, raster.ny, bytes_of(raster.sample)));
+    if (samples > source.size / raster.sample_distance() + 1 ||
+        lines > source.size / std::max<std::uint64_t>(raster.row_distance(), 1) + 1)
+        broken(source, format, source.size,
+               fmt::format("the file ends here, it announces {} × {} points of {} bytes; it is truncated or damaged",
+                           raster.nx, raster.ny, bytes_of(raster.sample)));
     const auto needed = (lines - 1) * raster.row_distance() + line_bytes(raster);
     if (raster.offset > source.size || needed > source.size - raster.offset)
-        broken(source, format, source.size, fmt::format("the file ends here, its heights ({} × {} points) should end at byte {}; it is truncated", raster.nx, raster.ny, raster.offset + needed));
+        broken(source, format, source.size,
+               fmt::format("the file ends here, its heights ({} × {} points) should end at byte {}; it is truncated",
+                           raster.nx, raster.ny, raster.offset + needed));
 }
 
 Array2D read_raster(const bytes::Source& source, const Raster& raster, const RawScale& scale) {
@@ -269,13 +294,15 @@ Array2D read_raster(const bytes::Source& source, const Raster& raster, const Raw
         for (auto number = next.fetch_add(1); number < blocks.count; number = next.fetch_add(1)) {
             const auto block = blocks[number];
             const auto distance = reader.read(block);
-            (raster.columns ? place_columns : place_rows)(reader.memory.get(), distance, block, raster, scale, take, heights);
+            (raster.columns ? place_columns : place_rows)(reader.memory.get(), distance, block, raster, scale, take,
+                                                          heights);
         }
     });
     return heights;
 }
 
-Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Raster& raster, const RawScale& scale, const ReadOptions& options) {
+Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Raster& raster, const RawScale& scale,
+                       const ReadOptions& options) {
     require_raster(raster, source, info.format);
     const bool line = raster.ny == 1;
     info.shape = line ? std::vector<Index>{raster.nx} : std::vector<Index>{raster.nx, raster.ny};
@@ -285,11 +312,14 @@ Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Rast
     auto metres = scale;
     metres.factor *= given;
     metres.offset *= given;
-    auto read = [source, raster, metres, line, size = info.size, metadata = info.metadata] { return measured(source, raster, metres, line, size, metadata); };
+    auto read = [source, raster, metres, line, size = info.size, metadata = info.metadata] {
+        return measured(source, raster, metres, line, size, metadata);
+    };
     if (line) return {std::move(info), std::move(read)};
     auto lines = [source, raster, metres](Index first, Index count) {
         if (first < 0 || count < 1 || count > raster.ny - first)
-            throw InvalidArgument(fmt::format("{}: lines {} to {} asked for, the map has lines 0 to {}", source.name, first, first + count - 1, raster.ny - 1));
+            throw InvalidArgument(fmt::format("{}: lines {} to {} asked for, the map has lines 0 to {}", source.name,
+                                              first, first + count - 1, raster.ny - 1));
         return read_raster(source, lines_of(raster, first, count), metres);
     };
     return {std::move(info), std::move(read), std::move(lines)};

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "setae/bytes/source.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::formats {
 
@@ -45,18 +45,20 @@ struct RawScale {
 };
 
 /// Refuses a raster that is not wholly in its source, before anything of its size is allocated.
-/// @throws FormatError "<format>: …" with the offset where the file ends, for dimensions below 1 or beyond 2^31, or overflow.
+/// @throws FormatError "<format>: …" with the offset where the file ends, for dimensions below 1 or beyond 2^31, or
+/// overflow.
 void require_raster(const Raster& raster, const bytes::Source& source, const std::string& format);
 
-/// Heights h(x, y), y downwards, of a raster that require_raster accepted. Read in blocks on all cores: memory is the heights and
-/// a block a thread.
+/// Heights h(x, y), y downwards, of a raster that require_raster accepted. Read in blocks on all cores: memory is the
+/// heights and a block a thread.
 [[nodiscard]] Array2D read_raster(const bytes::Source& source, const Raster& raster, const RawScale& scale);
 
-/// A channel whose heights are read from a raster when asked; refuses now what is not wholly there. `info` has name, format,
-/// orientation, metadata and, where the file states them, size [m] and unit; what it leaves open comes from `options`, and without
-/// them `read` throws InvalidArgument that tells what to give. `scale` is to metres, or to `info.unit` where the user gives the unit.
+/// A channel whose heights are read from a raster when asked; refuses now what is not wholly there. `info` has name,
+/// format, orientation, metadata and, where the file states them, size [m] and unit; what it leaves open comes from
+/// `options`, and without them `read` throws InvalidArgument that tells what to give. `scale` is to metres, or to
+/// `info.unit` where the user gives the unit.
 /// @throws FormatError as require_raster, or for a size that is no positive length.
-[[nodiscard]] Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Raster& raster, const RawScale& scale,
-                                     const ReadOptions& options = {});
+[[nodiscard]] Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Raster& raster,
+                                     const RawScale& scale, const ReadOptions& options = {});
 
 }  // namespace setae::formats

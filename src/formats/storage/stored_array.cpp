@@ -13,7 +13,8 @@ namespace setae::formats {
 namespace {
 
 const Attribute* find(const Attributes& attributes, const std::string& name) {
-    const auto found = std::find_if(attributes.begin(), attributes.end(), [&](const Attribute& attribute) { return attribute.name == name; });
+    const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                    [&](const Attribute& attribute) { return attribute.name == name; });
     return found == attributes.end() ? nullptr : &*found;
 }
 
@@ -42,8 +43,11 @@ void require_readable(const StoredArray& array) {
 
 Channel refused_channel(ChannelInfo info, const StoredArray& array) {
     info.metadata.file = array.data.name;
-    info.alerts.push_back({"UNREADABLE_ARRAY", info.name, array.refusal, "save the array again without packing it, or as the message says"});
-    return {std::move(info), [name = array.data.name, refusal = array.refusal]() -> topography::Measurement { throw FormatError(name, {}, refusal); }};
+    info.alerts.push_back({"UNREADABLE_ARRAY", info.name, array.refusal,
+                           "save the array again without packing it, or as the message says"});
+    return {std::move(info), [name = array.data.name, refusal = array.refusal]() -> topography::Measurement {
+                throw FormatError(name, {}, refusal);
+            }};
 }
 
 }  // namespace
@@ -73,16 +77,19 @@ ReadOptions options_for(const StoredArray& array, const ReadOptions& options) {
 
 std::string orientation_of(const StoredArray& array, FirstIndex first) {
     if (is_line(array)) return {};
-    return first == FirstIndex::x_to_the_right ? "first index x, second y downwards, as stored" : "first index y downwards, second x, as stored";
+    return first == FirstIndex::x_to_the_right ? "first index x, second y downwards, as stored"
+                                               : "first index y downwards, second x, as stored";
 }
 
-Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex first, const RawScale& scale, const ReadOptions& options) {
+Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex first, const RawScale& scale,
+                      const ReadOptions& options) {
     if (array.shape.empty()) return refused_channel(std::move(info), array);
     if (info.orientation.empty()) info.orientation = orientation_of(array, first);
     return array_channel(std::move(info), array, raster_of(array, first), scale, options);
 }
 
-Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& raster, const RawScale& scale, const ReadOptions& options) {
+Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& raster, const RawScale& scale,
+                      const ReadOptions& options) {
     if (!array.refusal.empty()) {
         info.shape = raster.ny == 1 ? std::vector<Index>{raster.nx} : std::vector<Index>{raster.nx, raster.ny};
         return refused_channel(std::move(info), array);

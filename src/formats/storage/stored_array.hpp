@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "raster.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::formats {
 
@@ -30,8 +30,8 @@ using Attributes = std::vector<Attribute>;
 /// The one number of an attribute; nothing where there is none or more.
 [[nodiscard]] std::optional<double> number_of(const Attributes& attributes, const std::string& name);
 
-/// An array of numbers in a file of arrays: its shape, what is said of it, and where its values lie. The last index is the fast one,
-/// or the first where `first_fast`.
+/// An array of numbers in a file of arrays: its shape, what is said of it, and where its values lie. The last index is
+/// the fast one, or the first where `first_fast`.
 struct StoredArray {
     std::string name;
     std::vector<Index> shape;
@@ -59,13 +59,16 @@ enum class FirstIndex { x_to_the_right, y_downwards };
 /// "first index x, second y downwards, as stored" and its counterpart; empty for a line.
 [[nodiscard]] std::string orientation_of(const StoredArray& array, FirstIndex first);
 
-/// The channel of an array for which is_map_or_line holds, as raster_channel makes it. An array that cannot be read is listed with the
-/// alert UNREADABLE_ARRAY, and `read` throws FormatError that says why. Sets info.shape and, where it is empty, info.orientation.
+/// The channel of an array for which is_map_or_line holds, as raster_channel makes it. An array that cannot be read is
+/// listed with the alert UNREADABLE_ARRAY, and `read` throws FormatError that says why. Sets info.shape and, where it
+/// is empty, info.orientation.
 /// @throws FormatError for an array that is not wholly in its source.
-[[nodiscard]] Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex first, const RawScale& scale, const ReadOptions& options);
+[[nodiscard]] Channel array_channel(ChannelInfo info, const StoredArray& array, FirstIndex first, const RawScale& scale,
+                                    const ReadOptions& options);
 
 /// The same for a raster within the array's values: a frame of a film, rows from the bottom.
-[[nodiscard]] Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& raster, const RawScale& scale, const ReadOptions& options);
+[[nodiscard]] Channel array_channel(ChannelInfo info, const StoredArray& array, const Raster& raster,
+                                    const RawScale& scale, const ReadOptions& options);
 
 /// Refuses an array that is not wholly in its source. @throws FormatError.
 void require_array(const StoredArray& array, const std::string& format);

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "setae/bytes/bytes.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/text.hpp"
 
-// TIFF 6.0 (Adobe, 1992) and BigTIFF: a header of byte order, magic number and the offset of the first directory; directories of
-// entries (tag, type, count, values or their offset), each ending with the offset of the next.
+// TIFF 6.0 (Adobe, 1992) and BigTIFF: a header of byte order, magic number and the offset of the first directory;
+// directories of entries (tag, type, count, values or their offset), each ending with the offset of the next.
 namespace setae::formats {
 namespace {
 
@@ -48,11 +48,14 @@ struct Header {
 };
 
 [[noreturn]] void truncated(const bytes::Source& source, const std::string& format, const std::string& what) {
-    throw FormatError(source.name, {.offset = source.size}, fmt::format("{}: the file ends here, {}; it is truncated or damaged", format, what));
+    throw FormatError(source.name, {.offset = source.size},
+                      fmt::format("{}: the file ends here, {}; it is truncated or damaged", format, what));
 }
 
-Numbers numbers_at(const bytes::Source& source, const std::string& format, std::endian order, std::uint64_t offset, std::uint64_t count) {
-    if (offset > source.size || count > source.size - offset) truncated(source, format, fmt::format("expected {} bytes from byte {}", count, offset));
+Numbers numbers_at(const bytes::Source& source, const std::string& format, std::endian order, std::uint64_t offset,
+                   std::uint64_t count) {
+    if (offset > source.size || count > source.size - offset)
+        truncated(source, format, fmt::format("expected {} bytes from byte {}", count, offset));
     return {source.bytes(offset, count), order};
 }
 
@@ -60,7 +63,8 @@ Header header_of(const bytes::Source& source, const std::string& format) {
     Header header;
     header.order = source.head(1) == "M" ? std::endian::big : std::endian::little;
     header.big = numbers_at(source, format, header.order, 2, 2).next<std::uint16_t>() == 43;
-    header.first = numbers_at(source, format, header.order, header.big ? 8 : 4, header.big ? 8 : 4).next_long(header.big);
+    header.first =
+        numbers_at(source, format, header.order, header.big ? 8 : 4, header.big ? 8 : 4).next_long(header.big);
     return header;
 }
 
@@ -70,7 +74,8 @@ struct Directory {
 };
 
 /// The entry that begins at `at`; nothing for types this reader does not know.
-std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const bytes::Source& source, const std::string& format) {
+std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const bytes::Source& source,
+                              const std::string& format) {
     TiffTag tag{.id = entry.next<std::uint16_t>(), .type = entry.next<std::uint16_t>()};
     tag.count = entry.next_long(big);
     const auto far = entry.next_long(big);
@@ -83,15 +88,20 @@ std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const 
     return tag;
 }
 
-Directory directory_at(const bytes::Source& source, const std::string& format, const Header& header, std::uint64_t offset) {
-    const std::uint64_t head_bytes = header.big ? 8 : 2, entry_bytes = header.big ? 20 : 12, next_bytes = header.big ? 8 : 4;
+Directory directory_at(const bytes::Source& source, const std::string& format, const Header& header,
+                       std::uint64_t offset) {
+    const std::uint64_t head_bytes = header.big ? 8 : 2, entry_bytes = header.big ? 20 : 12,
+                        next_bytes = header.big ? 8 : 4;
     auto head = numbers_at(source, format, header.order, offset, head_bytes);
     const auto entries = header.big ? head.next<std::uint64_t>() : head.next<std::uint16_t>();
-    if (entries > most_entries) throw FormatError(source.name, {.offset = offset}, fmt::format("{}: a directory of {} entries; it is damaged", format, entries));
+    if (entries > most_entries)
+        throw FormatError(source.name, {.offset = offset},
+                          fmt::format("{}: a directory of {} entries; it is damaged", format, entries));
     auto body = numbers_at(source, format, header.order, offset + head_bytes, entries * entry_bytes + next_bytes);
     Directory directory{.page = {.offset = offset, .tags = {}}};
     for (std::uint64_t k = 0; k < entries; ++k)
-        if (const auto tag = tag_of(body, offset + head_bytes + k * entry_bytes, header.big, source, format)) directory.page.tags.push_back(*tag);
+        if (const auto tag = tag_of(body, offset + head_bytes + k * entry_bytes, header.big, source, format))
+            directory.page.tags.push_back(*tag);
     directory.next = body.next_long(header.big);
     return directory;
 }
@@ -142,12 +152,18 @@ std::optional<double> TiffFile::number(const TiffPage& page, std::uint16_t id) c
 std::vector<std::uint64_t> TiffFile::integers(const TiffPage& page, std::uint16_t id, std::uint64_t most) const {
     const auto* tag = page.find(id);
     if (!tag) return {};
-    if (tag->count > most) throw FormatError(source.name, {.offset = tag->offset}, fmt::format("{}: tag {} holds {} numbers, expected at most {}", format, id, tag->count, most));
+    if (tag->count > most)
+        throw FormatError(
+            source.name, {.offset = tag->offset},
+            fmt::format("{}: tag {} holds {} numbers, expected at most {}", format, id, tag->count, most));
     const bool integral = tag->type == 3 || tag->type == 4 || tag->type == 13 || tag->type == 16 || tag->type == 18;
-    if (!integral) throw FormatError(source.name, {.offset = tag->offset}, fmt::format("{}: tag {} is of type {}, expected integers", format, id, tag->type));
+    if (!integral)
+        throw FormatError(source.name, {.offset = tag->offset},
+                          fmt::format("{}: tag {} is of type {}, expected integers", format, id, tag->type));
     auto numbers = numbers_at(source, format, order, tag->offset, tag->bytes());
     std::vector<std::uint64_t> values(tag->count);
-    for (auto& value : values) value = tag->type == 3 ? numbers.next<std::uint16_t>() : numbers.next_long(type_bytes(tag->type) == 8);
+    for (auto& value : values)
+        value = tag->type == 3 ? numbers.next<std::uint16_t>() : numbers.next_long(type_bytes(tag->type) == 8);
     return values;
 }
 
@@ -161,15 +177,20 @@ std::string TiffFile::text(const TiffPage& page, std::uint16_t id) const {
 
 TiffPage TiffFile::directory_of(const TiffPage& page, std::uint16_t id) const {
     const auto* tag = page.find(id);
-    if (!tag) throw FormatError(source.name, {.offset = page.offset}, fmt::format("{}: no tag {} in the directory here", format, id));
+    if (!tag)
+        throw FormatError(source.name, {.offset = page.offset},
+                          fmt::format("{}: no tag {} in the directory here", format, id));
     const auto at = integers(page, id, 1);
-    if (at.empty()) throw FormatError(source.name, {.offset = tag->offset}, fmt::format("{}: tag {} is empty, expected the offset of a directory", format, id));
+    if (at.empty())
+        throw FormatError(source.name, {.offset = tag->offset},
+                          fmt::format("{}: tag {} is empty, expected the offset of a directory", format, id));
     return directory_at(source, format, header_of(source, format), at.front()).page;
 }
 
 bool is_tiff(std::string_view head) {
     using namespace std::string_view_literals;
-    return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv);
+    return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||
+           head.starts_with("MM\0+"sv);
 }
 
 TiffFile open_tiff(const bytes::Source& source, const std::string& format, std::size_t most_pages) {
@@ -178,7 +199,8 @@ TiffFile open_tiff(const bytes::Source& source, const std::string& format, std::
     std::set<std::uint64_t> seen;
     for (auto next = header.first; next != 0 && file.pages.size() < most_pages;) {
         if (!seen.insert(next).second || seen.size() > most_directories)
-            throw FormatError(source.name, {.offset = next}, format + ": its directories form a loop or are too many; it is damaged");
+            throw FormatError(source.name, {.offset = next},
+                              format + ": its directories form a loop or are too many; it is damaged");
         auto directory = directory_at(source, format, header, next);
         file.pages.push_back(std::move(directory.page));
         next = directory.next;
@@ -189,9 +211,10 @@ TiffFile open_tiff(const bytes::Source& source, const std::string& format, std::
 
 void refuse_tiff(const bytes::Source& source) {
     (void)open_tiff(source, "TIFF");
-    throw FormatError(source.name, {.offset = 0},
-                      "a TIFF picture, it has none of the tags by which JPK, Park Systems and Olympus LEXT keep heights in TIFF; `setae contour` traces outlines in pictures, "
-                      "heights that were exported as grey values have lost their scale: export the instrument's own format");
+    throw FormatError(
+        source.name, {.offset = 0},
+        "a TIFF picture, it has none of the tags by which JPK, Park Systems and Olympus LEXT keep heights in TIFF; `setae contour` traces outlines in pictures, "
+        "heights that were exported as grey values have lost their scale: export the instrument's own format");
 }
 
 }  // namespace setae::formats

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "raster.hpp"
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 
@@ -32,8 +32,8 @@ struct TiffPage {
     [[nodiscard]] const TiffTag* find(std::uint16_t id) const;
 };
 
-/// The directories of a TIFF or BigTIFF file of either byte order. Values, pixels and what private tags hold stay in the file until
-/// asked for.
+/// The directories of a TIFF or BigTIFF file of either byte order. Values, pixels and what private tags hold stay in
+/// the file until asked for.
 struct TiffFile {
     bytes::Source source;
     std::string format;  ///< begins messages
@@ -46,29 +46,33 @@ struct TiffFile {
     [[nodiscard]] std::vector<std::uint64_t> integers(const TiffPage& page, std::uint16_t id, std::uint64_t most) const;
     /// A tag's bytes as text, of which the first MiB is read; empty where there is none.
     [[nodiscard]] std::string text(const TiffPage& page, std::uint16_t id) const;
-    /// The directory a tag points to, such as Exif's. @throws FormatError where it breaks the format or there is no such tag.
+    /// The directory a tag points to, such as Exif's. @throws FormatError where it breaks the format or there is no
+    /// such tag.
     [[nodiscard]] TiffPage directory_of(const TiffPage& page, std::uint16_t id) const;
 };
 
 [[nodiscard]] bool is_tiff(std::string_view head);
 
 /// The directories, or the first `most_pages` of them.
-/// @throws FormatError "<format>: …" with offset where a directory or the values of a tag lie beyond the end of the file, or
-/// directories form a loop.
-[[nodiscard]] TiffFile open_tiff(const bytes::Source& source, const std::string& format, std::size_t most_pages = std::numeric_limits<std::size_t>::max());
+/// @throws FormatError "<format>: …" with offset where a directory or the values of a tag lie beyond the end of the
+/// file, or directories form a loop.
+[[nodiscard]] TiffFile open_tiff(const bytes::Source& source, const std::string& format,
+                                 std::size_t most_pages = std::numeric_limits<std::size_t>::max());
 
-/// Why a TIFF file is none of the formats that keep heights in TIFF: it is damaged, or a picture. @throws FormatError always.
+/// Why a TIFF file is none of the formats that keep heights in TIFF: it is damaged, or a picture. @throws FormatError
+/// always.
 [[noreturn]] void refuse_tiff(const bytes::Source& source);
 
-/// Where the samples of a page lie. Strips side by side and not compressed are a raster of the file itself, read where asked; all
-/// others become a source in memory that libtiff expands at its first read.
+/// Where the samples of a page lie. Strips side by side and not compressed are a raster of the file itself, read where
+/// asked; all others become a source in memory that libtiff expands at its first read.
 struct TiffPixels {
     bytes::Source source;
     Raster raster;
 };
 
-/// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8 bytes, strips
-/// or tiles beyond the end of the file or fewer than the page needs, or a page that announces more than most_expanded of its bytes.
+/// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8
+/// bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page that announces more than
+/// most_expanded of its bytes.
 [[nodiscard]] TiffPixels tiff_pixels(const TiffFile& file, const TiffPage& page);
 
 }  // namespace setae::formats

@@ -37,7 +37,9 @@ struct Layout {
     [[nodiscard]] std::uint64_t down() const { return (static_cast<std::uint64_t>(ny) + piece_ny - 1) / piece_ny; }
 };
 
-[[noreturn]] void broken(const TiffFile& file, std::uint64_t offset, const std::string& what) { throw FormatError(file.source.name, {.offset = offset}, fmt::format("{}: {}", file.format, what)); }
+[[noreturn]] void broken(const TiffFile& file, std::uint64_t offset, const std::string& what) {
+    throw FormatError(file.source.name, {.offset = offset}, fmt::format("{}: {}", file.format, what));
+}
 
 std::uint64_t entry(const TiffFile& file, const TiffPage& page, std::uint16_t id, std::uint64_t fallback) {
     const auto values = file.integers(page, id, most_pieces);
@@ -45,7 +47,9 @@ std::uint64_t entry(const TiffFile& file, const TiffPage& page, std::uint16_t id
 }
 
 Sample sample_of(const TiffFile& file, const TiffPage& page) {
-    const auto bits = entry(file, page, TIFFTAG_BITSPERSAMPLE, 1), kind = entry(file, page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT), samples = entry(file, page, TIFFTAG_SAMPLESPERPIXEL, 1);
+    const auto bits = entry(file, page, TIFFTAG_BITSPERSAMPLE, 1),
+               kind = entry(file, page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT),
+               samples = entry(file, page, TIFFTAG_SAMPLESPERPIXEL, 1);
     if (samples != 1) broken(file, page.offset, fmt::format("{} samples a pixel, expected one", samples));
     switch (1000 * kind + bits) {
         case 1000 * SAMPLEFORMAT_UINT + 8: return Sample::uint8;
@@ -56,22 +60,30 @@ Sample sample_of(const TiffFile& file, const TiffPage& page) {
         case 1000 * SAMPLEFORMAT_INT + 32: return Sample::int32;
         case 1000 * SAMPLEFORMAT_IEEEFP + 32: return Sample::float32;
         case 1000 * SAMPLEFORMAT_IEEEFP + 64: return Sample::float64;
-        default: broken(file, page.offset, fmt::format("pixels of {} bits in sample format {}, expected integers of 8, 16 or 32 bits or floats of 32 or 64", bits, kind));
+        default:
+            broken(
+                file, page.offset,
+                fmt::format(
+                    "pixels of {} bits in sample format {}, expected integers of 8, 16 or 32 bits or floats of 32 or 64",
+                    bits, kind));
     }
 }
 
 Layout layout_of(const TiffFile& file, const TiffPage& page) {
     Layout layout{.page_offset = page.offset, .sample = sample_of(file, page)};
     const auto width = entry(file, page, TIFFTAG_IMAGEWIDTH, 0), height = entry(file, page, TIFFTAG_IMAGELENGTH, 0);
-    if (width == 0 || height == 0 || width > (1u << 30) || height > (1u << 30)) broken(file, page.offset, fmt::format("a page of {} × {} pixels", width, height));
+    if (width == 0 || height == 0 || width > (1u << 30) || height > (1u << 30))
+        broken(file, page.offset, fmt::format("a page of {} × {} pixels", width, height));
     layout.nx = static_cast<Index>(width);
     layout.ny = static_cast<Index>(height);
     layout.compression = entry(file, page, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
     layout.tiled = page.find(TIFFTAG_TILEWIDTH) != nullptr;
     layout.piece_nx = layout.tiled ? entry(file, page, TIFFTAG_TILEWIDTH, 0) : width;
-    layout.piece_ny = layout.tiled ? entry(file, page, TIFFTAG_TILELENGTH, 0) : std::min(entry(file, page, TIFFTAG_ROWSPERSTRIP, height), height);
+    layout.piece_ny = layout.tiled ? entry(file, page, TIFFTAG_TILELENGTH, 0)
+                                   : std::min(entry(file, page, TIFFTAG_ROWSPERSTRIP, height), height);
     layout.offsets = file.integers(page, layout.tiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, most_pieces);
-    layout.byte_counts = file.integers(page, layout.tiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, most_pieces);
+    layout.byte_counts =
+        file.integers(page, layout.tiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, most_pieces);
     if (layout.piece_nx == 0 || layout.piece_ny == 0 || layout.piece_nx > (1u << 30) || layout.piece_ny > (1u << 30))
         broken(file, page.offset, fmt::format("pieces of {} × {} pixels", layout.piece_nx, layout.piece_ny));
     return layout;
@@ -81,18 +93,27 @@ Layout layout_of(const TiffFile& file, const TiffPage& page) {
 void require_pieces(const TiffFile& file, const Layout& layout) {
     const auto needed = layout.across() * layout.down();
     if (layout.offsets.size() < needed || layout.byte_counts.size() < needed)
-        broken(file, layout.page_offset, fmt::format("{} of the {} strips or tiles of {} × {} pixels are there", std::min(layout.offsets.size(), layout.byte_counts.size()), needed, layout.nx, layout.ny));
+        broken(file, layout.page_offset,
+               fmt::format("{} of the {} strips or tiles of {} × {} pixels are there",
+                           std::min(layout.offsets.size(), layout.byte_counts.size()), needed, layout.nx, layout.ny));
     std::uint64_t stored = 0;
     for (std::size_t k = 0; k < needed; ++k) {
         if (layout.offsets[k] > file.source.size || layout.byte_counts[k] > file.source.size - layout.offsets[k])
-            broken(file, file.source.size, fmt::format("the file ends here, a strip or tile should end at byte {}; it is truncated", layout.offsets[k] + layout.byte_counts[k]));
+            broken(file, file.source.size,
+                   fmt::format("the file ends here, a strip or tile should end at byte {}; it is truncated",
+                               layout.offsets[k] + layout.byte_counts[k]));
         stored += layout.byte_counts[k];
     }
     stored = std::min(stored, file.source.size);
     // pixels become heights of 8 bytes: those of one byte are counted as two
     const auto width = std::max<std::uint64_t>(bytes_of(layout.sample), 2);
-    const auto announced = width * std::max(static_cast<std::uint64_t>(layout.nx) * static_cast<std::uint64_t>(layout.ny), layout.piece_nx * layout.piece_ny);
-    if (announced > bytes::most_expanded(stored)) broken(file, layout.page_offset, fmt::format("{} bytes of strips or tiles announce {} × {} pixels; it is damaged", stored, layout.nx, layout.ny));
+    const auto announced =
+        width * std::max(static_cast<std::uint64_t>(layout.nx) * static_cast<std::uint64_t>(layout.ny),
+                         layout.piece_nx * layout.piece_ny);
+    if (announced > bytes::most_expanded(stored))
+        broken(file, layout.page_offset,
+               fmt::format("{} bytes of strips or tiles announce {} × {} pixels; it is damaged", stored, layout.nx,
+                           layout.ny));
 }
 
 /// Whether rows lie in the file as they are, one behind the other.
@@ -101,7 +122,9 @@ bool side_by_side(const Layout& layout) {
     std::uint64_t left = layout.pixel_bytes();
     for (std::size_t k = 0; k < layout.down(); ++k) {
         const auto bytes = std::min(left, layout.row_bytes() * layout.piece_ny);
-        if (layout.byte_counts[k] < bytes || (k > 0 && layout.offsets[k] != layout.offsets[k - 1] + layout.row_bytes() * layout.piece_ny)) return false;
+        if (layout.byte_counts[k] < bytes ||
+            (k > 0 && layout.offsets[k] != layout.offsets[k - 1] + layout.row_bytes() * layout.piece_ny))
+            return false;
         left -= bytes;
     }
     return true;
@@ -155,37 +178,50 @@ struct CloseTiff {
 };
 
 std::unique_ptr<TIFF, CloseTiff> opened(Stream& stream) {
-    const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(2 * stream.source.size + allocation_floor));
+    const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
+                                                                                   &TIFFOpenOptionsFree);
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(),
+                                        static_cast<tmsize_t>(2 * stream.source.size + allocation_floor));
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_complaint, &stream);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &stream);
     // r: read, m: not mapped, h: no directory before one is asked for
-    return std::unique_ptr<TIFF, CloseTiff>(TIFFClientOpenExt("pixels", "rmh", &stream, read_stream, refuse_writing, seek_stream, close_stream, size_of_stream, nullptr, nullptr, options.get()));
+    return std::unique_ptr<TIFF, CloseTiff>(TIFFClientOpenExt("pixels", "rmh", &stream, read_stream, refuse_writing,
+                                                              seek_stream, close_stream, size_of_stream, nullptr,
+                                                              nullptr, options.get()));
 }
 
 /// Rows and columns of a tile that lie within the picture, to their place.
 void place_tile(const std::string& tile, const Layout& layout, std::uint64_t number, std::string& pixels) {
     const auto bytes = bytes_of(layout.sample), tile_row = layout.piece_nx * bytes;
     const auto left = number % layout.across() * tile_row, top = number / layout.across() * layout.piece_ny;
-    const auto width = std::min(tile_row, layout.row_bytes() - left), height = std::min(layout.piece_ny, static_cast<std::uint64_t>(layout.ny) - top);
-    for (std::uint64_t row = 0; row < height; ++row) std::memcpy(pixels.data() + (top + row) * layout.row_bytes() + left, tile.data() + row * tile_row, width);
+    const auto width = std::min(tile_row, layout.row_bytes() - left),
+               height = std::min(layout.piece_ny, static_cast<std::uint64_t>(layout.ny) - top);
+    for (std::uint64_t row = 0; row < height; ++row)
+        std::memcpy(pixels.data() + (top + row) * layout.row_bytes() + left, tile.data() + row * tile_row, width);
 }
 
 /// All rows of the page, in the byte order of this machine.
 std::string expanded(const TiffFile& file, const Layout& layout) {
     Stream stream{file.source};
     const auto tiff = opened(stream);
-    const auto failed = [&](std::uint64_t offset) { broken(file, offset, fmt::format("pixels cannot be expanded: {}", stream.complaint.empty() ? "they are damaged" : stream.complaint)); };
+    const auto failed = [&](std::uint64_t offset) {
+        broken(file, offset,
+               fmt::format("pixels cannot be expanded: {}",
+                           stream.complaint.empty() ? "they are damaged" : stream.complaint));
+    };
     if (!tiff || !TIFFSetSubDirectory(tiff.get(), layout.page_offset)) failed(layout.page_offset);
     std::string pixels(layout.pixel_bytes(), '\0');
     std::string tile(layout.tiled ? layout.piece_nx * layout.piece_ny * bytes_of(layout.sample) : 0, '\0');
-    const bool same = layout.tiled ? TIFFTileSize64(tiff.get()) == tile.size() : TIFFStripSize64(tiff.get()) == layout.row_bytes() * layout.piece_ny;
+    const bool same = layout.tiled ? TIFFTileSize64(tiff.get()) == tile.size()
+                                   : TIFFStripSize64(tiff.get()) == layout.row_bytes() * layout.piece_ny;
     if (!same) failed(layout.page_offset);
     for (std::uint64_t k = 0; k < layout.across() * layout.down(); ++k) {
         const auto number = static_cast<std::uint32_t>(k);
         const auto at = layout.tiled ? 0 : k * layout.row_bytes() * layout.piece_ny;
-        const auto wanted = static_cast<tmsize_t>(layout.tiled ? tile.size() : std::min(layout.row_bytes() * layout.piece_ny, pixels.size() - at));
-        const auto got = layout.tiled ? TIFFReadEncodedTile(tiff.get(), number, tile.data(), wanted) : TIFFReadEncodedStrip(tiff.get(), number, pixels.data() + at, wanted);
+        const auto wanted = static_cast<tmsize_t>(
+            layout.tiled ? tile.size() : std::min(layout.row_bytes() * layout.piece_ny, pixels.size() - at));
+        const auto got = layout.tiled ? TIFFReadEncodedTile(tiff.get(), number, tile.data(), wanted)
+                                      : TIFFReadEncodedStrip(tiff.get(), number, pixels.data() + at, wanted);
         if (got != wanted) failed(layout.offsets[k]);
         if (layout.tiled) place_tile(tile, layout, k, pixels);
     }
@@ -200,7 +236,9 @@ bytes::Source expanded_source(const TiffFile& file, Layout layout) {
     };
     bytes::Source source{.name = file.source.name, .size = layout.pixel_bytes(), .path = {}, .read_into = {}};
     // what reads pixels keeps no directories: a file may have many pages
-    source.read_into = [file = TiffFile{.source = file.source, .format = file.format, .order = file.order, .pages = {}}, layout = std::move(layout), state = std::make_shared<State>()](std::uint64_t offset, std::uint64_t count, char* target) {
+    source.read_into = [file = TiffFile{.source = file.source, .format = file.format, .order = file.order, .pages = {}},
+                        layout = std::move(layout),
+                        state = std::make_shared<State>()](std::uint64_t offset, std::uint64_t count, char* target) {
         const std::lock_guard lock(state->mutex);
         if (!state->pixels) state->pixels = expanded(file, layout);
         std::memcpy(target, state->pixels->data() + offset, count);

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/formats/npy.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -60,7 +60,8 @@ TEST(Nanoscope, PhaseIsListedButNoHeight) {
 
 TEST(Nanoscope, BlockOfFourBytesWinsOverBytesPerPixel) {
     auto file = nanoscope_file(4, 3, 4);
-    for (auto at = file.find("Bytes/pixel: 4"); at != std::string::npos; at = file.find("Bytes/pixel: 4")) file[at + 13] = '2';
+    for (auto at = file.find("Bytes/pixel: 4"); at != std::string::npos; at = file.find("Bytes/pixel: 4"))
+        file[at + 13] = '2';
     const TemporaryFolder folder;
     const auto map = std::get<HeightMap>(read(folder.write("a.di", file)));
     EXPECT_DOUBLE_EQ(map.heights(3, 0), 2.0 * 20e-9 / std::pow(2.0, 32) * 32);
@@ -68,7 +69,8 @@ TEST(Nanoscope, BlockOfFourBytesWinsOverBytesPerPixel) {
 
 TEST(Nanoscope, TruncatedFileIsRefusedAtOpenWithItsOffset) {
     const auto file = nanoscope_file(8, 8, 2);
-    EXPECT_NE(message_of(file.substr(0, file.size() - 1)).find(fmt::format("at byte {}", file.size() - 1)), std::string::npos);
+    EXPECT_NE(message_of(file.substr(0, file.size() - 1)).find(fmt::format("at byte {}", file.size() - 1)),
+              std::string::npos);
     EXPECT_NE(message_of(file.substr(0, 300)).find("truncated"), std::string::npos);
 }
 
@@ -79,8 +81,10 @@ TEST(Nanoscope, HeaderThatAnnouncesGigabytesIsRefused) {
 }
 
 constexpr const char* incremental = "<AxisType>I</AxisType><DataType>D</DataType><Increment>1e-6</Increment>";
-constexpr const char* signed_short = "<AxisType>A</AxisType><DataType>I</DataType><Increment>0.001</Increment><Offset>-0.5</Offset>";
-constexpr const char* two_by_three = "<MatrixDimension><SizeX>2</SizeX><SizeY>3</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+constexpr const char* signed_short =
+    "<AxisType>A</AxisType><DataType>I</DataType><Increment>0.001</Increment><Offset>-0.5</Offset>";
+constexpr const char* two_by_three =
+    "<MatrixDimension><SizeX>2</SizeX><SizeY>3</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
 
 TEST(X3p, SignedIntegersTakeIncrementOffsetAndMask) {
     const auto xml = x3p_document("SUR", incremental, signed_short, two_by_three,
@@ -88,7 +92,8 @@ TEST(X3p, SignedIntegersTakeIncrementOffsetAndMask) {
                                   "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>");
     const auto data = bytes_of<std::int16_t>({-100, 0, 100, 1548, 7, 300});
     const TemporaryFolder folder;
-    const auto path = folder.write("a.x3p", zip_archive({{"main.xml", xml}, {"bindata/data.bin", data}, {"bindata/valid.bin", "\x2f"}}));
+    const auto path = folder.write(
+        "a.x3p", zip_archive({{"main.xml", xml}, {"bindata/data.bin", data}, {"bindata/valid.bin", "\x2f"}}));
     const auto map = std::get<HeightMap>(read(path));
     EXPECT_DOUBLE_EQ(map.heights(0, 0), -0.6);
     EXPECT_DOUBLE_EQ(map.heights(1, 1), 1.048);
@@ -107,16 +112,19 @@ TEST(X3p, EachTypeIsRead) {
     const TemporaryFolder folder;
     for (const auto& [type, data] : types) {
         const auto axis = fmt::format("<AxisType>A</AxisType><DataType>{}</DataType>", type);
-        const auto xml = x3p_document("SUR", incremental, axis, two_by_three, "<DataLink><PointDataLink>d.bin</PointDataLink></DataLink>");
-        const auto map = std::get<HeightMap>(read(folder.write("a.x3p", zip_archive({{"main.xml", xml}, {"d.bin", data}}))));
+        const auto xml = x3p_document("SUR", incremental, axis, two_by_three,
+                                      "<DataLink><PointDataLink>d.bin</PointDataLink></DataLink>");
+        const auto map =
+            std::get<HeightMap>(read(folder.write("a.x3p", zip_archive({{"main.xml", xml}, {"d.bin", data}}))));
         EXPECT_EQ(map.heights(0, 0), -1.0) << type;
         EXPECT_EQ(map.heights(1, 2), 6.0) << type;
     }
 }
 
 TEST(X3p, ListedPointsOfABareDocumentAreRead) {
-    const auto xml = x3p_document("SUR", incremental, signed_short, two_by_three,
-                                  "<DataList><Datum>500</Datum><Datum>501</Datum><Datum/><Datum>503</Datum><Datum>504</Datum><Datum>505</Datum></DataList>");
+    const auto xml = x3p_document(
+        "SUR", incremental, signed_short, two_by_three,
+        "<DataList><Datum>500</Datum><Datum>501</Datum><Datum/><Datum>503</Datum><Datum>504</Datum><Datum>505</Datum></DataList>");
     const TemporaryFolder folder;
     const auto map = std::get<HeightMap>(read(folder.write("a.xml", xml)));
     EXPECT_NEAR(map.heights(1, 0), 0.001, 1e-15);
@@ -128,20 +136,28 @@ TEST(X3p, ProfilesAreLinesOrPolylines) {
     const auto z = "<AxisType>A</AxisType><DataType>D</DataType>";
     const auto absolute = "<AxisType>A</AxisType><DataType>D</DataType>";
     const auto list = "<ListDimension>3</ListDimension>";
-    const auto line = x3p_document("PRF", incremental, z, list, "<DataList><Datum>1</Datum><Datum>2</Datum><Datum>3</Datum></DataList>");
+    const auto line = x3p_document("PRF", incremental, z, list,
+                                   "<DataList><Datum>1</Datum><Datum>2</Datum><Datum>3</Datum></DataList>");
     EXPECT_DOUBLE_EQ(std::get<LineScan>(read(folder.write("a.x3p", zip_archive({{"main.xml", line}})))).size, 3e-6);
-    const auto uneven = x3p_document("PRF", absolute, z, list, "<DataList><Datum>0;1</Datum><Datum>2;2</Datum><Datum>3;4</Datum></DataList>");
+    const auto uneven = x3p_document("PRF", absolute, z, list,
+                                     "<DataList><Datum>0;1</Datum><Datum>2;2</Datum><Datum>3;4</Datum></DataList>");
     EXPECT_DOUBLE_EQ(std::get<Profile>(read(folder.write("b.xml", uneven))).positions[1], 2.0);
 }
 
 TEST(X3p, DamageIsRefused) {
     const auto link = [](const char* checksum) {
-        return x3p_document("SUR", incremental, signed_short, two_by_three,
-                            fmt::format("<DataLink><PointDataLink>d.bin</PointDataLink><MD5ChecksumPointData>{}</MD5ChecksumPointData></DataLink>", checksum));
+        return x3p_document(
+            "SUR", incremental, signed_short, two_by_three,
+            fmt::format(
+                "<DataLink><PointDataLink>d.bin</PointDataLink><MD5ChecksumPointData>{}</MD5ChecksumPointData></DataLink>",
+                checksum));
     };
     const auto data = bytes_of<std::int16_t>({1, 2, 3, 4, 5, 6});
-    EXPECT_NE(message_of(zip_archive({{"main.xml", link("00000000000000000000000000000000")}, {"d.bin", data}})).find("MD5"), std::string::npos);
-    EXPECT_NE(message_of(zip_archive({{"main.xml", link("")}, {"d.bin", data.substr(2)}})).find("10 bytes"), std::string::npos);
+    EXPECT_NE(
+        message_of(zip_archive({{"main.xml", link("00000000000000000000000000000000")}, {"d.bin", data}})).find("MD5"),
+        std::string::npos);
+    EXPECT_NE(message_of(zip_archive({{"main.xml", link("")}, {"d.bin", data.substr(2)}})).find("10 bytes"),
+              std::string::npos);
     EXPECT_NE(message_of(zip_archive({{"main.xml", link("")}})).find("no member 'd.bin'"), std::string::npos);
     EXPECT_NE(message_of(zip_archive({{"main.xml", "<a>"}})).find("main.xml"), std::string::npos);
     auto huge = link("");
@@ -157,7 +173,8 @@ std::string npy(const std::string& header, const std::string& data, char version
 
 TEST(Npy, EachTypeAndOrderIsRead) {
     const auto big = [](std::string bytes, std::size_t width) {
-        for (std::size_t i = 0; i < bytes.size(); i += width) std::reverse(bytes.begin() + static_cast<long>(i), bytes.begin() + static_cast<long>(i + width));
+        for (std::size_t i = 0; i < bytes.size(); i += width)
+            std::reverse(bytes.begin() + static_cast<long>(i), bytes.begin() + static_cast<long>(i + width));
         return bytes;
     };
     const auto doubles = bytes_of<double>({1, 2, 3, 4, 5, 6});
@@ -173,8 +190,10 @@ TEST(Npy, EachTypeAndOrderIsRead) {
     const TemporaryFolder folder;
     for (const auto& [type, fortran, data] : files)
         for (const char version : {'\1', '\2', '\3'}) {
-            const auto header = fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': (2, 3), }}\n", type, fortran);
-            const auto map = std::get<HeightMap>(read(folder.write("a.npy", npy(header, data, version)), 0, {{{2e-6, 3e-6}}, "nm"}));
+            const auto header =
+                fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': (2, 3), }}\n", type, fortran);
+            const auto map =
+                std::get<HeightMap>(read(folder.write("a.npy", npy(header, data, version)), 0, {{{2e-6, 3e-6}}, "nm"}));
             EXPECT_DOUBLE_EQ(map.heights(0, 2), 3e-9) << type << fortran;
             EXPECT_DOUBLE_EQ(map.heights(1, 0), 4e-9) << type << fortran;
         }
@@ -191,9 +210,14 @@ TEST(Npy, NeedsSizeAndUnit) {
 TEST(Npy, HeaderThatAnnouncesMoreThanTheFileIsRefused) {
     const ReadOptions options{{{1e-6, 1e-6}}, "nm"};
     for (const auto* shape : {"(40000, 40000)", "(9223372036854775807, 9223372036854775807)", "(2, 2)"})
-        EXPECT_NE(message_of(npy(fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': {}, }}", shape), "12345678"), options).find("NPY"),
-                  std::string::npos);
-    EXPECT_NE(message_of(npy("{'descr': '<c8', 'fortran_order': False, 'shape': (2, 2), }", "12345678"), options).find("<c8"), std::string::npos);
+        EXPECT_NE(
+            message_of(npy(fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': {}, }}", shape), "12345678"),
+                       options)
+                .find("NPY"),
+            std::string::npos);
+    EXPECT_NE(
+        message_of(npy("{'descr': '<c8', 'fortran_order': False, 'shape': (2, 2), }", "12345678"), options).find("<c8"),
+        std::string::npos);
 }
 
 TEST(Npy, WrittenArraysAreReadBack) {
@@ -240,9 +264,10 @@ TEST(Container, BadMemberLosesNoOther) {
 
 TEST(Container, YamlTagsAreIgnored) {
     const TemporaryFolder folder;
-    const std::string yaml = "surfaces:\n- name: a\n  topographies:\n  - name: '1'\n    datafile: {original: l.txt}\n    size: !!python/tuple\n    - 3.0\n"
-                             "    unit: nm\n    height_scale: 1.0\n    measurement_date: 2016-02-15\n    detrend_mode: height\n"
-                             "    tags: !!python/object/apply:os.system ['touch /tmp/no']\n";
+    const std::string yaml =
+        "surfaces:\n- name: a\n  topographies:\n  - name: '1'\n    datafile: {original: l.txt}\n    size: !!python/tuple\n    - 3.0\n"
+        "    unit: nm\n    height_scale: 1.0\n    measurement_date: 2016-02-15\n    detrend_mode: height\n"
+        "    tags: !!python/object/apply:os.system ['touch /tmp/no']\n";
     const auto path = folder.write("c.zip", zip_archive({{"meta.yml", yaml}, {"l.txt", "0 1\n1 2\n2 4\n"}}));
     const auto channels = open(path);
     EXPECT_EQ(channels.at(0).info.name, "1");
@@ -253,8 +278,10 @@ TEST(Container, YamlTagsAreIgnored) {
 
 TEST(Container, SizeThatDiffersFromTheFileIsAnAlert) {
     const TemporaryFolder folder;
-    const std::string index = R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "l.txt"}, "size": [7], "unit": "nm"}]}]})";
-    const auto channels = open(folder.write("c.zip", zip_archive({{"index.json", index}, {"l.txt", "0 1\n1 2\n2 4\n"}})));
+    const std::string index =
+        R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "l.txt"}, "size": [7], "unit": "nm"}]}]})";
+    const auto channels =
+        open(folder.write("c.zip", zip_archive({{"index.json", index}, {"l.txt", "0 1\n1 2\n2 4\n"}})));
     EXPECT_EQ(channels.at(0).info.alerts.at(0).code, "SIZE_MISMATCH");
     EXPECT_DOUBLE_EQ(channels[0].info.size.at(0), 3e-9);
 }
@@ -271,7 +298,8 @@ TEST(Container, DamagedIndexIsRefused) {
 TEST(NetCdf, WritesClassicFilesThatHoldNoTopography) {
     const TemporaryFolder folder;
     Table table;
-    table.columns = {{"wavevector", "1/m", Array1D::LinSpaced(3, 1.0, 3.0)}, {"C1D", "m3", Array1D::LinSpaced(3, 0.0, 1.0)}};
+    table.columns = {{"wavevector", "1/m", Array1D::LinSpaced(3, 1.0, 3.0)},
+                     {"C1D", "m3", Array1D::LinSpaced(3, 0.0, 1.0)}};
     table.metadata["source"] = "test";
     write_netcdf(folder.path("t.nc"), table);
     const auto bytes = bytes::read_file(folder.path("t.nc"));

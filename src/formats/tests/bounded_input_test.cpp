@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "byte_builder.hpp"
+#include "error_message.hpp"
+#include "sample_files.hpp"
 #include "setae/bytes/archive.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/bytes/xml_file.hpp"
-#include "byte_builder.hpp"
-#include "error_message.hpp"
-#include "sample_files.hpp"
 #include "setae/formats/format.hpp"
 
 using namespace setae::tests;
@@ -21,28 +21,37 @@ namespace {
 std::string deflated(const std::string& content) {
     uLongf size = compressBound(content.size());
     std::string stream(size, '\0');
-    compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(content.data()), content.size(), 9);
+    compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+              content.size(), 9);
     stream.resize(size);
     return stream;
 }
 
 TEST(ZipArchive, RefusesMembersThatLeadOut) {
     for (const auto* name : {"../evil.txt", "a/../../evil", "/etc/passwd", "C:\\evil", "..\\evil"})
-        EXPECT_NE(message_of([&] { bytes::Archive archive(bytes::memory_source("x.zip", zip_archive({{name, "1"}}))); }).find("leads out"), std::string::npos) << name;
+        EXPECT_NE(message_of([&] {
+                      bytes::Archive archive(bytes::memory_source("x.zip", zip_archive({{name, "1"}})));
+                  }).find("leads out"),
+                  std::string::npos)
+            << name;
     EXPECT_NO_THROW(bytes::Archive(bytes::memory_source("x.zip", zip_archive({{"a..b/..c", "1"}}))));
 }
 
 TEST(ZipArchive, RefusesABomb) {
-    const bytes::Archive archive(bytes::memory_source("bomb.zip", zip_archive({{"zeros", std::string(20'000'000, '\0')}, {"small", "12"}})));
+    const bytes::Archive archive(
+        bytes::memory_source("bomb.zip", zip_archive({{"zeros", std::string(20'000'000, '\0')}, {"small", "12"}})));
     EXPECT_NE(message_of([&] { (void)archive.read("zeros"); }).find("member 'zeros' expands"), std::string::npos);
     EXPECT_EQ(archive.read("small"), "12");
-    EXPECT_NE(message_of([&] { (void)archive.member("zeros").all(); }).find("announces 20000000 bytes"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)archive.member("zeros").all(); }).find("announces 20000000 bytes"),
+              std::string::npos);
 }
 
 TEST(ZipArchive, MemberIsASourceThatOutlivesIt) {
     std::string content(200'000, 'a');
     for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * 7919 % 251);
-    const auto member = [&] { return bytes::Archive(bytes::memory_source("x.zip", zip_archive({{"data", content}}))).member("data"); }();
+    const auto member = [&] {
+        return bytes::Archive(bytes::memory_source("x.zip", zip_archive({{"data", content}}))).member("data");
+    }();
     EXPECT_EQ(member.size, content.size());
     EXPECT_EQ(member.name, "x.zip: data");
     EXPECT_EQ(member.head(10), content.substr(0, 10));
@@ -53,7 +62,8 @@ TEST(ZipArchive, MemberIsASourceThatOutlivesIt) {
 
 TEST(ZipArchive, TruncatedOneIsRefusedAtItsEnd) {
     const auto whole = zip_archive({{"a", "1"}});
-    const auto message = message_of([&] { bytes::Archive archive(bytes::memory_source("x.zip", whole.substr(0, whole.size() - 5))); });
+    const auto message =
+        message_of([&] { bytes::Archive archive(bytes::memory_source("x.zip", whole.substr(0, whole.size() - 5))); });
     EXPECT_TRUE(message.starts_with("x.zip: at byte " + std::to_string(whole.size() - 5))) << message;
 }
 
@@ -67,12 +77,19 @@ TEST(Expansion, GivesBackWhatWasCompressed) {
 TEST(Expansion, RefusesBombsAndDamage) {
     const auto source = bytes::memory_source("x.sur", "");
     const auto bomb = deflated(std::string(20'000'000, '\0'));
-    EXPECT_NE(message_of([&] { (void)bytes::inflated(bomb, source, 512, "SUR"); }).find("x.sur: at byte 512: SUR: "), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)bytes::inflated(bomb, source, 512, "SUR"); }).find("x.sur: at byte 512: SUR: "),
+              std::string::npos);
     auto stream = deflated("some heights of a surface that was measured");
-    EXPECT_NE(message_of([&] { (void)bytes::inflated(stream.substr(0, stream.size() / 2), source, 0, "SUR"); }).find("end early"), std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  (void)bytes::inflated(stream.substr(0, stream.size() / 2), source, 0, "SUR");
+              }).find("end early"),
+              std::string::npos);
     stream[stream.size() / 2] = static_cast<char>(stream[stream.size() / 2] ^ 0x55);
     EXPECT_NE(message_of([&] { (void)bytes::inflated(stream, source, 0, "SUR"); }).find("damaged"), std::string::npos);
-    EXPECT_NE(message_of([&] { (void)bytes::expanded_zstd("no zstd", source, 0, "ZON"); }).find("ZON: compressed data are damaged"), std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  (void)bytes::expanded_zstd("no zstd", source, 0, "ZON");
+              }).find("ZON: compressed data are damaged"),
+              std::string::npos);
 }
 
 TEST(GzipFile, IsReadAsWhatItHolds) {
@@ -89,7 +106,10 @@ TEST(GzipFile, IsReadAsWhatItHolds) {
     const auto channels = open(bytes::memory_source("line.txt.gz", packed), {});
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels[0].info.shape, std::vector<Index>{3});
-    EXPECT_NE(message_of([&] { (void)open(bytes::memory_source("cut.gz", packed.substr(0, packed.size() - 12)), {}); }).find("cut.gz: at byte"), std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  (void)open(bytes::memory_source("cut.gz", packed.substr(0, packed.size() - 12)), {});
+              }).find("cut.gz: at byte"),
+              std::string::npos);
 }
 
 TEST(Xml, EntitiesAreRefused) {
@@ -97,7 +117,8 @@ TEST(Xml, EntitiesAreRefused) {
     const std::string laughs = "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY b \"bbbb\">]><a>&b;</a>";
     const auto message = message_of([&] { (void)bytes::parsed_xml(laughs, source, "X3P"); });
     EXPECT_NE(message.find("main.xml: at byte 21: X3P: XML that declares"), std::string::npos) << message;
-    EXPECT_NE(message_of([&] { (void)bytes::parsed_xml("<a><b></a>", source, "X3P"); }).find("at byte"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)bytes::parsed_xml("<a><b></a>", source, "X3P"); }).find("at byte"),
+              std::string::npos);
     EXPECT_STREQ(bytes::parsed_xml("<a>1</a>", source, "X3P").child_value("a"), "1");
 }
 
@@ -115,7 +136,9 @@ TEST(Cursor, ReadsNumbersAndTextsInEitherOrder) {
 
 TEST(Cursor, TellsWhereTheFileEnds) {
     bytes::Cursor cursor(bytes::memory_source("f.dat", "12345"), "MetroPro", 2);
-    EXPECT_EQ(message_of([&] { (void)cursor.number<double>(); }), "f.dat: at byte 5: MetroPro: the file ends here, expected 8 bytes from byte 2; it is truncated or damaged");
+    EXPECT_EQ(
+        message_of([&] { (void)cursor.number<double>(); }),
+        "f.dat: at byte 5: MetroPro: the file ends here, expected 8 bytes from byte 2; it is truncated or damaged");
     EXPECT_EQ(message_of([&] { (void)cursor.bytes(std::uint64_t{1} << 60); }).substr(0, 14), "f.dat: at byte");
     EXPECT_EQ(message_of([&] { cursor.seek(6); }).substr(0, 16), "f.dat: at byte 5");
     (void)cursor.number<std::uint8_t>();

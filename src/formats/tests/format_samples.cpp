@@ -75,7 +75,8 @@ std::vector<FormatSample> format_samples() {
 Array2D lopsided_heights(Index nx, Index ny, double unit) {
     Array2D heights(nx, ny);
     for (Index i = 0; i < nx; ++i)
-        for (Index j = 0; j < ny; ++j) heights(i, j) = unit * static_cast<double>(1 + 3 * i + 100 * j + (7 * i + 13 * j) % 11);
+        for (Index j = 0; j < ny; ++j)
+            heights(i, j) = unit * static_cast<double>(1 + 3 * i + 100 * j + (7 * i + 13 * j) % 11);
     return heights;
 }
 

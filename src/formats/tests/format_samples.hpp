@@ -8,8 +8,9 @@
 #include "setae/core/arrays.hpp"
 #include "setae/formats/channel.hpp"
 
-/// Files of every format, made byte by byte, and what they hold. Each format has at least one map that is not square and whose
-/// corners differ, so that no axis is taken for another. Tests, fuzzing and timings take their files from here.
+/// Files of every format, made byte by byte, and what they hold. Each format has at least one map that is not square
+/// and whose corners differ, so that no axis is taken for another. Tests, fuzzing and timings take their files from
+/// here.
 namespace setae::formats::tests {
 
 struct FormatSample {
@@ -17,13 +18,13 @@ struct FormatSample {
     std::string name;     ///< tells samples of a format apart: "int16, big-endian"
     std::string content;  ///< the file's bytes
     ReadOptions options = {};
-    std::size_t channel = 0;   ///< the one described here
-    std::vector<Index> shape;  ///< as ChannelInfo
-    std::vector<double> size;  ///< [m], as ChannelInfo
-    Array2D heights;           ///< [m], h(x, y), NaN undefined; a line has one column
-    double tolerance = 1e-12;  ///< of heights, relative to the largest; of what the file's numbers can hold
+    std::size_t channel = 0;         ///< the one described here
+    std::vector<Index> shape;        ///< as ChannelInfo
+    std::vector<double> size;        ///< [m], as ChannelInfo
+    Array2D heights;                 ///< [m], h(x, y), NaN undefined; a line has one column
+    double tolerance = 1e-12;        ///< of heights, relative to the largest; of what the file's numbers can hold
     std::string member_format = {};  ///< of the channel, where it is that of a file inside this one
-    bool may_lose_its_end = false;  ///< nothing in the format tells how long a file is: cut, it is a shorter one
+    bool may_lose_its_end = false;   ///< nothing in the format tells how long a file is: cut, it is a shorter one
 };
 
 /// The samples of all formats, in the order of formats().

@@ -10,18 +10,20 @@
 
 namespace setae::formats {
 
-void PrintTo(const tests::FormatSample& sample, std::ostream* stream) { *stream << sample.format << ": " << sample.name; }
+void PrintTo(const tests::FormatSample& sample, std::ostream* stream) {
+    *stream << sample.format << ": " << sample.name;
+}
 
 namespace tests {
 namespace {
 
 class FormatSamples : public testing::TestWithParam<FormatSample> {};
 
-bytes::Source source_of(const FormatSample& sample) { return bytes::memory_source(sample.format + " sample", sample.content); }
-
-TEST_P(FormatSamples, AreDetected) {
-    EXPECT_EQ(detect_format(source_of(GetParam())).identifier, GetParam().format);
+bytes::Source source_of(const FormatSample& sample) {
+    return bytes::memory_source(sample.format + " sample", sample.content);
 }
+
+TEST_P(FormatSamples, AreDetected) { EXPECT_EQ(detect_format(source_of(GetParam())).identifier, GetParam().format); }
 
 TEST_P(FormatSamples, TellShapeAndSizeBeforeHeightsAreRead) {
     const auto channel = open(source_of(GetParam()), GetParam().options).at(GetParam().channel);
@@ -31,13 +33,15 @@ TEST_P(FormatSamples, TellShapeAndSizeBeforeHeightsAreRead) {
     EXPECT_FALSE(channel.info.unit.empty());
     EXPECT_EQ(channel.info.orientation.empty(), GetParam().shape.size() == 1) << channel.info.orientation;
     ASSERT_EQ(channel.info.size.size(), GetParam().size.size());
-    for (std::size_t i = 0; i < GetParam().size.size(); ++i) EXPECT_NEAR(channel.info.size[i], GetParam().size[i], 1e-12 * GetParam().size[i]);
+    for (std::size_t i = 0; i < GetParam().size.size(); ++i)
+        EXPECT_NEAR(channel.info.size[i], GetParam().size[i], 1e-12 * GetParam().size[i]);
 }
 
 TEST_P(FormatSamples, HoldTheirHeights) {
     const auto measurement = open(source_of(GetParam()), GetParam().options).at(GetParam().channel).read();
     const auto& expected = GetParam().heights;
-    const Array1D heights = topography::all_heights(measurement), wanted = Eigen::Map<const Array1D>(expected.data(), expected.size());
+    const Array1D heights = topography::all_heights(measurement),
+                  wanted = Eigen::Map<const Array1D>(expected.data(), expected.size());
     ASSERT_EQ(heights.size(), wanted.size());
     const double tolerance = GetParam().tolerance * wanted.isNaN().select(0.0, wanted.abs()).maxCoeff();
     for (Index i = 0; i < heights.size(); ++i) {
@@ -123,7 +127,8 @@ TEST(Formats, DescribeThemselves) {
     std::set<std::string> identifiers;
     for (const auto& format : formats()) {
         EXPECT_TRUE(identifiers.insert(format.identifier).second) << format.identifier << " twice";
-        for (const auto* text : {&format.name, &format.extensions, &format.description, &format.heights, &format.reference}) {
+        for (const auto* text :
+             {&format.name, &format.extensions, &format.description, &format.heights, &format.reference}) {
             EXPECT_FALSE(text->empty()) << format.identifier;
             EXPECT_FALSE(text->ends_with('.')) << format.identifier << ": " << *text;
         }
@@ -132,7 +137,8 @@ TEST(Formats, DescribeThemselves) {
 
 TEST(Formats, TableIsComplete) {
     for (const auto& format : formats()) {
-        EXPECT_FALSE(format.identifier.empty() || format.name.empty() || format.extensions.empty() || format.description.empty() || format.reference.empty())
+        EXPECT_FALSE(format.identifier.empty() || format.name.empty() || format.extensions.empty() ||
+                     format.description.empty() || format.reference.empty())
             << format.identifier;
         EXPECT_TRUE(format.detect && format.open) << format.identifier;
     }

@@ -29,11 +29,17 @@ Profile traced() {
     profile.metadata.name = "uncd 03, second";
     profile.metadata.acquisition_time = "2024-03-01 10:15:00";
     profile.metadata.instrument = {"Titan: 300 kV", "tem", {}, {}, 1.1e-10 / 3.0};
-    profile.metadata.attributes = {{"foil_thickness", "1.2e-08 m"}, {"rotation", "-0.0213 rad"}, {"reentrant_share", "0.013"}, {"anchors", "a.json"}, {"remark", ""}};
+    profile.metadata.attributes = {{"foil_thickness", "1.2e-08 m"},
+                                   {"rotation", "-0.0213 rad"},
+                                   {"reentrant_share", "0.013"},
+                                   {"anchors", "a.json"},
+                                   {"remark", ""}};
     return profile;
 }
 
-Profile read_back(const std::string& text) { return std::get<Profile>(open(bytes::memory_source("p.csv", text), {}).at(0).read()); }
+Profile read_back(const std::string& text) {
+    return std::get<Profile>(open(bytes::memory_source("p.csv", text), {}).at(0).read());
+}
 
 void expect_same(const Profile& a, const Profile& b) {
     ASSERT_EQ(a.positions.size(), b.positions.size());

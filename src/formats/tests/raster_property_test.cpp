@@ -8,8 +8,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "storage/raster.hpp"
 #include "sample_files.hpp"
+#include "storage/raster.hpp"
 
 using namespace setae::tests;
 
@@ -21,7 +21,10 @@ template <class Number>
 double number_from(std::string bytes) {
     std::uint64_t bits = 0;
     for (const char byte : bytes) bits = bits << 8 | static_cast<unsigned char>(byte);
-    using Bits = std::conditional_t<sizeof(Number) == 1, std::uint8_t, std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
+    using Bits =
+        std::conditional_t<sizeof(Number) == 1, std::uint8_t,
+                           std::conditional_t<sizeof(Number) == 2, std::uint16_t,
+                                              std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
     const auto narrow = static_cast<Bits>(bits);
     Number number;
     std::memcpy(&number, &narrow, sizeof(Number));
@@ -46,16 +49,22 @@ double raw_number(const std::string& bytes, Sample sample) {
 
 /// The height at a place, one number after the other: what read_raster is to give.
 double height_at(const std::string& content, const Raster& raster, const RawScale& scale, Index x, Index y) {
-    const Index stored_x = raster.right_to_left ? raster.nx - 1 - x : x, stored_y = raster.bottom_up ? raster.ny - 1 - y : y;
-    const auto line = static_cast<std::uint64_t>(raster.columns ? stored_x : stored_y), sample = static_cast<std::uint64_t>(raster.columns ? stored_y : stored_x);
-    auto bytes = content.substr(raster.offset + line * raster.row_distance() + sample * raster.sample_distance(), formats::bytes_of(raster.sample));
+    const Index stored_x = raster.right_to_left ? raster.nx - 1 - x : x,
+                stored_y = raster.bottom_up ? raster.ny - 1 - y : y;
+    const auto line = static_cast<std::uint64_t>(raster.columns ? stored_x : stored_y),
+               sample = static_cast<std::uint64_t>(raster.columns ? stored_y : stored_x);
+    auto bytes = content.substr(raster.offset + line * raster.row_distance() + sample * raster.sample_distance(),
+                                formats::bytes_of(raster.sample));
     if (raster.order == std::endian::little) std::reverse(bytes.begin(), bytes.end());
     const double raw = raw_number(bytes, raster.sample), height = scale.factor * raw + scale.offset;
     const bool listed = std::find(scale.undefined.begin(), scale.undefined.end(), raw) != scale.undefined.end();
-    return raw >= scale.least && raw <= scale.greatest && !listed && std::isfinite(height) ? height : std::numeric_limits<double>::quiet_NaN();
+    return raw >= scale.least && raw <= scale.greatest && !listed && std::isfinite(height)
+               ? height
+               : std::numeric_limits<double>::quiet_NaN();
 }
 
-constexpr auto samples = {Sample::int8, Sample::uint8, Sample::int16, Sample::uint16, Sample::int32, Sample::uint32, Sample::int64, Sample::uint64, Sample::float32, Sample::float64};
+constexpr auto samples = {Sample::int8,   Sample::uint8, Sample::int16,  Sample::uint16,  Sample::int32,
+                          Sample::uint32, Sample::int64, Sample::uint64, Sample::float32, Sample::float64};
 
 Raster any_raster(Index most_points, std::uint64_t most_between) {
     Raster raster;
@@ -67,8 +76,10 @@ Raster any_raster(Index most_points, std::uint64_t most_between) {
     raster.columns = *rc::gen::arbitrary<bool>();
     raster.bottom_up = *rc::gen::arbitrary<bool>();
     raster.right_to_left = *rc::gen::arbitrary<bool>();
-    if (*rc::gen::arbitrary<bool>()) raster.step = formats::bytes_of(raster.sample) + *rc::gen::inRange<std::uint64_t>(0, most_between);
-    if (*rc::gen::arbitrary<bool>()) raster.line_distance = raster.row_distance() + *rc::gen::inRange<std::uint64_t>(0, 40 * most_between);
+    if (*rc::gen::arbitrary<bool>())
+        raster.step = formats::bytes_of(raster.sample) + *rc::gen::inRange<std::uint64_t>(0, most_between);
+    if (*rc::gen::arbitrary<bool>())
+        raster.line_distance = raster.row_distance() + *rc::gen::inRange<std::uint64_t>(0, 40 * most_between);
     return raster;
 }
 
@@ -76,14 +87,19 @@ RawScale any_scale() {
     RawScale scale{.factor = *rc::gen::element(1.0, -0.25, 1e-9, 1e300), .offset = *rc::gen::element(0.0, 3.5)};
     if (*rc::gen::arbitrary<bool>()) scale.least = *rc::gen::element(-100.0, 0.0, 5.0);
     if (*rc::gen::arbitrary<bool>()) scale.greatest = *rc::gen::element(100.0, 60000.0);
-    scale.undefined = *rc::gen::element(std::vector<double>{}, std::vector<double>{0.0}, std::vector<double>{1.0, 7.0, 32767.0});
+    scale.undefined =
+        *rc::gen::element(std::vector<double>{}, std::vector<double>{0.0}, std::vector<double>{1.0, 7.0, 32767.0});
     return scale;
 }
 
-/// Bytes of a file that ends where the raster does; few different ones, so that values that mark undefined points are met.
+/// Bytes of a file that ends where the raster does; few different ones, so that values that mark undefined points are
+/// met.
 std::string content_of(const Raster& raster, std::uint32_t seed) {
-    const auto lines = static_cast<std::uint64_t>(raster.columns ? raster.nx : raster.ny), values = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
-    std::string content(raster.offset + (lines - 1) * raster.row_distance() + (values - 1) * raster.sample_distance() + formats::bytes_of(raster.sample), '\0');
+    const auto lines = static_cast<std::uint64_t>(raster.columns ? raster.nx : raster.ny),
+               values = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
+    std::string content(raster.offset + (lines - 1) * raster.row_distance() + (values - 1) * raster.sample_distance() +
+                            formats::bytes_of(raster.sample),
+                        '\0');
     std::minstd_rand random(seed);
     for (auto& byte : content) {
         const auto number = random() >> 8;
@@ -92,7 +108,8 @@ std::string content_of(const Raster& raster, std::uint32_t seed) {
     return content;
 }
 
-void expect_heights(const Raster& raster, const RawScale& scale, const std::string& content, const bytes::Source& source) {
+void expect_heights(const Raster& raster, const RawScale& scale, const std::string& content,
+                    const bytes::Source& source) {
     require_raster(raster, source, "test");
     const auto heights = read_raster(source, raster, scale);
     RC_ASSERT(heights.rows() == raster.nx);
@@ -113,7 +130,8 @@ RC_GTEST_PROP(Raster, IsWhatOneNumberAfterTheOtherGives, ()) {
 RC_GTEST_PROP(Raster, OfLongLinesIsReadInParts, ()) {
     auto raster = any_raster(70, 2);
     raster.step = *rc::gen::element<std::uint64_t>(1500, 2500);  // 64 lines are more than is read together
-    raster.line_distance = raster.step * static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx) + *rc::gen::element<std::uint64_t>(0, 3, 20000);
+    raster.line_distance = raster.step * static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx) +
+                           *rc::gen::element<std::uint64_t>(0, 3, 20000);
     const TemporaryFolder folder;
     const auto content = content_of(raster, *rc::gen::arbitrary<std::uint32_t>());
     expect_heights(raster, any_scale(), content, bytes::file_source(folder.write("raster", content)));

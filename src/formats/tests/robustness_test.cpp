@@ -5,13 +5,13 @@
 
 #include "import_samples.hpp"
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/formats/netcdf.hpp"
 #include "setae/tables/column_guess.hpp"
 #include "setae/tables/force_curve.hpp"
-#include "setae/formats/format.hpp"
 #include "setae/tables/loop_file.hpp"
-#include "setae/formats/netcdf.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -21,8 +21,7 @@ namespace {
 /// Opens bytes as any format and reads every channel: nothing but setae's own errors may come out.
 void must_read_or_refuse(const std::string& content) {
     try {
-        for (const auto& channel : open(bytes::memory_source("sample", content), {{{1e-6, 1e-6}}, "nm"}))
-            try {
+        for (const auto& channel : open(bytes::memory_source("sample", content), {{{1e-6, 1e-6}}, "nm"})) try {
                 (void)channel.read();
             } catch (const Error&) {
             }
@@ -35,28 +34,32 @@ std::vector<std::pair<std::string, std::string>> samples() {
     Table table;
     table.columns = {{"x", "m", Array1D{{0.0, 1.0, 3.0}}}, {"heights", "m", Array1D{{0.5, 0.25, 0.125}}}};
     write_netcdf(folder.path("t.nc"), table);
-    const auto xml = x3p_document("SUR", "<AxisType>I</AxisType><DataType>D</DataType><Increment>1e-6</Increment>",
-                                  "<AxisType>A</AxisType><DataType>I</DataType><Increment>0.001</Increment>",
-                                  "<MatrixDimension><SizeX>2</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>",
-                                  "<DataList><Datum>1</Datum><Datum>2</Datum><Datum>3</Datum><Datum>4</Datum></DataList>");
-    return {{"xy", "x [um];h [um]\n0,5;1,5\n1,5;2,5\n2,5;3,5\n"},
-            {"profile", "# format: setae profile\n# version: 1\n# instrument: tem\n# blur: 1e-10 m\n# smoothing_length: 2e-10 m\n# step: 1e-10 m\n# noise_density: 1e-31 m3\n"
-                        "# foil_thickness: 1e-08 m\nx [m],h [m],standard_error [m]\n0,1e-9,1e-11\n1e-10,2e-9,1e-11\n2e-10,1e-9,2e-11\n"},
-            {"matrix", "# Channel: a\n# Width: 1 um\n# Height: 1 um\n# Value units: nm\n1 2 3\n4 5 6\n"},
-            {"nanoscope", nanoscope_file(6, 5, 2)},
-            {"x3p list", xml},
-            {"x3p", zip_archive({{"main.xml", xml}})},
-            {"container", container_file()},
-            {"npy", "\x93NUMPY\x01" + std::string(1, '\0') + "\x3e" + std::string(1, '\0') +
-                        "{'descr': '<i2', 'fortran_order': False, 'shape': (2, 2), }   \n12345678"},
-            {"netcdf", bytes::read_file(folder.path("t.nc"))}};
+    const auto xml =
+        x3p_document("SUR", "<AxisType>I</AxisType><DataType>D</DataType><Increment>1e-6</Increment>",
+                     "<AxisType>A</AxisType><DataType>I</DataType><Increment>0.001</Increment>",
+                     "<MatrixDimension><SizeX>2</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>",
+                     "<DataList><Datum>1</Datum><Datum>2</Datum><Datum>3</Datum><Datum>4</Datum></DataList>");
+    return {
+        {"xy", "x [um];h [um]\n0,5;1,5\n1,5;2,5\n2,5;3,5\n"},
+        {"profile",
+         "# format: setae profile\n# version: 1\n# instrument: tem\n# blur: 1e-10 m\n# smoothing_length: 2e-10 m\n# step: 1e-10 m\n# noise_density: 1e-31 m3\n"
+         "# foil_thickness: 1e-08 m\nx [m],h [m],standard_error [m]\n0,1e-9,1e-11\n1e-10,2e-9,1e-11\n2e-10,1e-9,2e-11\n"},
+        {"matrix", "# Channel: a\n# Width: 1 um\n# Height: 1 um\n# Value units: nm\n1 2 3\n4 5 6\n"},
+        {"nanoscope", nanoscope_file(6, 5, 2)},
+        {"x3p list", xml},
+        {"x3p", zip_archive({{"main.xml", xml}})},
+        {"container", container_file()},
+        {"npy", "\x93NUMPY\x01" + std::string(1, '\0') + "\x3e" + std::string(1, '\0') +
+                    "{'descr': '<i2', 'fortran_order': False, 'shape': (2, 2), }   \n12345678"},
+        {"netcdf", bytes::read_file(folder.path("t.nc"))}};
 }
 
 TEST(Readers, SurviveTruncationAnywhere) {
     for (const auto& [name, content] : samples()) {
         SCOPED_TRACE(name);
         const auto stride = std::max<std::size_t>(1, content.size() / 600);
-        for (std::size_t length = 0; length < content.size(); length += stride) must_read_or_refuse(content.substr(0, length));
+        for (std::size_t length = 0; length < content.size(); length += stride)
+            must_read_or_refuse(content.substr(0, length));
     }
 }
 
@@ -67,7 +70,8 @@ TEST(Readers, SurviveFlippedBits) {
         for (int trial = 0; trial < 800; ++trial) {
             auto damaged = content;
             const auto flips = 1 + generator() % 4;
-            for (std::size_t k = 0; k < flips; ++k) damaged[generator() % damaged.size()] ^= static_cast<char>(1u << (generator() % 8));
+            for (std::size_t k = 0; k < flips; ++k)
+                damaged[generator() % damaged.size()] ^= static_cast<char>(1u << (generator() % 8));
             must_read_or_refuse(damaged);
         }
     }
@@ -107,7 +111,8 @@ std::vector<std::pair<std::string, std::string>> import_samples() {
 /// A copy with a few bits turned.
 std::string damaged(std::string content, std::mt19937& generator) {
     const auto flips = 1 + generator() % 4;
-    for (std::size_t k = 0; k < flips; ++k) content[generator() % content.size()] ^= static_cast<char>(1u << (generator() % 8));
+    for (std::size_t k = 0; k < flips; ++k)
+        content[generator() % content.size()] ^= static_cast<char>(1u << (generator() % 8));
     return content;
 }
 
@@ -115,7 +120,8 @@ TEST(Import, SurvivesTruncationAnywhere) {
     for (const auto& [name, content] : import_samples()) {
         SCOPED_TRACE(name);
         const auto stride = std::max<std::size_t>(1, content.size() / 300);
-        for (std::size_t length = 0; length < content.size(); length += stride) must_import_or_refuse(content.substr(0, length));
+        for (std::size_t length = 0; length < content.size(); length += stride)
+            must_import_or_refuse(content.substr(0, length));
     }
 }
 
@@ -129,8 +135,10 @@ TEST(Import, SurvivesFlippedBits) {
 
 TEST(Import, WorkbooksSurviveFlippedBitsInsideTheirMembers) {
     std::mt19937 generator(777);
-    const std::string sheet = xlsx_sheet({{{"A1", "s:0"}, {"B1", "depth [um]"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "4"}}});
-    for (int trial = 0; trial < 300; ++trial) must_import_or_refuse(xlsx_file({{"S", damaged(sheet, generator)}}, {"<t>force [mN]</t>"}));
+    const std::string sheet =
+        xlsx_sheet({{{"A1", "s:0"}, {"B1", "depth [um]"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "4"}}});
+    for (int trial = 0; trial < 300; ++trial)
+        must_import_or_refuse(xlsx_file({{"S", damaged(sheet, generator)}}, {"<t>force [mN]</t>"}));
     auto properties = jpk_segment("extend", 3, false);
     const auto channel = big_endian<std::int16_t>({1, 2, 3});
     for (int trial = 0; trial < 300; ++trial)
@@ -148,7 +156,8 @@ TEST(Import, IgorWavesSurviveDamageBehindTheirChecksum) {
         content[2] = content[3] = 0;
         std::uint16_t sum = 0;
         for (std::size_t at = 0; at < 384; at += 2)
-            sum = static_cast<std::uint16_t>(sum + static_cast<unsigned char>(content[at]) + 256 * static_cast<unsigned char>(content[at + 1]));
+            sum = static_cast<std::uint16_t>(sum + static_cast<unsigned char>(content[at]) +
+                                             256 * static_cast<unsigned char>(content[at + 1]));
         content.replace(2, 2, bytes_of(std::vector<std::uint16_t>{static_cast<std::uint16_t>(-sum)}));
         must_import_or_refuse(content);
     }
@@ -157,7 +166,8 @@ TEST(Import, IgorWavesSurviveDamageBehindTheirChecksum) {
 TEST(Import, LoopFilesSurviveFlippedBits) {
     std::mt19937 generator(99);
     const TemporaryFolder folder;
-    const std::string text = "# format: setae loop\n# version: 1\n# sphere_radius: 1.25 mm\nforce [N],displacement [m]\n1,2\n3,\n";
+    const std::string text =
+        "# format: setae loop\n# version: 1\n# sphere_radius: 1.25 mm\nforce [N],displacement [m]\n1,2\n3,\n";
     for (int trial = 0; trial < 80; ++trial) {
         const auto path = folder.write("l.csv", damaged(text, generator));
         try {

@@ -8,8 +8,8 @@
 
 #include "sample_files.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/tables/loop_file.hpp"
 #include "setae/formats/npy.hpp"
+#include "setae/tables/loop_file.hpp"
 #include "setae/tables/table_file.hpp"
 
 using namespace setae::tests;
@@ -48,11 +48,17 @@ RC_GTEST_PROP(Csv, KeepsEveryDouble, ()) {
 RC_GTEST_PROP(LoopFile, IsTheSameAfterWritingAndReading, ()) {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 20);
     Table table;
-    for (const auto& [name, unit] : {std::pair{"force", "N"}, {"displacement", "m"}, {"contact_radius", "m"}, {"time", "s"}, {"temperature", "°C"}, {"state", ""}})
+    for (const auto& [name, unit] : {std::pair{"force", "N"},
+                                     {"displacement", "m"},
+                                     {"contact_radius", "m"},
+                                     {"time", "s"},
+                                     {"temperature", "°C"},
+                                     {"state", ""}})
         table.columns.push_back({name, unit, to_array(*numbers(rows))});
     // any text of one line without outer blanks: UTF-8 letters, colons, commas, quotes, '#'
     const auto text = rc::gen::container<std::string>(rc::gen::elementOf(std::string("ab7:,#\"'[]=-")));
-    std::map<std::string, std::string> metadata{{"sphere_radius", fmt::format("{} mm", *rc::gen::inRange(1, 1000) / 7.0)}};
+    std::map<std::string, std::string> metadata{
+        {"sphere_radius", fmt::format("{} mm", *rc::gen::inRange(1, 1000) / 7.0)}};
     for (const char* key : {"surface", "elastomer", "my_own_key_2"}) metadata[key] = *text + "µ";
     const TemporaryFolder folder;
     tables::write_loop(folder.path("l.csv"), table, metadata);
@@ -69,7 +75,8 @@ RC_GTEST_PROP(LoopFile, IsTheSameAfterWritingAndReading, ()) {
 
 RC_GTEST_PROP(Text, MeansTheSameInEveryDialect, ()) {
     const auto rows = *rc::gen::inRange(2, 20);
-    const auto digits = *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(rows), rc::gen::inRange(-99999, 99999));
+    const auto digits =
+        *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(rows), rc::gen::inRange(-99999, 99999));
     const auto text = [&](char separator, char decimal) {
         std::string lines;
         for (int i = 0; i < rows; ++i) {
@@ -80,7 +87,8 @@ RC_GTEST_PROP(Text, MeansTheSameInEveryDialect, ()) {
         return lines;
     };
     const auto plain = tables::read_raw_table(bytes::memory_source("plain", text('\t', '.')));
-    for (const auto& [separator, decimal] : {std::pair{';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','}}) {
+    for (const auto& [separator, decimal] :
+         {std::pair{';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','}}) {
         const auto table = tables::read_raw_table(bytes::memory_source("other", text(separator, decimal)));
         RC_ASSERT(table.columns.size() == 2u);
         RC_ASSERT(same(table.columns[0].values, plain.columns[0].values));

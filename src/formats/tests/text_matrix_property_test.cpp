@@ -8,10 +8,10 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "setae/tables/text_numbers.hpp"
 #include "sample_files.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
+#include "setae/tables/text_numbers.hpp"
 
 using namespace setae::tests;
 
@@ -19,8 +19,10 @@ namespace setae::formats::tests {
 namespace {
 
 rc::Gen<double> any_number() {
-    const auto bits = rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t pattern) { return std::bit_cast<double>(pattern); });
-    const auto edges = rc::gen::element(0.0, -0.0, 5e-324, -2.2250738585072011e-308, std::numeric_limits<double>::max(), 1e23, 0.1, 9007199254740993.0);
+    const auto bits = rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
+                                   [](std::uint64_t pattern) { return std::bit_cast<double>(pattern); });
+    const auto edges = rc::gen::element(0.0, -0.0, 5e-324, -2.2250738585072011e-308, std::numeric_limits<double>::max(),
+                                        1e23, 0.1, 9007199254740993.0);
     const auto heights = rc::gen::map(rc::gen::inRange(-1000000, 1000000), [](int n) { return 1e-12 * n; });
     return rc::gen::oneOf(bits, edges, heights);
 }
@@ -28,7 +30,9 @@ rc::Gen<double> any_number() {
 /// Cells as files have them: many spellings of numbers, words, and what is none.
 rc::Gen<std::string> any_cell() {
     const auto number = rc::gen::map(any_number(), [](double value) { return fmt::format("{}", value); });
-    const auto spelled = rc::gen::element<std::string>("1", "+2.5", "-.5", "3.", "1e5", "1E-400", "1e400", "-0", "007", "nan", "NaN", "bad", "Bad", "inf", "-inf", "***", "--", "\"4.5\"", "1.#QNAN");
+    const auto spelled =
+        rc::gen::element<std::string>("1", "+2.5", "-.5", "3.", "1e5", "1E-400", "1e400", "-0", "007", "nan", "NaN",
+                                      "bad", "Bad", "inf", "-inf", "***", "--", "\"4.5\"", "1.#QNAN");
     const auto wrong = rc::gen::element<std::string>("x", "1.2.3", "1e", "0x10", "1,5", "+-3", "++1", "1-2");
     return rc::gen::weightedOneOf<std::string>({{12, number}, {6, spelled}, {1, wrong}});
 }
@@ -42,7 +46,9 @@ std::pair<Array2D, std::string> outcome(const Read& read) {
     }
 }
 
-bool same(double a, double b) { return std::isnan(a) ? std::isnan(b) : std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same(double a, double b) {
+    return std::isnan(a) ? std::isnan(b) : std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 RC_GTEST_PROP(TextNumbers, AreThoseOfTheReaderLineByLine, ()) {
     const char separator = *rc::gen::element('\t', ' ', ';', ',');
@@ -50,13 +56,15 @@ RC_GTEST_PROP(TextNumbers, AreThoseOfTheReaderLineByLine, ()) {
     const bool commas = separator != ',' && *rc::gen::arbitrary<bool>();
     std::string text;
     for (std::size_t j = 0; j < rows; ++j) {
-        text += *rc::gen::weightedElement<std::string>({{8, ""}, {1, "\n"}, {1, "# remark\n"}, {1, "  \t\n"}, {1, " "}});
+        text +=
+            *rc::gen::weightedElement<std::string>({{8, ""}, {1, "\n"}, {1, "# remark\n"}, {1, "  \t\n"}, {1, " "}});
         for (std::size_t i = 0; i < columns; ++i) {
             auto cell = *any_cell();
             if (commas) std::replace(cell.begin(), cell.end(), '.', ',');
             text += (i > 0 ? std::string(1, separator) : "") + cell;
         }
-        text += *rc::gen::weightedElement<std::string>({{8, "\n"}, {1, "\r\n"}, {1, " \n"}, {1, std::string(1, separator) + "\n"}});
+        text += *rc::gen::weightedElement<std::string>(
+            {{8, "\n"}, {1, "\r\n"}, {1, " \n"}, {1, std::string(1, separator) + "\n"}});
     }
     tables::TextStart start;
     start.source = bytes::memory_source("text", text);
@@ -83,7 +91,10 @@ Array2D any_heights(Index nx, Index ny) {
 double any_length() { return 1e-9 * *rc::gen::inRange(1, 1000000) / 7.0; }
 
 RC_GTEST_PROP(TextMatrix, IsTheSameAfterWritingAndReading, ()) {
-    topography::HeightMap map{any_heights(*rc::gen::inRange<Index>(2, 9), *rc::gen::inRange<Index>(2, 9)), {any_length(), any_length()}, false, {}};
+    topography::HeightMap map{any_heights(*rc::gen::inRange<Index>(2, 9), *rc::gen::inRange<Index>(2, 9)),
+                              {any_length(), any_length()},
+                              false,
+                              {}};
     map.metadata.name = *rc::gen::element<std::string>("", "Height (forward)", "Höhe: 3");
     const TemporaryFolder folder;
     const auto path = folder.path("map.txt");
@@ -104,7 +115,8 @@ RC_GTEST_PROP(TextCurve, IsTheSameAfterWritingAndReading, ()) {
     format_to_write(path).write(path, profile);
     const auto back = std::get<topography::Profile>(read(path));
     RC_ASSERT(back.positions.size() == count);
-    for (Index i = 0; i < count; ++i) RC_ASSERT(same(back.positions[i], profile.positions[i]) && same(back.heights[i], profile.heights[i]));
+    for (Index i = 0; i < count; ++i)
+        RC_ASSERT(same(back.positions[i], profile.positions[i]) && same(back.heights[i], profile.heights[i]));
 }
 
 RC_GTEST_PROP(TextLine, KeepsHeightsToTheBitAndItsSize, ()) {

@@ -57,9 +57,9 @@ TEST(XyText, EveryDialectGivesTheSameLine) {
 }
 
 TEST(XyText, UnitsOfTheHeaderAreApplied) {
-    const char* headers[] = {"x [um];h [nm]\n", "x (um);h (nm)\n", "x in um;h in nm\n", "x / um;h / nm\n",
-                             "x;h\n[um];[nm]\n", "x;h\num;nm\n", "um;nm\n", "x_(microns);h [nm]\n", "Lateral um;Raw nm\n",
-                             "x [\xb5m];h [nm]\n"};
+    const char* headers[] = {"x [um];h [nm]\n",     "x (um);h (nm)\n",   "x in um;h in nm\n", "x / um;h / nm\n",
+                             "x;h\n[um];[nm]\n",    "x;h\num;nm\n",      "um;nm\n",           "x_(microns);h [nm]\n",
+                             "Lateral um;Raw nm\n", "x [\xb5m];h [nm]\n"};
     for (const auto* header : headers) {
         const auto scan = line_from(std::string(header) + "0;1\n1;2\n2;4\n");
         EXPECT_DOUBLE_EQ(scan.size, 3e-6) << header;
@@ -132,8 +132,9 @@ TEST(XyText, EmptyBadAndInfiniteHeightsAreUndefined) {
 }
 
 TEST(XyText, DektakHeaderGivesUnitsAndStylus) {
-    const auto scan = line_from("Scan Parameters\r\r\nScan Type,Standard Scan\r\nID,0\r\nStylus,Radius: 2.5 \xb5m\r\n\r\r\nScan Data\r\r\n"
-                                "Lateral um,Raw Micrometer,\r\n0.0,1.0,,\r\n0.5,2.0,,\r\n1.0,3.0,,\r\n\r\r\n");
+    const auto scan = line_from(
+        "Scan Parameters\r\r\nScan Type,Standard Scan\r\nID,0\r\nStylus,Radius: 2.5 \xb5m\r\n\r\r\nScan Data\r\r\n"
+        "Lateral um,Raw Micrometer,\r\n0.0,1.0,,\r\n0.5,2.0,,\r\n1.0,3.0,,\r\n\r\r\n");
     EXPECT_DOUBLE_EQ(scan.heights[2], 3e-6);
     EXPECT_DOUBLE_EQ(scan.metadata.instrument.tip_radius.value(), 2.5e-6);
     EXPECT_EQ(scan.metadata.instrument.type, "stylus");
@@ -149,7 +150,8 @@ TEST(XyText, RefusesWhatIsNoCurveInOneLine) {
 }
 
 TEST(XyText, BrokenRowIsNamedByLine) {
-    EXPECT_NE(message_of("x [um] h [um]\n0 1\n1 2\n2 3\n3", {}).find("file.txt:5: 1 columns, expected 2"), std::string::npos);
+    EXPECT_NE(message_of("x [um] h [um]\n0 1\n1 2\n2 3\n3", {}).find("file.txt:5: 1 columns, expected 2"),
+              std::string::npos);
     EXPECT_NE(message_of("0 1\n1 2\n2 oops\n3 4\n", microns).find("file.txt:3: 'oops' in column 2"), std::string::npos);
 }
 
@@ -188,10 +190,12 @@ TEST(Open, RefusesMissingFilesAndFolders) {
 /// KLA-Tencor's profilers export bare columns, x in mm and heights in µm.
 TEST(TwoColumns, WithoutHeaderTakeAUnitEach) {
     const std::string text = "0.0000\t0.5\n0.0010\t0.25\n0.0020\t1.5\n";
-    const auto scan = std::get<topography::LineScan>(open(bytes::memory_source("kla.txt", text), {.unit = "mm, um"}).at(0).read());
+    const auto scan =
+        std::get<topography::LineScan>(open(bytes::memory_source("kla.txt", text), {.unit = "mm, um"}).at(0).read());
     EXPECT_NEAR(scan.size, 3e-6, 1e-18);
     EXPECT_NEAR(scan.heights[2], 1.5e-6, 1e-18);
-    const auto points = open(bytes::memory_source("xyz.txt", "0 0 1\n1 0 2\n0 1 3\n1 1 5\n0 2 1\n1 2 1\n"), {.unit = "um, nm"}).at(0);
+    const auto points =
+        open(bytes::memory_source("xyz.txt", "0 0 1\n1 0 2\n0 1 3\n1 1 5\n0 2 1\n1 2 1\n"), {.unit = "um, nm"}).at(0);
     EXPECT_NEAR(points.info.size.at(1), 3e-6, 1e-18);
     EXPECT_NEAR(std::get<topography::HeightMap>(points.read()).heights(1, 1), 5e-9, 1e-20);
 }

@@ -12,17 +12,16 @@ namespace setae::formats::tests::vca {
 
 using namespace setae::tests;
 
-inline std::string name(std::string_view text) { return ByteBuilder().number(static_cast<std::uint32_t>(text.size())).text(text).content(); }
+inline std::string name(std::string_view text) {
+    return ByteBuilder().number(static_cast<std::uint32_t>(text.size())).text(text).content();
+}
 
 /// A length in as few bytes as hold it, and what is that long.
 inline std::string sized(const std::string& content) {
     ByteBuilder bytes;
-    if (content.size() < 256)
-        bytes.number<std::uint8_t>(1).number(static_cast<std::uint8_t>(content.size()));
-    else if (content.size() < 65536)
-        bytes.number<std::uint8_t>(2).number(static_cast<std::uint16_t>(content.size()));
-    else
-        bytes.number<std::uint8_t>(4).number(static_cast<std::uint32_t>(content.size()));
+    if (content.size() < 256) bytes.number<std::uint8_t>(1).number(static_cast<std::uint8_t>(content.size()));
+    else if (content.size() < 65536) bytes.number<std::uint8_t>(2).number(static_cast<std::uint16_t>(content.size()));
+    else bytes.number<std::uint8_t>(4).number(static_cast<std::uint32_t>(content.size()));
     return bytes.text(content).content();
 }
 
@@ -39,7 +38,13 @@ inline std::string string(std::string_view title, const std::string& text) { ret
 
 inline std::string quantity(std::string_view title, double value, const std::string& unit, const std::string& symbol) {
     ByteBuilder content;
-    content.number(value).text(name(unit)).text(name(symbol)).number(1e6).number<std::int32_t>(1).number<std::int32_t>(0).number<std::int32_t>(0);
+    content.number(value)
+        .text(name(unit))
+        .text(name(symbol))
+        .number(1e6)
+        .number<std::int32_t>(1)
+        .number<std::int32_t>(0)
+        .number<std::int32_t>(0);
     return item(title, 0x13, sized(content.content()));
 }
 
@@ -68,9 +73,13 @@ std::string array(std::string_view title, const Array1D& values) {
 template <class T>
 std::string matrix(std::string_view title, const Array2D& values, bool anonymous) {
     ByteBuilder content;
-    content.number(static_cast<std::uint32_t>(values.cols())).number(static_cast<std::uint32_t>(values.rows())).rows<T>(values);
+    content.number(static_cast<std::uint32_t>(values.cols()))
+        .number(static_cast<std::uint32_t>(values.rows()))
+        .rows<T>(values);
     if (anonymous) return item(title, 0x45, name("Matrix<float>") + sized(content.content()));
-    return item(title, 0x00, name("Matrix<float>") + ByteBuilder().number<std::uint32_t>(0).content() + name("Matrix") + sized(content.content()));
+    return item(title, 0x00,
+                name("Matrix<float>") + ByteBuilder().number<std::uint32_t>(0).content() + name("Matrix") +
+                    sized(content.content()));
 }
 
 }  // namespace setae::formats::tests::vca

@@ -30,8 +30,12 @@ enum class Kind { map, line, profile };
 
 /// What each format that writes holds; one that is missing here fails.
 bool holds(const Format& format, Kind kind) {
-    static const std::map<std::string, std::vector<Kind>> kinds{{"x3p", {Kind::map, Kind::line, Kind::profile}}, {"sdf", {Kind::map, Kind::line}}, {"gwy", {Kind::map}},
-                                                                {"nc", {Kind::map, Kind::line, Kind::profile}},  {"npy", {Kind::map, Kind::line}}, {"matrix", {Kind::map}},
+    static const std::map<std::string, std::vector<Kind>> kinds{{"x3p", {Kind::map, Kind::line, Kind::profile}},
+                                                                {"sdf", {Kind::map, Kind::line}},
+                                                                {"gwy", {Kind::map}},
+                                                                {"nc", {Kind::map, Kind::line, Kind::profile}},
+                                                                {"npy", {Kind::map, Kind::line}},
+                                                                {"matrix", {Kind::map}},
                                                                 {"xy", {Kind::line, Kind::profile}}};
     const auto found = kinds.find(format.identifier);
     if (found == kinds.end()) throw std::out_of_range("what does " + format.identifier + " hold?");
@@ -54,12 +58,15 @@ bool same(const double* a, const double* b, Index count) {
 }
 
 /// Text holds no size of a line: it comes from its positions, each rounded.
-bool nearly(double a, double b, const Format& format) { return std::abs(a / b - 1.0) <= (format.identifier == "xy" ? 1e-14 : 1e-15); }
+bool nearly(double a, double b, const Format& format) {
+    return std::abs(a / b - 1.0) <= (format.identifier == "xy" ? 1e-14 : 1e-15);
+}
 
 /// Heights of any binary exponent a length may have, some undefined, the first not.
 Array1D any_heights(Index count) {
-    const auto height = rc::gen::oneOf(rc::gen::map(rc::gen::arbitrary<double>(), [](double x) { return std::isfinite(x) ? x : 0.0; }),
-                                       rc::gen::map(rc::gen::inRange(-100000, 100000), [](int n) { return n * 1e-10; }), rc::gen::just(std::nan("")));
+    const auto height = rc::gen::oneOf(
+        rc::gen::map(rc::gen::arbitrary<double>(), [](double x) { return std::isfinite(x) ? x : 0.0; }),
+        rc::gen::map(rc::gen::inRange(-100000, 100000), [](int n) { return n * 1e-10; }), rc::gen::just(std::nan("")));
     const auto values = *rc::gen::container<std::vector<double>>(static_cast<std::size_t>(count), height);
     Array1D heights = Eigen::Map<const Array1D>(values.data(), count);
     heights[0] = 1.5e-9;
@@ -74,7 +81,9 @@ topography::Metadata any_metadata() {
     topography::Metadata metadata;
     metadata.name = "n" + *text + "µ";
     metadata.instrument.name = "Scope_" + std::to_string(*rc::gen::inRange(0, 9999));  // ten letters fit everywhere
-    metadata.acquisition_time = fmt::format("20{:02}-{:02}-{:02}T{:02}:{:02}:00", *rc::gen::inRange(10, 99), *rc::gen::inRange(1, 13), *rc::gen::inRange(1, 29), *rc::gen::inRange(0, 24), *rc::gen::inRange(0, 60));
+    metadata.acquisition_time =
+        fmt::format("20{:02}-{:02}-{:02}T{:02}:{:02}:00", *rc::gen::inRange(10, 99), *rc::gen::inRange(1, 13),
+                    *rc::gen::inRange(1, 29), *rc::gen::inRange(0, 24), *rc::gen::inRange(0, 60));
     return metadata;
 }
 
@@ -96,7 +105,9 @@ void check_metadata(const Format& format, const topography::Metadata& before, co
     if (id == "gwy" || id == "matrix") RC_ASSERT(after.name == before.name);
     if (id == "gwy" || id == "x3p" || id == "sdf") RC_ASSERT(after.instrument.name == before.instrument.name);
     if (id == "gwy" || id == "x3p") RC_ASSERT(after.acquisition_time == before.acquisition_time);
-    if (id == "sdf") RC_ASSERT(after.acquisition_time == before.acquisition_time.substr(0, 10) + " " + before.acquisition_time.substr(11, 5));  // no seconds
+    if (id == "sdf")
+        RC_ASSERT(after.acquisition_time ==
+                  before.acquisition_time.substr(0, 10) + " " + before.acquisition_time.substr(11, 5));  // no seconds
 }
 
 RC_GTEST_PROP(WriteRead, IsTheIdentityOfMaps, ()) {
@@ -107,7 +118,8 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfMaps, ()) {
     map.size = {any_length(), any_length()};
     map.metadata = any_metadata();
     for (const auto& format : writers_of(Kind::map)) {
-        const ReadOptions options = format.carries_scale ? ReadOptions{} : ReadOptions{.size = {{map.size[0], map.size[1]}}, .unit = "m"};
+        const ReadOptions options =
+            format.carries_scale ? ReadOptions{} : ReadOptions{.size = {{map.size[0], map.size[1]}}, .unit = "m"};
         const auto back = std::get<HeightMap>(written_and_read(format, map, options));
         RC_ASSERT(back.shape() == map.shape());
         RC_ASSERT(same(back.heights.data(), map.heights.data(), nx * ny));
@@ -121,7 +133,8 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfLinesWhereTheyAreHeld, ()) {
     const auto count = *rc::gen::inRange<Index>(2, 40);
     const LineScan scan{any_heights(count), any_length(), false, any_metadata()};
     for (const auto& format : writers_of(Kind::line)) {
-        const ReadOptions options = format.carries_scale ? ReadOptions{} : ReadOptions{.size = {{scan.size}}, .unit = "m"};
+        const ReadOptions options =
+            format.carries_scale ? ReadOptions{} : ReadOptions{.size = {{scan.size}}, .unit = "m"};
         const auto back = std::get<LineScan>(written_and_read(format, scan, options));
         RC_ASSERT(back.heights.size() == count);
         RC_ASSERT(same(back.heights.data(), scan.heights.data(), count));
@@ -135,7 +148,8 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesWhereTheyAreHeld, ()) {
     Profile profile{Array1D(count), any_heights(count), any_metadata()};
     profile.positions[0] = 0.0;
     for (Index i = 1; i < count; ++i) profile.positions[i] = profile.positions[i - 1] + any_length();
-    profile.positions[count - 1] += 3.0 * (profile.positions[count - 1] - profile.positions[0]);  // the last step is more than three others together
+    profile.positions[count - 1] += 3.0 * (profile.positions[count - 1] -
+                                           profile.positions[0]);  // the last step is more than three others together
     for (const auto& format : writers_of(Kind::profile)) {
         const auto back = std::get<Profile>(written_and_read(format, profile, {}));
         RC_ASSERT(back.heights.size() == count);

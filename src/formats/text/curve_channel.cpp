@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/tables/header.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/topography/line_scans.hpp"
 
 namespace setae::formats {
@@ -24,13 +24,17 @@ struct Units {
     std::string heights;
 };
 
-/// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a measurement has
-/// one length unit), with an alert. Empty where nobody says any.
+/// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a
+/// measurement has one length unit), with an alert. Empty where nobody says any.
 Units find_units(const Curve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     Units units{curve.x.unit, curve.heights.unit};
     for (const auto* unit : {&units.x, &units.heights})
         if (!unit->empty() && !is_length_unit(*unit))
-            throw FormatError(source.name, {.line = 1}, fmt::format("the header gives the unit '{}', expected a length such as um; force curves are read by `setae jkr fit`", *unit));
+            throw FormatError(
+                source.name, {.line = 1},
+                fmt::format(
+                    "the header gives the unit '{}', expected a length such as um; force curves are read by `setae jkr fit`",
+                    *unit));
     const auto given = given_units(options);
     if (units.x.empty() && units.heights.empty()) return {given.positions, given.heights};
     const bool one_missing = units.x.empty() || units.heights.empty();
@@ -42,8 +46,10 @@ Units find_units(const Curve& curve, ChannelInfo& info, const ReadOptions& optio
     if (one_missing) {
         const auto* column = units.x.empty() ? "x" : "heights";
         missing = units.x.empty() ? units.heights : units.x;
-        info.alerts.push_back({"UNIT_ASSUMED", source.name, fmt::format("the header states no unit for {}; taken as {} as in the other column", column, missing),
-                               "compare the heights with what is known of the surface, or give --unit"});
+        info.alerts.push_back(
+            {"UNIT_ASSUMED", source.name,
+             fmt::format("the header states no unit for {}; taken as {} as in the other column", column, missing),
+             "compare the heights with what is known of the surface, or give --unit"});
     }
     info.unit = units.heights;
     compare_unit(info, options, source);
@@ -88,19 +94,25 @@ std::optional<double> try_length(std::string_view text) {
 
 void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     const auto given = given_units(options).heights;
-    if (given.empty() || info.unit.empty() || length_unit(given, source).factor == length_unit(info.unit, source).factor) return;
-    info.alerts.push_back({"UNIT_MISMATCH", source.name, fmt::format("unit {} given, but the file says {}, which was used", given, info.unit),
+    if (given.empty() || info.unit.empty() ||
+        length_unit(given, source).factor == length_unit(info.unit, source).factor)
+        return;
+    info.alerts.push_back({"UNIT_MISMATCH", source.name,
+                           fmt::format("unit {} given, but the file says {}, which was used", given, info.unit),
                            "check the unit; correct the file's header where it is wrong"});
 }
 
 Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options, const bytes::Source& source) {
     const auto units = find_units(curve, info, options, source);
     require_positions(curve.x.values, source);
-    if (curve.x.values.size() < 2) throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
+    if (curve.x.values.size() < 2)
+        throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
     if (units.heights.empty()) {
         info.shape = {curve.x.values.size()};
         (void)complete(info, {}, source);
-        const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"", source.name);
+        const auto message = fmt::format(
+            "{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"",
+            source.name);
         return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
     }
     const auto height_unit = length_unit(units.heights, source);
@@ -108,7 +120,8 @@ Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options,
     info.metadata.file = source.name;
     info.metadata.format = info.format;
     if (info.metadata.name.empty()) info.metadata.name = info.name;
-    Profile profile{curve.x.values * length_unit(units.x, source).factor, curve.heights.values * height_unit.factor, info.metadata};
+    Profile profile{curve.x.values * length_unit(units.x, source).factor, curve.heights.values * height_unit.factor,
+                    info.metadata};
     if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
     return loaded_channel(std::move(info), checked(to_measurement(std::move(profile)), source));
 }

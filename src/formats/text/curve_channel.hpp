@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::formats {
@@ -19,12 +19,13 @@ struct Curve {
     std::optional<tables::RawTable::RawColumn> standard_error = {};
 };
 
-/// A channel of a curve: equal steps give a line scan, others a profile as traced; one that runs backwards is turned. A unit that
-/// the file leaves open comes from the user, or from the other column, with an alert; where nobody says one, `read` throws
-/// InvalidArgument. `info` has name, format, metadata and alerts.
-/// @throws FormatError for units that are no lengths, undefined positions and fewer than two points; UndefinedDataError where no
-/// height is defined.
-[[nodiscard]] Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options, const bytes::Source& source);
+/// A channel of a curve: equal steps give a line scan, others a profile as traced; one that runs backwards is turned. A
+/// unit that the file leaves open comes from the user, or from the other column, with an alert; where nobody says one,
+/// `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
+/// @throws FormatError for units that are no lengths, undefined positions and fewer than two points; UndefinedDataError
+/// where no height is defined.
+[[nodiscard]] Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options,
+                                    const bytes::Source& source);
 
 /// Whether each value is greater than the one before.
 [[nodiscard]] bool increases(const Array1D& values);

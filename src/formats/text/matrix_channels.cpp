@@ -8,12 +8,12 @@
 
 #include "channel_building.hpp"
 #include "curve_channel.hpp"
-#include "text_start.hpp"
-#include "setae/tables/header.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/header.hpp"
+#include "text_start.hpp"
 
 namespace setae::formats {
 namespace {
@@ -35,18 +35,27 @@ Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header, con
     Layer layer;
     layer.void_map = header.void_map;
     if (header.void_map && lines.rows % 2 != 0)
-        throw FormatError(name, {.line = lines.lines}, fmt::format("SPIP: {} lines, expected those of the heights and as many that tell void points; the file is truncated", lines.rows));
+        throw FormatError(
+            name, {.line = lines.lines},
+            fmt::format(
+                "SPIP: {} lines, expected those of the heights and as many that tell void points; the file is truncated",
+                lines.rows));
     const Index rows = header.void_map ? lines.rows / 2 : lines.rows;
     layer.places.lines_are_columns = header.lines_are_columns;
     layer.nx = header.lines_are_columns ? rows : lines.columns;
     layer.ny = header.lines_are_columns ? lines.columns : rows;
     const bool other = (header.nx && *header.nx != layer.nx) || (header.ny && *header.ny != layer.ny);
     if (other)
-        throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends here with {} × {} numbers, its header announces {} × {}; it is truncated or damaged", layer.nx, layer.ny,
-                                                                   header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
+        throw FormatError(
+            name, {.line = lines.lines},
+            fmt::format(
+                "the text ends here with {} × {} numbers, its header announces {} × {}; it is truncated or damaged",
+                layer.nx, layer.ny, header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
     const bool size_of_map = options.size && options.size->size() == 2;
     if (lines.rows == 1 && lines.columns <= 3 && !header.is_map)
-        throw FormatError(name, {.line = lines.lines}, fmt::format("the text ends after one line of {} numbers, expected more points", lines.columns));
+        throw FormatError(
+            name, {.line = lines.lines},
+            fmt::format("the text ends after one line of {} numbers, expected more points", lines.columns));
     layer.is_line = (layer.nx == 1 || layer.ny == 1) && !header.is_map && !size_of_map;
     return layer;
 }
@@ -78,11 +87,15 @@ Array2D heights_of(const tables::NumberLines& lines, const Layer& layer, double 
 
 Measurement measured(const tables::NumberLines& lines, const Layer& layer, double factor, const ChannelInfo& info) {
     auto heights = heights_of(lines, layer, factor);
-    if (layer.is_line) return checked(LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), info.size[0], false, info.metadata}, lines.source);
+    if (layer.is_line)
+        return checked(
+            LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), info.size[0], false, info.metadata},
+            lines.source);
     return checked(HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata}, lines.source);
 }
 
-Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options, const std::vector<Alert>& alerts) {
+Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options,
+                   const std::vector<Alert>& alerts) {
     tables::require_whole_last_line(lines);
     const auto layer = layer_of(lines, header, options);
     ChannelInfo info;
@@ -91,8 +104,11 @@ Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header,
     info.metadata.file = lines.source.name;
     info.metadata.attributes = header.attributes;
     info.alerts = alerts;
-    info.shape = layer.is_line ? std::vector<Index>{std::max(layer.nx, layer.ny)} : std::vector<Index>{layer.nx, layer.ny};
-    if (!layer.is_line) info.orientation = header.lines_are_columns ? "columns from the left, each from the bottom, turned" : "rows from the top, as stored";
+    info.shape =
+        layer.is_line ? std::vector<Index>{std::max(layer.nx, layer.ny)} : std::vector<Index>{layer.nx, layer.ny};
+    if (!layer.is_line)
+        info.orientation = header.lines_are_columns ? "columns from the left, each from the bottom, turned"
+                                                    : "rows from the top, as stored";
     if (!layer.is_line) info.size = size_of(header, layer);
     info.unit = header.unit;
     const auto unit = tables::try_parse_unit(header.unit);
@@ -125,11 +141,14 @@ std::vector<Section> sections_of(const tables::NumberLines& lines, const MatrixH
     std::vector<Section> sections;
     for (std::size_t i = 0; i < lines.breaks.size(); ++i) {
         const auto& found = lines.breaks[i];
-        const auto text = header_lines(lines.source, found.offset, std::min(found.offset + 4096, lines.blocks.back().offset + lines.blocks.back().size));
+        const auto text =
+            header_lines(lines.source, found.offset,
+                         std::min(found.offset + 4096, lines.blocks.back().offset + lines.blocks.back().size));
         if (text.empty() || !begins_numbers(text.front(), header)) continue;
         Section section{found.offset, found.offset, found.line};
         std::size_t last = i;
-        for (; last + 1 < lines.breaks.size() && lines.breaks[last + 1].line <= lines.breaks[last].line + 1; ++last) {}
+        for (; last + 1 < lines.breaks.size() && lines.breaks[last + 1].line <= lines.breaks[last].line + 1; ++last) {
+        }
         i = last;
         section.numbers = lines.breaks[last].offset;
         section.line = lines.breaks[last].line;
@@ -140,7 +159,8 @@ std::vector<Section> sections_of(const tables::NumberLines& lines, const MatrixH
 
 }  // namespace
 
-std::vector<Channel> matrix_channels(const tables::TextStart& start, const MatrixHeader& header, const ReadOptions& options, const std::vector<Alert>& alerts) {
+std::vector<Channel> matrix_channels(const tables::TextStart& start, const MatrixHeader& header,
+                                     const ReadOptions& options, const std::vector<Alert>& alerts) {
     const auto end = start.source.size;
     auto lines = tables::find_number_lines(start, start.begin, end);
     const auto sections = sections_of(lines, header);
@@ -155,7 +175,9 @@ std::vector<Channel> matrix_channels(const tables::TextStart& start, const Matri
         const auto next_end = i + 1 < sections.size() ? sections[i + 1].begin : end;
         auto below = bytes::part_of(start.source, start.source.name, sections[i].begin, next_end - sections[i].begin);
         const auto next = find_start(below);
-        if (!next) throw FormatError(start.source.name, {.line = sections[i].line + 1}, "a header without numbers below it; the file may be truncated here");
+        if (!next)
+            throw FormatError(start.source.name, {.line = sections[i].line + 1},
+                              "a header without numbers below it; the file may be truncated here");
         current = parse_matrix_header(next->header, start.source, current);
         part.layout = next->layout;
         part.begin = sections[i].begin + next->begin;

@@ -31,18 +31,21 @@ bool is_channel(std::string_view key) {
     return false;
 }
 bool is_width(std::string_view key) {
-    for (const auto label : Labels{"width", "breite", "largeur", "anchura", "larghezza", "largura", "Šířka", "Ширина", "幅", "폭", "x-length"})
+    for (const auto label : Labels{"width", "breite", "largeur", "anchura", "larghezza", "largura", "Šířka", "Ширина",
+                                   "幅", "폭", "x-length"})
         if (key == label) return true;
     return false;
 }
 bool is_height(std::string_view key) {
-    for (const auto label : Labels{"height", "höhe", "hauteur", "altura", "altezza", "výška", "Высота", "高さ", "높이", "y-length"})
+    for (const auto label :
+         Labels{"height", "höhe", "hauteur", "altura", "altezza", "výška", "Высота", "高さ", "높이", "y-length"})
         if (key == label) return true;
     return false;
 }
 bool is_value_unit(std::string_view key) {
-    for (const auto label : Labels{"value units", "werteinheiten", "einheiten", "unités", "unidades de valor", "unità valore", "jednotky hodnot",
-                                   "Единицы измерения", "値の単位", "값 단위", "z-unit", "unit data"})
+    for (const auto label :
+         Labels{"value units", "werteinheiten", "einheiten", "unités", "unidades de valor", "unità valore",
+                "jednotky hodnot", "Единицы измерения", "値の単位", "값 단위", "z-unit", "unit data"})
         if (key == label) return true;
     return false;
 }
@@ -59,13 +62,15 @@ class Reader {
 public:
     Reader(const bytes::Source& source, const MatrixHeader& before) : source_(source) {
         gathered_.header = before;
-        if (before.attributes.contains("dialect") && before.attributes.at("dialect") == "Wyko") gathered_.flavour = Flavour::wyko;
+        if (before.attributes.contains("dialect") && before.attributes.at("dialect") == "Wyko")
+            gathered_.flavour = Flavour::wyko;
     }
 
     void take(std::string_view line) {
         if (line.starts_with("Wyko ASCII Data File Format")) return begin_wyko(line);
         if (gathered_.flavour == Flavour::wyko) return take_wyko(line);
-        while (!line.empty() && (line.front() == '#' || line.front() == ';' || line.front() == '%')) line = trimmed(line.substr(1));
+        while (!line.empty() && (line.front() == '#' || line.front() == ';' || line.front() == '%'))
+            line = trimmed(line.substr(1));
         if (take_counts(line)) return;
         auto at = line.find_first_of("=:");
         std::size_t width = 1;
@@ -84,28 +89,36 @@ public:
         }
         if (gathered_.unit[1].empty()) gathered_.unit[1] = gathered_.unit[0];
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            if (!gathered_.length[axis].empty()) header.length[axis] = length(gathered_.length[axis], gathered_.unit[axis]);
-            if (!gathered_.pixel[axis].empty()) header.pixel[axis] = length(gathered_.pixel[axis], gathered_.unit[axis]);
+            if (!gathered_.length[axis].empty())
+                header.length[axis] = length(gathered_.length[axis], gathered_.unit[axis]);
+            if (!gathered_.pixel[axis].empty())
+                header.pixel[axis] = length(gathered_.pixel[axis], gathered_.unit[axis]);
         }
-        const bool sized = !gathered_.length[0].empty() && !gathered_.length[1].empty(), counted = header.nx && header.ny;
-        header.is_map = header.is_map || sized || counted || gathered_.flavour == Flavour::spip || !gathered_.pixel[0].empty();
+        const bool sized = !gathered_.length[0].empty() && !gathered_.length[1].empty(),
+                   counted = header.nx && header.ny;
+        header.is_map =
+            header.is_map || sized || counted || gathered_.flavour == Flavour::spip || !gathered_.pixel[0].empty();
         return header;
     }
 
 private:
-    [[noreturn]] void broken(const std::string& what) const { throw FormatError(source_.name, {.line = 1}, "header of a text matrix: " + what); }
+    [[noreturn]] void broken(const std::string& what) const {
+        throw FormatError(source_.name, {.line = 1}, "header of a text matrix: " + what);
+    }
 
     [[nodiscard]] double number(std::string_view text) const {
         std::string pointed(text.substr(0, text.find_first_of(" \t")));
         std::replace(pointed.begin(), pointed.end(), ',', '.');
         double value = 0.0;
-        if (!bytes::parse_cell(pointed, '.', value) || !std::isfinite(value)) broken(fmt::format("'{:.40}', expected a number", text));
+        if (!bytes::parse_cell(pointed, '.', value) || !std::isfinite(value))
+            broken(fmt::format("'{:.40}', expected a number", text));
         return value;
     }
 
     [[nodiscard]] Index count(std::string_view text) const {
         const double value = number(text);
-        if (!(value >= 1.0) || value > 2147483648.0 || value != std::floor(value)) broken(fmt::format("'{:.40}', expected a number of points", text));
+        if (!(value >= 1.0) || value > 2147483648.0 || value != std::floor(value))
+            broken(fmt::format("'{:.40}', expected a number of points", text));
         return static_cast<Index>(value);
     }
 
@@ -120,7 +133,8 @@ private:
         } catch (const InvalidArgument& error) {
             broken(fmt::format("a size: {}", error.what()));
         }
-        if (!(value > 0.0) || !std::isfinite(value)) broken(fmt::format("a size of '{}', expected a positive length", text));
+        if (!(value > 0.0) || !std::isfinite(value))
+            broken(fmt::format("a size of '{}', expected a positive length", text));
         return value;
     }
 
@@ -181,10 +195,12 @@ private:
         header.attributes["dialect"] = "Wyko";
         std::vector<std::string_view> words;
         tables::split_cells(line, ' ', words);
-        if (words.size() >= 7 && words[6] == "1") header.attributes[wyko_unit] = "nm";  // else multiples of the wavelength
+        if (words.size() >= 7 && words[6] == "1")
+            header.attributes[wyko_unit] = "nm";  // else multiples of the wavelength
     }
 
-    /// "name TAB value" of the two sizes; "name TAB type TAB length TAB value" of the others, without value above numbers.
+    /// "name TAB value" of the two sizes; "name TAB type TAB length TAB value" of the others, without value above
+    /// numbers.
     void take_wyko(std::string_view line) {
         std::vector<std::string_view> cells;
         tables::split_cells(line, '\t', cells);
@@ -241,14 +257,16 @@ private:
 
 bool begins_numbers(std::string_view line, const MatrixHeader& before) {
     const auto dialect = before.attributes.find("dialect");
-    if (dialect != before.attributes.end() && dialect->second == "Wyko") return std::count(line.begin(), line.end(), '\t') >= 2;
+    if (dialect != before.attributes.end() && dialect->second == "Wyko")
+        return std::count(line.begin(), line.end(), '\t') >= 2;
     if (!line.starts_with('#')) return false;
     const auto entry = trimmed(line.substr(1));
     const auto key = bytes::lowered(trimmed(entry.substr(0, entry.find_first_of("=:"))));
     return is_channel(key) || is_width(key);
 }
 
-MatrixHeader parse_matrix_header(const std::vector<std::string>& lines, const bytes::Source& source, const MatrixHeader& before) {
+MatrixHeader parse_matrix_header(const std::vector<std::string>& lines, const bytes::Source& source,
+                                 const MatrixHeader& before) {
     Reader reader(source, before);
     for (const auto& line : lines) reader.take(line);
     return reader.finished();

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/core/arrays.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/arrays.hpp"
 
 namespace setae::formats {
 
-/// What the lines above a map of numbers say, in the dialects of Gwyddion's exports (in its languages), SPIP, Wyko Vision, Nova, and
-/// "h=305 w=75".
+/// What the lines above a map of numbers say, in the dialects of Gwyddion's exports (in its languages), SPIP, Wyko
+/// Vision, Nova, and "h=305 w=75".
 struct MatrixHeader {
     std::string name;
     std::string unit;                             ///< of heights after `factor`; empty: nobody said
@@ -26,12 +26,13 @@ struct MatrixHeader {
     bool heights = true;                          ///< false for Wyko's intensities
     bool void_map = false;                        ///< SPIP: below the map stands another, 1 where a point is void
     std::map<std::string, std::string> attributes;
-    bool is_map = false;                          ///< any of these lines is there: the numbers are a map, however few columns they have
+    bool is_map = false;  ///< any of these lines is there: the numbers are a map, however few columns they have
 };
 
 /// Reads header lines; what they do not say stays as in `before`, the header of numbers higher up in the same text.
 /// @throws FormatError for a size or count that is no positive number or has a unit that is no length.
-[[nodiscard]] MatrixHeader parse_matrix_header(const std::vector<std::string>& lines, const bytes::Source& source, const MatrixHeader& before = {});
+[[nodiscard]] MatrixHeader parse_matrix_header(const std::vector<std::string>& lines, const bytes::Source& source,
+                                               const MatrixHeader& before = {});
 
 /// Whether a line between numbers begins the header of further ones.
 [[nodiscard]] bool begins_numbers(std::string_view line, const MatrixHeader& before);

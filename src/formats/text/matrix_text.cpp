@@ -14,20 +14,24 @@ Match detect_matrix_text(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format matrix_text_format() {
-    return {.identifier = "matrix",
-            .name = "text matrix",
-            .extensions = ".txt .asc",
-            .description = "numbers only, a row of the map a line, any separator, decimal point or comma: Gwyddion's export in its languages, also several maps in one file, SPIP, Wyko Vision, Nova, "
-                           "'h=305 w=75', and maps without header, whose size and unit are given; one column or row is a line",
-            .heights = "values in the unit stated or given, times the header's conversion factor; Wyko: times wavelength over multiplier; nan, bad, inf, *** and SPIP's void points are undefined",
-            .orientation = "first line at the top; Wyko: a line holds one x, y from the bottom",
-            .not_read = "channels that are no lengths, Wyko's intensities and other blocks are listed only",
-            .reference = "Gwyddion user guide, export as ASCII data matrix; Gwyddion modules asciiexport, spip-asc and opdfile; SurfaceTopography 1.27.1, IO/Text.py",
-            .tested_on_real_files = true,
-            .carries_scale = false,
-            .detect = detect_matrix_text,
-            .open = open_text,
-            .write = write_text_matrix};
+    return {
+        .identifier = "matrix",
+        .name = "text matrix",
+        .extensions = ".txt .asc",
+        .description =
+            "numbers only, a row of the map a line, any separator, decimal point or comma: Gwyddion's export in its languages, also several maps in one file, SPIP, Wyko Vision, Nova, "
+            "'h=305 w=75', and maps without header, whose size and unit are given; one column or row is a line",
+        .heights =
+            "values in the unit stated or given, times the header's conversion factor; Wyko: times wavelength over multiplier; nan, bad, inf, *** and SPIP's void points are undefined",
+        .orientation = "first line at the top; Wyko: a line holds one x, y from the bottom",
+        .not_read = "channels that are no lengths, Wyko's intensities and other blocks are listed only",
+        .reference =
+            "Gwyddion user guide, export as ASCII data matrix; Gwyddion modules asciiexport, spip-asc and opdfile; SurfaceTopography 1.27.1, IO/Text.py",
+        .tested_on_real_files = true,
+        .carries_scale = false,
+        .detect = detect_matrix_text,
+        .open = open_text,
+        .write = write_text_matrix};
 }
 
 }  // namespace setae::formats

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
+#include "setae/bytes/text.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
-#include "setae/bytes/text.hpp"
 
 namespace setae::formats {
 namespace {
@@ -30,7 +30,9 @@ const ProfileKey* known_key(std::string_view name) {
 }
 
 /// Known, but kept as attributes.
-bool is_attribute(std::string_view key) { return key == "foil_thickness" || key == "rotation" || key == "reentrant_share" || !known_key(key); }
+bool is_attribute(std::string_view key) {
+    return key == "foil_thickness" || key == "rotation" || key == "reentrant_share" || !known_key(key);
+}
 
 /// SI value of a known quantity. @throws InvalidArgument.
 double quantity(const ProfileKey& key, const std::string& value) {
@@ -40,15 +42,20 @@ double quantity(const ProfileKey& key, const std::string& value) {
     } catch (const InvalidArgument& error) {
         throw InvalidArgument(fmt::format("{}: {}", key.name, error.what()));
     }
-    const bool may_be_negative = key.name == "rotation", must_be_positive = key.name == "step" || key.name == "tip_radius" || key.name == "resolution";
+    const bool may_be_negative = key.name == "rotation",
+               must_be_positive = key.name == "step" || key.name == "tip_radius" || key.name == "resolution";
     if (!std::isfinite(number) || (number < 0.0 && !may_be_negative) || (number == 0.0 && must_be_positive))
-        throw InvalidArgument(fmt::format("{}: '{}'; expected {}", key.name, value, may_be_negative ? "a finite number" : must_be_positive ? "a number > 0" : "a number >= 0"));
+        throw InvalidArgument(fmt::format("{}: '{}'; expected {}", key.name, value,
+                                          may_be_negative    ? "a finite number"
+                                          : must_be_positive ? "a number > 0"
+                                                             : "a number >= 0"));
     return number;
 }
 
 void require_entry(std::string_view key, const std::string& value) {
     if (key.empty() || trimmed(key) != key || key.find_first_of(":\r\n") != std::string_view::npos)
-        throw InvalidArgument(fmt::format("'{}' is no key of a profile's file: it is empty or has a colon, line breaks or outer blanks", key));
+        throw InvalidArgument(fmt::format(
+            "'{}' is no key of a profile's file: it is empty or has a colon, line breaks or outer blanks", key));
     if (value.find_first_of("\r\n") != std::string::npos || trimmed(value) != value)
         throw InvalidArgument(fmt::format("the value of '{}' has line breaks or outer blanks; take one line", key));
     const auto* known = known_key(key);
@@ -81,7 +88,8 @@ Head read_head(const std::string& text, const std::string& name) {
         const auto fail = [&](const std::string& what) { throw FormatError(name, {.line = number}, what); };
         const auto entry = trimmed(line.substr(1));
         const auto colon = entry.find(':');
-        if (colon == std::string_view::npos || colon == 0) fail(fmt::format("'{:.60}' is no 'key: value'; correct the line or take it out", entry));
+        if (colon == std::string_view::npos || colon == 0)
+            fail(fmt::format("'{:.60}' is no 'key: value'; correct the line or take it out", entry));
         const std::string key(trimmed(entry.substr(0, colon))), value(trimmed(entry.substr(colon + 1)));
         if (!head.entries.emplace(key, value).second) fail(fmt::format("key '{}' is given twice; keep one", key));
         head.line.emplace(key, number);
@@ -90,9 +98,11 @@ Head read_head(const std::string& text, const std::string& name) {
         } catch (const InvalidArgument& error) {
             fail(error.what());
         }
-        if (key == "version" && value != version) fail(fmt::format("version '{}' of setae's profiles; this setae reads version {}", value, version));
+        if (key == "version" && value != version)
+            fail(fmt::format("version '{}' of setae's profiles; this setae reads version {}", value, version));
     }
-    if (!head.text("version")) throw FormatError(name, {.line = 1}, fmt::format("no line '# version: {}' in the head", version));
+    if (!head.text("version"))
+        throw FormatError(name, {.line = 1}, fmt::format("no line '# version: {}' in the head", version));
     return head;
 }
 
@@ -103,9 +113,13 @@ std::optional<TraceResponse> response_of(const Head& head, const std::string& na
     for (const auto* key : response_keys) (head.text(key) ? given : missing) = key;
     if (!given) return std::nullopt;
     if (missing)
-        throw FormatError(name, {.line = head.line.at(given)},
-                          fmt::format("'{}' is given without '{}': the response of a trace is blur, smoothing_length, step and noise_density", given, missing));
-    return TraceResponse{*head.number("blur"), *head.number("smoothing_length"), *head.number("step"), *head.number("noise_density")};
+        throw FormatError(
+            name, {.line = head.line.at(given)},
+            fmt::format(
+                "'{}' is given without '{}': the response of a trace is blur, smoothing_length, step and noise_density",
+                given, missing));
+    return TraceResponse{*head.number("blur"), *head.number("smoothing_length"), *head.number("step"),
+                         *head.number("noise_density")};
 }
 
 topography::Metadata metadata_of(const Head& head, const bytes::Source& source) {
@@ -114,8 +128,9 @@ topography::Metadata metadata_of(const Head& head, const bytes::Source& source) 
     metadata.file = source.name;
     metadata.format = "xy";
     metadata.acquisition_time = head.text("acquisition_time").value_or("");
-    metadata.instrument = {head.text("instrument_name").value_or(""), head.text("instrument").value_or(""), head.number("tip_radius"),
-                           head.number("tip_radius_standard_error"), head.number("resolution")};
+    metadata.instrument = {head.text("instrument_name").value_or(""), head.text("instrument").value_or(""),
+                           head.number("tip_radius"), head.number("tip_radius_standard_error"),
+                           head.number("resolution")};
     for (const auto& [key, value] : head.entries)
         if (is_attribute(key)) metadata.attributes.emplace(key, value);
     return metadata;
@@ -172,7 +187,9 @@ std::string as_profile_file(const Profile& profile) {
         put_number("noise_density", response->noise_density);
     }
     for (const auto& [key, value] : metadata.attributes) {
-        if (!is_attribute(key)) throw InvalidArgument(fmt::format("attribute '{}' has the name of a key of profiles' files; rename it", key));
+        if (!is_attribute(key))
+            throw InvalidArgument(
+                fmt::format("attribute '{}' has the name of a key of profiles' files; rename it", key));
         put(key, value);
     }
     Table table{{{"x", "m", profile.positions}, {"h", "m", profile.heights}}, {}};
@@ -180,20 +197,29 @@ std::string as_profile_file(const Profile& profile) {
     return text + tables::as_csv(table);
 }
 
-void write_profile(const std::string& path, const Profile& profile) { bytes::write_whole_file(path, as_profile_file(profile)); }
+void write_profile(const std::string& path, const Profile& profile) {
+    bytes::write_whole_file(path, as_profile_file(profile));
+}
 
 bool is_profile_file(std::string_view head) { return trimmed(head.substr(0, head.find('\n'))) == format_line; }
 
 Profile read_profile(const bytes::Source& source) {
     const auto text = bytes::decoded(source.all(), bytes::Encoding::utf8);
-    if (!is_profile_file(text)) throw FormatError(source.name, {.line = 1}, fmt::format("no profile of setae: it begins otherwise than '{}'", format_line));
+    if (!is_profile_file(text))
+        throw FormatError(source.name, {.line = 1},
+                          fmt::format("no profile of setae: it begins otherwise than '{}'", format_line));
     const auto head = read_head(text, source.name);
-    const auto table = tables::read_raw_table(source, {.encoding = bytes::Encoding::utf8, .separator = ',', .decimal_point = '.'});
+    const auto table =
+        tables::read_raw_table(source, {.encoding = bytes::Encoding::utf8, .separator = ',', .decimal_point = '.'});
     const auto& columns = table.columns;
     const bool two = columns.size() >= 2 && columns[0].name == "x" && columns[1].name == "h";
     if (!(two && (columns.size() == 2 || (columns.size() == 3 && columns[2].name == "standard_error"))))
-        throw FormatError(source.name, {}, fmt::format("{} columns; expected 'x [m],h [m]' and perhaps 'standard_error [m]'", columns.size()));
-    const auto in_metres = [&](const tables::RawTable::RawColumn& column) -> Array1D { return column.values * length_unit(column.unit, source).factor; };
+        throw FormatError(
+            source.name, {},
+            fmt::format("{} columns; expected 'x [m],h [m]' and perhaps 'standard_error [m]'", columns.size()));
+    const auto in_metres = [&](const tables::RawTable::RawColumn& column) -> Array1D {
+        return column.values * length_unit(column.unit, source).factor;
+    };
     Profile profile{in_metres(columns[0]), in_metres(columns[1]), metadata_of(head, source)};
     profile.metadata.unit = length_unit(columns[1].unit, source).name;
     profile.response = response_of(head, source.name);

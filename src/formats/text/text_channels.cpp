@@ -7,17 +7,17 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
-#include "setae/tables/commas.hpp"
 #include "curve_channel.hpp"
-#include "text_start.hpp"
 #include "matrix_channels.hpp"
 #include "point_grid.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/formats/profile_file.hpp"
-#include "setae/tables/table_file.hpp"
+#include "setae/tables/commas.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/table_file.hpp"
+#include "text_start.hpp"
 
 namespace setae::formats {
 namespace {
@@ -61,12 +61,20 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
 
 Alert ambiguous(TextContent content, const bytes::Source& source, const tables::RawTable& table) {
     const auto rows = table.columns.front().values.size();
-    const auto taken = content == TextContent::points ? std::string("points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
-                       : content == TextContent::curve
-                           ? std::string("an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
-                           : fmt::format("a map of 3 × {} points, since the first two lie on no regular grid; --as columns takes them as points x, y, z", rows);
-    return {"AMBIGUOUS_COLUMNS", source.name, "three columns of numbers without a header that tells what they are, taken as " + taken,
-            content == TextContent::matrix ? "check the shape; give --as columns where it is wrong" : "check the shape; give --as matrix where it is wrong"};
+    const auto taken =
+        content == TextContent::points
+            ? std::string(
+                  "points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
+        : content == TextContent::curve
+            ? std::string(
+                  "an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
+            : fmt::format(
+                  "a map of 3 × {} points, since the first two lie on no regular grid; --as columns takes them as points x, y, z",
+                  rows);
+    return {"AMBIGUOUS_COLUMNS", source.name,
+            "three columns of numbers without a header that tells what they are, taken as " + taken,
+            content == TextContent::matrix ? "check the shape; give --as columns where it is wrong"
+                                           : "check the shape; give --as matrix where it is wrong"};
 }
 
 Curve curve_of(const tables::RawTable& table) {
@@ -80,7 +88,8 @@ Curve curve_of(const tables::RawTable& table) {
     return curve;
 }
 
-Channel curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options, const bytes::Source& source) {
+Channel curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
+                 const bytes::Source& source) {
     auto curve = curve_of(table);
     ChannelInfo info;
     info.name = curve.heights.name;
@@ -94,7 +103,8 @@ std::string entry(const tables::RawTable& table, const char* key) {
     return found == table.metadata.end() ? std::string() : found->second;
 }
 
-Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Alert> alerts, const ReadOptions& options, const bytes::Source& source) {
+Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Alert> alerts, const ReadOptions& options,
+                  const bytes::Source& source) {
     const auto& columns = table.columns;
     auto lateral = columns[0].unit.empty() ? entry(table, "Lateral units") : columns[0].unit;
     auto unit = columns[2].unit.empty() ? entry(table, "Value units") : columns[2].unit;
@@ -110,7 +120,9 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
         return non_height_channel(std::move(info));
     }
     if (unit.empty() != lateral.empty() && !options.unit) {
-        info.alerts.push_back({"UNIT_ASSUMED", source.name, fmt::format("the header states no unit for {}; taken as {} as the others", unit.empty() ? "z" : "x and y", unit.empty() ? lateral : unit),
+        info.alerts.push_back({"UNIT_ASSUMED", source.name,
+                               fmt::format("the header states no unit for {}; taken as {} as the others",
+                                           unit.empty() ? "z" : "x and y", unit.empty() ? lateral : unit),
                                "compare the heights with what is known of the surface, or give --unit"});
         (unit.empty() ? unit : lateral) = unit.empty() ? lateral : unit;
     }
@@ -125,7 +137,8 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
     }
     info.unit = unit;
     const double step = length_unit(lateral, source).factor;
-    topography::HeightMap map{grid.heights * length_unit(unit, source).factor, {grid.size[0] * step, grid.size[1] * step}, false, {}};
+    topography::HeightMap map{
+        grid.heights * length_unit(unit, source).factor, {grid.size[0] * step, grid.size[1] * step}, false, {}};
     info.size = {map.size[0], map.size[1]};
     (void)complete(info, {}, source);
     map.metadata = info.metadata;
@@ -136,8 +149,10 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
 std::vector<Channel> own_profile(const bytes::Source& source) {
     auto profile = read_profile(source);
     for (Index i = 0; i < profile.positions.size(); ++i)
-        if (!std::isfinite(profile.positions[i])) throw FormatError(source.name, {}, fmt::format("x of point {} is undefined", i + 1));
-    if (profile.positions.size() < 2) throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", profile.positions.size()));
+        if (!std::isfinite(profile.positions[i]))
+            throw FormatError(source.name, {}, fmt::format("x of point {} is undefined", i + 1));
+    if (profile.positions.size() < 2)
+        throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", profile.positions.size()));
     ChannelInfo info;
     info.name = profile.metadata.name.empty() ? "h" : profile.metadata.name;
     info.format = "xy";
@@ -146,16 +161,20 @@ std::vector<Channel> own_profile(const bytes::Source& source) {
 }
 
 [[noreturn]] void no_surface(const tables::RawTable& table, const bytes::Source& source, const std::string& problem) {
-    throw FormatError(source.name, {.line = 1},
-                      fmt::format("{} columns of numbers{}, expected x and height, after an index or before a column 'valid' or 'standard_error', or points x, y, z on a "
-                                  "regular grid{}; force curves are read by `setae jkr fit`",
-                                  table.columns.size(), is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "", problem.empty() ? "" : " (" + problem + ")"));
+    throw FormatError(
+        source.name, {.line = 1},
+        fmt::format(
+            "{} columns of numbers{}, expected x and height, after an index or before a column 'valid' or 'standard_error', or points x, y, z on a "
+            "regular grid{}; force curves are read by `setae jkr fit`",
+            table.columns.size(), is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "",
+            problem.empty() ? "" : " (" + problem + ")"));
 }
 
 /// Names above all columns of a table: they are no rows of a map.
 bool is_table(const tables::TextStart& start) {
     if (start.header.empty()) return false;
-    const auto names = tables::header_cells(start.header.back(), start.layout.dialect.separator, start.layout.columns, start.layout.columns);
+    const auto names = tables::header_cells(start.header.back(), start.layout.dialect.separator, start.layout.columns,
+                                            start.layout.columns);
     if (names.empty()) return false;
     double value = 0.0;
     for (const auto& name : names)
@@ -163,20 +182,27 @@ bool is_table(const tables::TextStart& start) {
     return true;
 }
 
-/// Refuses maps whose commas may begin decimals or group thousands, or do two things at once. Gwyddion and its like group none.
+/// Refuses maps whose commas may begin decimals or group thousands, or do two things at once. Gwyddion and its like
+/// group none.
 void require_clear_commas(const tables::TextStart& start, const MatrixHeader& header) {
     if (header.is_map || start.layout.dialect.decimal_point == '.') {
-        const auto row = start.source.bytes(start.begin, std::min<std::uint64_t>(start.source.size - start.begin, 4096));
-        tables::require_separating_commas(start.header, std::string_view(row).substr(0, row.find('\n')), start.line + 1, start.layout, start.source.name);
+        const auto row =
+            start.source.bytes(start.begin, std::min<std::uint64_t>(start.source.size - start.begin, 4096));
+        tables::require_separating_commas(start.header, std::string_view(row).substr(0, row.find('\n')), start.line + 1,
+                                          start.layout, start.source.name);
         return;
     }
     for (const auto part : {std::uint64_t{bytes::detection_bytes}, start.source.size}) {
-        const auto text = bytes::decoded(start.source.bytes(start.begin, std::min(part, start.source.size - start.begin)), bytes::Encoding::detect);
+        const auto text = bytes::decoded(
+            start.source.bytes(start.begin, std::min(part, start.source.size - start.begin)), bytes::Encoding::detect);
         const auto doubtful = tables::undecided_commas(bytes::split_lines(text), start.layout);
         if (!doubtful) return;
         if (part >= start.source.size - start.begin)
-            throw FormatError(start.source.name, {.line = start.line + doubtful->line},
-                              fmt::format("'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; export with decimal points", doubtful->cell));
+            throw FormatError(
+                start.source.name, {.line = start.line + doubtful->line},
+                fmt::format(
+                    "'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; export with decimal points",
+                    doubtful->cell));
     }
 }
 
@@ -184,7 +210,8 @@ void require_clear_commas(const tables::TextStart& start, const MatrixHeader& he
 std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
     const bool whole = head.size() >= source.size;
     try {
-        return tables::read_raw_table(bytes::memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
+        return tables::read_raw_table(
+            bytes::memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
     } catch (const FormatError&) {
         return std::nullopt;
     }
@@ -214,7 +241,10 @@ TextGuess guess_text(std::string_view head, const bytes::Source& source) {
 std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options) {
     if (is_profile_file(source.head(beyond_first_line))) return own_profile(source);
     const auto start = find_start(source);
-    if (!start) throw FormatError(source.name, {.line = 1}, source.size == 0 ? "the file is empty; expected rows of numbers" : "no row of numbers; expected columns x and height below a header");
+    if (!start)
+        throw FormatError(source.name, {.line = 1},
+                          source.size == 0 ? "the file is empty; expected rows of numbers"
+                                           : "no row of numbers; expected columns x and height below a header");
     const auto header = parse_matrix_header(start->header, source);
     const auto columns = start->layout.columns;
     const bool as_matrix = options.layout == TextLayout::matrix, as_columns = options.layout == TextLayout::columns;

@@ -4,12 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 
-/// What columns of numbers are taken for: rows of a map or one line of heights, points x, y, z on a grid, or a curve x, h.
+/// What columns of numbers are taken for: rows of a map or one line of heights, points x, y, z on a grid, or a curve x,
+/// h.
 enum class TextContent { none, matrix, points, curve };
 
 /// What a text seems to hold.
@@ -23,13 +24,15 @@ struct TextGuess {
 
 /// The channels of columns of numbers.
 ///
-/// A header of a map, or more than three columns, or one: a matrix. Two columns: a curve. Three: points where x and y lie on a regular
-/// grid; x and height behind an index where the first counts up and the second runs on; else a matrix. Where nothing but the numbers
-/// says so, an alert AMBIGUOUS_COLUMNS tells what was chosen and how to have it otherwise; ReadOptions::layout decides before all.
+/// A header of a map, or more than three columns, or one: a matrix. Two columns: a curve. Three: points where x and y
+/// lie on a regular grid; x and height behind an index where the first counts up and the second runs on; else a matrix.
+/// Where nothing but the numbers says so, an alert AMBIGUOUS_COLUMNS tells what was chosen and how to have it
+/// otherwise; ReadOptions::layout decides before all.
 /// @throws FormatError for text that is none of these: named columns of a table, numbers that break off.
 [[nodiscard]] std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options);
 
-/// Writes a map with Gwyddion's header; lines and profiles as x [m], h [m], or as setae's own profile where the trace is known.
+/// Writes a map with Gwyddion's header; lines and profiles as x [m], h [m], or as setae's own profile where the trace
+/// is known.
 void write_text_matrix(const std::string& path, const topography::Measurement& measurement);
 void write_text_curve(const std::string& path, const topography::Measurement& measurement);
 

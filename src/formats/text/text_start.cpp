@@ -34,7 +34,8 @@ std::optional<tables::TextStart> find_start(const bytes::Source& source) {
     for (;;) {
         const bool whole = head.size() == start.source.size;
         const auto last_break = head.rfind('\n');
-        auto text = bytes::decoded(whole || last_break == std::string::npos ? head : head.substr(0, last_break), bytes::Encoding::detect);
+        auto text = bytes::decoded(whole || last_break == std::string::npos ? head : head.substr(0, last_break),
+                                   bytes::Encoding::detect);
         auto lines = bytes::split_lines(text);
         keep_first_part(lines);
         auto layout = tables::find_layout(lines, {});

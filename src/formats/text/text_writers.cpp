@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/profile_file.hpp"
-#include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/tables/table_file.hpp"
 #include "text_channels.hpp"
 
 namespace setae::formats {
@@ -29,7 +29,8 @@ std::string one_line(std::string text) {
 std::string rows_of(const Array2D& heights, Index first, Index last) {
     fmt::memory_buffer text;
     for (Index j = first; j < last; ++j)
-        for (Index i = 0; i < heights.rows(); ++i) fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), i + 1 < heights.rows() ? '\t' : '\n');
+        for (Index i = 0; i < heights.rows(); ++i)
+            fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), i + 1 < heights.rows() ? '\t' : '\n');
     return fmt::to_string(text);
 }
 
@@ -58,28 +59,21 @@ void write_line(const std::string& path, const LineScan& scan) {
 }
 
 void write_curve(const std::string& path, const Profile& profile) {
-    if (profile.response || profile.standard_error.size() > 0)
-        write_profile(path, profile);
-    else
-        write_columns(path, profile.positions, profile.heights);
+    if (profile.response || profile.standard_error.size() > 0) write_profile(path, profile);
+    else write_columns(path, profile.positions, profile.heights);
 }
 
 }  // namespace
 
 void write_text_matrix(const std::string& path, const Measurement& measurement) {
-    if (const auto* map = std::get_if<HeightMap>(&measurement))
-        write_matrix(path, *map);
-    else
-        write_text_curve(path, measurement);
+    if (const auto* map = std::get_if<HeightMap>(&measurement)) write_matrix(path, *map);
+    else write_text_curve(path, measurement);
 }
 
 void write_text_curve(const std::string& path, const Measurement& measurement) {
-    if (const auto* scan = std::get_if<LineScan>(&measurement))
-        write_line(path, *scan);
-    else if (const auto* profile = std::get_if<Profile>(&measurement))
-        write_curve(path, *profile);
-    else
-        throw InvalidArgument(fmt::format("{}: a map has no columns x and h; write it as .txt", path));
+    if (const auto* scan = std::get_if<LineScan>(&measurement)) write_line(path, *scan);
+    else if (const auto* profile = std::get_if<Profile>(&measurement)) write_curve(path, *profile);
+    else throw InvalidArgument(fmt::format("{}: a map has no columns x and h; write it as .txt", path));
 }
 
 }  // namespace setae::formats

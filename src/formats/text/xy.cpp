@@ -14,21 +14,24 @@ Match detect_xy(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format xy_format() {
-    return {.identifier = "xy",
-            .name = "two-column text",
-            .extensions = ".csv .txt .asc .dat",
-            .description = "x and height with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, others a profile as traced; also behind an index, "
-                           "before a third column 'valid' or 'standard_error', setae's own profiles with the response of their trace, and exports of profilers without header, such as KLA-Tencor's "
-                           "Alpha-Step and Apex",
-            .heights = "values in the unit stated or given; empty cells and nan are undefined",
-            .orientation = "",
-            .not_read = "units of exports without a header, such as those of KLA-Tencor's P and Alpha-Step profilers, x in mm and heights in um, are given: --unit \"mm, um\"",
-            .reference = "no standard; the dialects stand in setae/tables/table_file.hpp",
-            .tested_on_real_files = true,
-            .carries_scale = false,
-            .detect = detect_xy,
-            .open = open_text,
-            .write = write_text_curve};
+    return {
+        .identifier = "xy",
+        .name = "two-column text",
+        .extensions = ".csv .txt .asc .dat",
+        .description =
+            "x and height with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, others a profile as traced; also behind an index, "
+            "before a third column 'valid' or 'standard_error', setae's own profiles with the response of their trace, and exports of profilers without header, such as KLA-Tencor's "
+            "Alpha-Step and Apex",
+        .heights = "values in the unit stated or given; empty cells and nan are undefined",
+        .orientation = "",
+        .not_read =
+            "units of exports without a header, such as those of KLA-Tencor's P and Alpha-Step profilers, x in mm and heights in um, are given: --unit \"mm, um\"",
+        .reference = "no standard; the dialects stand in setae/tables/table_file.hpp",
+        .tested_on_real_files = true,
+        .carries_scale = false,
+        .detect = detect_xy,
+        .open = open_text,
+        .write = write_text_curve};
 }
 
 }  // namespace setae::formats

@@ -14,18 +14,20 @@ Match detect_xyz(std::string_view head, const bytes::Source& source) {
 }  // namespace
 
 Format xyz_format() {
-    return {.identifier = "xyz",
-            .name = "points x, y, z in text",
-            .extensions = ".xyz .txt .csv",
-            .description = "three columns x, y, z on a complete or incomplete regular grid, in any order, with any separator, decimal point or comma; units in the header or given",
-            .heights = "values in the unit stated or given; nodes without a point, empty cells and nan are undefined",
-            .orientation = "smallest x at the left, smallest y at the top",
-            .not_read = "scattered points are refused",
-            .reference = "no standard; Gwyddion module xyzexport for the header 'Lateral units', 'Value units'",
-            .tested_on_real_files = true,
-            .carries_scale = false,
-            .detect = detect_xyz,
-            .open = open_text};
+    return {
+        .identifier = "xyz",
+        .name = "points x, y, z in text",
+        .extensions = ".xyz .txt .csv",
+        .description =
+            "three columns x, y, z on a complete or incomplete regular grid, in any order, with any separator, decimal point or comma; units in the header or given",
+        .heights = "values in the unit stated or given; nodes without a point, empty cells and nan are undefined",
+        .orientation = "smallest x at the left, smallest y at the top",
+        .not_read = "scattered points are refused",
+        .reference = "no standard; Gwyddion module xyzexport for the header 'Lateral units', 'Value units'",
+        .tested_on_real_files = true,
+        .carries_scale = false,
+        .detect = detect_xyz,
+        .open = open_text};
 }
 
 }  // namespace setae::formats

@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "setae/fourier/buffer.hpp"
 #include "setae/fourier/nonuniform.hpp"
 #include "setae/fourier/transform.hpp"
-#include "setae/fourier/buffer.hpp"
 
 namespace {
 
@@ -23,9 +23,15 @@ BENCHMARK(plain_sum)->Unit(benchmark::kMillisecond);
 void nonuniform(benchmark::State& state) {
     const Index n = state.range(0);
     const Array1D x = Array1D::Random(n), c = Array1D::Random(n), q = 1.5 * static_cast<double>(n) * Array1D::Random(n);
-    for (auto _ : state) benchmark::DoNotOptimize(fourier::nonuniform_transform(x, c, q, {static_cast<int>(state.range(1))}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(fourier::nonuniform_transform(x, c, q, {static_cast<int>(state.range(1))}));
     state.SetItemsProcessed(state.iterations() * n);
 }
-BENCHMARK(nonuniform)->Args({10000, 1})->Args({100000, 1})->Args({100000, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(nonuniform)
+    ->Args({10000, 1})
+    ->Args({100000, 1})
+    ->Args({100000, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace

@@ -32,15 +32,16 @@ Shares shares(MPI_Comm communicator, Index modes, Index nx) {
     start_fftw();
     const std::array<std::ptrdiff_t, 2> shape{modes, nx};
     Shares own;
-    own.doubles = fftw_mpi_local_size_many_transposed(2, shape.data(), doubles_a_value, FFTW_MPI_DEFAULT_BLOCK, FFTW_MPI_DEFAULT_BLOCK,
-                                                      communicator, &own.lines, &own.first_line, &own.rows, &own.first_row);
+    own.doubles = fftw_mpi_local_size_many_transposed(2, shape.data(), doubles_a_value, FFTW_MPI_DEFAULT_BLOCK,
+                                                      FFTW_MPI_DEFAULT_BLOCK, communicator, &own.lines, &own.first_line,
+                                                      &own.rows, &own.first_row);
     return own;
 }
 
 /// From lines of nx modes each to rows of `modes` values each, in place.
 void transpose(MPI_Comm communicator, Index modes, Index nx, double* values) {
-    const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_a_value, FFTW_MPI_DEFAULT_BLOCK, FFTW_MPI_DEFAULT_BLOCK, values,
-                                                   values, communicator, FFTW_ESTIMATE);
+    const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_a_value, FFTW_MPI_DEFAULT_BLOCK,
+                                                   FFTW_MPI_DEFAULT_BLOCK, values, values, communicator, FFTW_ESTIMATE);
     if (plan == nullptr) throw InternalError(fmt::format("no parallel transpose for {} x {} values", modes, nx));
     fftw_execute(plan);
     fftw_destroy_plan(plan);
@@ -65,24 +66,28 @@ void rethrow_together(MPI_Comm communicator, const std::exception_ptr& own) {
     if (failed_anywhere != 0) throw InternalError("another rank of the communicator failed; its message says why");
 }
 
-MapSlab distributed_inverse_transform_map(MPI_Comm communicator, const SpectrumLine& load, Index nx, Index ny, parallel::Threads threads) {
-    if (nx < 1 || ny < 1) throw InvalidArgument(fmt::format("a transform to {} x {} points; expected at least 1 x 1", nx, ny));
+MapSlab distributed_inverse_transform_map(MPI_Comm communicator, const SpectrumLine& load, Index nx, Index ny,
+                                          parallel::Threads threads) {
+    if (nx < 1 || ny < 1)
+        throw InvalidArgument(fmt::format("a transform to {} x {} points; expected at least 1 x 1", nx, ny));
     const InverseRealTransform along_y(ny);
     const ComplexTransform along_x(nx, ComplexTransform::Sign::plus);
     const Index modes = along_y.modes();
     const auto own = shares(communicator, modes, nx);
 
-    // complex values seen as pairs, as the standard allows; lines in a buffer of their own, since a transform wants alignment
+    // complex values seen as pairs, as the standard allows; lines in a buffer of their own, since a transform wants
+    // alignment
     Buffer<Complex> values(static_cast<std::size_t>(own.doubles / doubles_a_value + 1));
     rethrow_together(communicator, failure_of([&] {
-        parallel::for_each_index(static_cast<std::size_t>(own.lines), threads, [&](std::size_t line) {
-            thread_local Buffer<Complex> buffer;
-            buffer.resize(static_cast<std::size_t>(nx));
-            load(static_cast<Index>(own.first_line) + static_cast<Index>(line), buffer.data());
-            along_x.apply(buffer.data());
-            std::copy(buffer.begin(), buffer.end(), values.begin() + static_cast<std::ptrdiff_t>(line) * nx);
-        });
-    }));
+                         parallel::for_each_index(static_cast<std::size_t>(own.lines), threads, [&](std::size_t line) {
+                             thread_local Buffer<Complex> buffer;
+                             buffer.resize(static_cast<std::size_t>(nx));
+                             load(static_cast<Index>(own.first_line) + static_cast<Index>(line), buffer.data());
+                             along_x.apply(buffer.data());
+                             std::copy(buffer.begin(), buffer.end(),
+                                       values.begin() + static_cast<std::ptrdiff_t>(line) * nx);
+                         });
+                     }));
     transpose(communicator, modes, nx, reinterpret_cast<double*>(values.data()));
 
     MapSlab slab{static_cast<Index>(own.first_row), Array2D(own.rows, ny)};

@@ -19,7 +19,8 @@ using fourier::Complex;
 using ComplexMap = Eigen::Array<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 Array2D some_map(Index nx, Index ny) {
-    return Array2D::NullaryExpr(nx, ny, [](Index i, Index j) { return std::sin(static_cast<double>(3 * i * i + 7 * j * j * j + i * j)); });
+    return Array2D::NullaryExpr(
+        nx, ny, [](Index i, Index j) { return std::sin(static_cast<double>(3 * i * i + 7 * j * j * j + i * j)); });
 }
 
 ComplexMap half_spectrum(const Array2D& map) {
@@ -52,8 +53,9 @@ TEST_P(InverseShapes, InverseTransformReturnsTheMapTimesItsPoints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EvenAndOdd, InverseShapes,
-                         testing::Values(std::tuple{1, 1}, std::tuple{2, 1}, std::tuple{1, 5}, std::tuple{1, 2}, std::tuple{8, 6},
-                                         std::tuple{7, 9}, std::tuple{16, 35}, std::tuple{33, 40}, std::tuple{5, 130}));
+                         testing::Values(std::tuple{1, 1}, std::tuple{2, 1}, std::tuple{1, 5}, std::tuple{1, 2},
+                                         std::tuple{8, 6}, std::tuple{7, 9}, std::tuple{16, 35}, std::tuple{33, 40},
+                                         std::tuple{5, 130}));
 
 TEST(InverseMapTransform, OfOneModeIsItsWave) {
     ComplexMap half = ComplexMap::Zero(5, 12);
@@ -74,7 +76,8 @@ TEST(InverseMapTransform, GivesTheSameBytesForAnyNumberOfThreads) {
 TEST(InverseMapTransform, WritesIntoPartOfALargerMap) {
     const auto half = half_spectrum(some_map(10, 8));
     Array2D large = Array2D::Constant(14, 20, -1.0);
-    fourier::inverse_transform_map([&](Index m, Complex* modes) { load_from(half, m, modes); }, large.block(2, 5, 10, 8), {1});
+    fourier::inverse_transform_map([&](Index m, Complex* modes) { load_from(half, m, modes); },
+                                   large.block(2, 5, 10, 8), {1});
     EXPECT_TRUE((large.block(2, 5, 10, 8) == inverse(half, 8, 1)).all());
     EXPECT_EQ((large == -1.0).count(), 14 * 20 - 80);
 }

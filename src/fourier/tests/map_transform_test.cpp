@@ -39,8 +39,8 @@ ComplexMap collect(Index lines, Index modes, const std::function<void(const four
 ComplexMap transformed_map(const Array2D& map, int threads = 1) {
     return collect(map.cols() / 2 + 1, map.rows(), [&](const auto& consume) {
         fourier::transform_map(map.rows(), map.cols(),
-                               [&](Index i, double* line) { std::copy_n(map.row(i).data(), map.cols(), line); }, consume,
-                               {threads});
+                               [&](Index i, double* line) { std::copy_n(map.row(i).data(), map.cols(), line); },
+                               consume, {threads});
     });
 }
 
@@ -50,7 +50,9 @@ ComplexMap transformed_lines(const Array2D& map, int threads = 1) {
     });
 }
 
-Complex wave(Index product, Index n) { return std::polar(1.0, -2.0 * pi * static_cast<double>(product % n) / static_cast<double>(n)); }
+Complex wave(Index product, Index n) {
+    return std::polar(1.0, -2.0 * pi * static_cast<double>(product % n) / static_cast<double>(n));
+}
 
 class Shapes : public testing::TestWithParam<std::tuple<Index, Index>> {};
 
@@ -110,7 +112,9 @@ TEST(MapTransform, ReadsViewsOfLargerMaps) {
 }
 
 TEST(MapTransform, RefusesEmptyMaps) {
-    EXPECT_THROW(fourier::transform_map(0, 4, [](Index, double*) {}, [](const fourier::SpectrumBlock&) {}, {1}), InvalidArgument);
+    EXPECT_THROW(fourier::transform_map(
+                     0, 4, [](Index, double*) {}, [](const fourier::SpectrumBlock&) {}, {1}),
+                 InvalidArgument);
 }
 
 TEST(RealTransform, KeepsParseval) {
@@ -136,7 +140,8 @@ TEST(RealTransform, KeepsParseval) {
 TEST(ComplexTransform, ForwardThenBackwardIsNTimesTheInput) {
     constexpr Index n = 60;
     fourier::Buffer<Complex> values(n);
-    for (Index k = 0; k < n; ++k) values[static_cast<std::size_t>(k)] = {std::sin(static_cast<double>(k)), static_cast<double>(k)};
+    for (Index k = 0; k < n; ++k)
+        values[static_cast<std::size_t>(k)] = {std::sin(static_cast<double>(k)), static_cast<double>(k)};
     const auto original = values;
     fourier::ComplexTransform(n).apply(values.data());
     fourier::ComplexTransform(n, fourier::ComplexTransform::Sign::plus).apply(values.data());

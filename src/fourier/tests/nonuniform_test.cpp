@@ -97,7 +97,8 @@ TEST(NonuniformTransform, GivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(NonuniformTransform, RefusesSizesThatDifferAndNaN) {
     EXPECT_THROW((void)nonuniform_transform(Array1D::Zero(3), Array1D::Zero(2), Array1D::Ones(1)), InvalidArgument);
-    EXPECT_THROW((void)nonuniform_transform(Array1D::Zero(1), Array1D::Constant(1, NAN), Array1D::Ones(1)), InvalidArgument);
+    EXPECT_THROW((void)nonuniform_transform(Array1D::Zero(1), Array1D::Constant(1, NAN), Array1D::Ones(1)),
+                 InvalidArgument);
 }
 
 }  // namespace

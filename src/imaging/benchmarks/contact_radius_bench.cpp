@@ -17,7 +17,14 @@ constexpr int frames = 50;
 const std::string& recording() {
     static const std::string path = [] {
         std::vector<cv::Mat> pages;
-        const auto pixels = tests::RenderedContact{.width = 640, .height = 480, .centre_x = 310.2, .centre_y = 251.7, .semi_major = 100, .slope_x = 0.02, .noise = 12}.make();
+        const auto pixels = tests::RenderedContact{.width = 640,
+                                                   .height = 480,
+                                                   .centre_x = 310.2,
+                                                   .centre_y = 251.7,
+                                                   .semi_major = 100,
+                                                   .slope_x = 0.02,
+                                                   .noise = 12}
+                                .make();
         cv::Mat page;
         cv::Mat(480, 640, CV_32F, const_cast<float*>(pixels.data())).convertTo(page, CV_8U);
         for (int k = 0; k < frames; ++k) pages.push_back(page);
@@ -47,7 +54,8 @@ void source_reads_alone(benchmark::State& state) {
 
 void contact_radii(benchmark::State& state) {
     const FrameSource source(recording(), {.pixel_size = 1e-6, .frame_rate = 20});
-    for (auto _ : state) benchmark::DoNotOptimize(measure_contact_radii(source, {.threads = {static_cast<int>(state.range(0))}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(measure_contact_radii(source, {.threads = {static_cast<int>(state.range(0))}}));
     state.SetItemsProcessed(state.iterations() * frames);
 }
 

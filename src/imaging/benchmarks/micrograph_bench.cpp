@@ -19,7 +19,8 @@ constexpr std::uint64_t side = 2000;
 class Picture {
 public:
     Picture() : path_(std::filesystem::temp_directory_path() / "setae_micrograph_bench.dm4") {
-        const tests::DmFile file{.version = 4, .pixels = std::string(4 * side * side, '\0'), .dimensions = {side, side}};
+        const tests::DmFile file{
+            .version = 4, .pixels = std::string(4 * side * side, '\0'), .dimensions = {side, side}};
         std::ofstream(path_, std::ios::binary) << file.bytes();
     }
     ~Picture() { std::filesystem::remove(path_); }

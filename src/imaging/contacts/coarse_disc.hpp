@@ -9,9 +9,9 @@ namespace setae::imaging {
 
 /// A disc found in a frame of fewer pixels.
 struct CoarseDisc {
-    Outline outline;         ///< [px] of the whole frame
-    double sign = 1;         ///< +1: brighter outside
-    double strength = 0;     ///< step of grey levels across its edge times its radius: glare and dust are small
+    Outline outline;      ///< [px] of the whole frame
+    double sign = 1;      ///< +1: brighter outside
+    double strength = 0;  ///< step of grey levels across its edge times its radius: glare and dust are small
 };
 
 struct CoarseSearch {
@@ -23,10 +23,10 @@ struct CoarseSearch {
 
 /// Discs in a frame.
 ///
-/// The frame is averaged over squares of pixels to some 200 across (level 0), 100 (1), 50 (2), a parabola of illumination taken off. Pixels whose gradient
-/// stands out of the noise vote for centres along their gradient (Hough 1962; Ballard 1981); about the best centres the mean
-/// over circles has its step at the radius. Rays from there give points of the edge, consensus of triples a circle, and
-/// reweighted least squares an ellipse.
+/// The frame is averaged over squares of pixels to some 200 across (level 0), 100 (1), 50 (2), a parabola of
+/// illumination taken off. Pixels whose gradient stands out of the noise vote for centres along their gradient (Hough
+/// 1962; Ballard 1981); about the best centres the mean over circles has its step at the radius. Rays from there give
+/// points of the edge, consensus of triples a circle, and reweighted least squares an ellipse.
 [[nodiscard]] CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options, int level);
 
 }  // namespace setae::imaging

@@ -19,10 +19,14 @@ constexpr double least_visible = 0.25;  // of the perimeter
 constexpr long smallest_frame = 16;
 
 void require_valid(const FramePixels& pixels, const ContactFrameOptions& options) {
-    if (!(options.smallest_radius >= 3)) throw InvalidArgument(fmt::format("smallest radius {} px, expected at least 3: smaller discs have no edge to fit", options.smallest_radius));
-    if (!(options.least_confidence >= 0 && options.least_confidence <= 1)) throw InvalidArgument(fmt::format("least confidence {}, expected 0 to 1", options.least_confidence));
+    if (!(options.smallest_radius >= 3))
+        throw InvalidArgument(fmt::format(
+            "smallest radius {} px, expected at least 3: smaller discs have no edge to fit", options.smallest_radius));
+    if (!(options.least_confidence >= 0 && options.least_confidence <= 1))
+        throw InvalidArgument(fmt::format("least confidence {}, expected 0 to 1", options.least_confidence));
     if (pixels.rows() < smallest_frame || pixels.cols() < smallest_frame)
-        throw InvalidArgument(fmt::format("a frame of {} × {} pixels, expected at least {} × {}", pixels.cols(), pixels.rows(), smallest_frame, smallest_frame));
+        throw InvalidArgument(fmt::format("a frame of {} × {} pixels, expected at least {} × {}", pixels.cols(),
+                                          pixels.rows(), smallest_frame, smallest_frame));
 }
 
 ContactFrame without_radius(FrameState state, std::string reason) {
@@ -31,7 +35,8 @@ ContactFrame without_radius(FrameState state, std::string reason) {
     frame.reason = std::move(reason);
     const double none = undefined;
     frame.radius = state == FrameState::no_contact ? 0.0 : none;
-    frame.radius_standard_error = frame.roundness = frame.roundness_standard_error = frame.contrast_to_noise = frame.edge_width = none;
+    frame.radius_standard_error = frame.roundness = frame.roundness_standard_error = frame.contrast_to_noise =
+        frame.edge_width = none;
     frame.ellipse = {none, none, none, none, none, none, none, none};
     return frame;
 }
@@ -51,7 +56,9 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
 
     // derivatives of lengths along (mean_radius, stretch_cosine, stretch_sine)
     const double stretch = outline.stretch(), geometric = std::sqrt(outline.semi_major() * outline.semi_minor());
-    const Eigen::Vector2d along = stretch > 1e-9 ? Eigen::Vector2d(outline.stretch_cosine, outline.stretch_sine) / stretch : Eigen::Vector2d(1, 0);
+    const Eigen::Vector2d along = stretch > 1e-9
+                                      ? Eigen::Vector2d(outline.stretch_cosine, outline.stretch_sine) / stretch
+                                      : Eigen::Vector2d(1, 0);
     const Eigen::Matrix3d shape = covariance.bottomRightCorner<3, 3>();
     const auto deviation = [&](double of_mean, double of_stretch) {
         const Eigen::Vector3d slope(of_mean, of_stretch * along[0], of_stretch * along[1]);
@@ -61,20 +68,34 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
     const double shrinking = fit.edge_width * fit.edge_width / (2 * geometric);
     frame.radius = geometric + shrinking;
     frame.radius_standard_error = deviation(outline.mean_radius / geometric, -stretch / geometric);
-    frame.ellipse = {outline.centre_x, outline.centre_y, outline.semi_major() + shrinking, outline.semi_minor() + shrinking, outline.angle(),
-                     std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1))), deviation(1, 1), deviation(1, -1)};
+    frame.ellipse = {outline.centre_x,
+                     outline.centre_y,
+                     outline.semi_major() + shrinking,
+                     outline.semi_minor() + shrinking,
+                     outline.angle(),
+                     std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1))),
+                     deviation(1, 1),
+                     deviation(1, -1)};
     const double major = frame.ellipse.semi_major, minor = frame.ellipse.semi_minor;
     frame.roundness = minor / major;
-    frame.roundness_standard_error = fit.shape == OutlineShape::circle ? undefined : deviation((major - minor) / (major * major), -(major + minor) / (major * major));
-    if (frame.partial) frame.reason = fmt::format("reaches beyond the frame: {:.0f} % of its edge is seen", 100 * fit.visible_share);
+    frame.roundness_standard_error = fit.shape == OutlineShape::circle ? undefined
+                                                                       : deviation((major - minor) / (major * major),
+                                                                                   -(major + minor) / (major * major));
+    if (frame.partial)
+        frame.reason = fmt::format("reaches beyond the frame: {:.0f} % of its edge is seen", 100 * fit.visible_share);
     return frame;
 }
 
 std::string why_not(const ContactFrame& frame, const ContactFrameOptions& options) {
-    if (frame.visible_share < least_visible) return fmt::format("{:.0f} % of the edge lies within the frame, {:.0f} % are needed", 100 * frame.visible_share, 100 * least_visible);
-    if (frame.radius < options.smallest_radius) return fmt::format("the radius would be {:.1f} px, less than the smallest of {:g} px", frame.radius, options.smallest_radius);
+    if (frame.visible_share < least_visible)
+        return fmt::format("{:.0f} % of the edge lies within the frame, {:.0f} % are needed", 100 * frame.visible_share,
+                           100 * least_visible);
+    if (frame.radius < options.smallest_radius)
+        return fmt::format("the radius would be {:.1f} px, less than the smallest of {:g} px", frame.radius,
+                           options.smallest_radius);
     if (frame.confidence < options.least_confidence)
-        return fmt::format("confidence {:.2f} of {:.2f} needed: {:.0f} % of the rays agree", frame.confidence, options.least_confidence, 100 * frame.agreeing_rays);
+        return fmt::format("confidence {:.2f} of {:.2f} needed: {:.0f} % of the rays agree", frame.confidence,
+                           options.least_confidence, 100 * frame.agreeing_rays);
     return {};
 }
 
@@ -91,7 +112,8 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
         const auto found = find_discs(pixels, options, level);
         structure = structure || found.structure;
         for (const auto& candidate : found.candidates) {
-            const double uncertainty = std::min(static_cast<double>(std::max(2L, found.binning)), 0.3 * candidate.outline.mean_radius);
+            const double uncertainty =
+                std::min(static_cast<double>(std::max(2L, found.binning)), 0.3 * candidate.outline.mean_radius);
             const auto fit = fit_edge(pixels, candidate.outline, candidate.sign, uncertainty, options.fringes);
             if (!fit.failure.empty()) {
                 if (highest < 0) reason = fit.failure;
@@ -100,7 +122,8 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
             const auto frame = as_frame(fit, candidate.sign);
             const auto doubt = why_not(frame, options);
             if (doubt.empty() && frame.confidence > beyond_doubt) return frame;
-            const double score = frame.confidence * frame.contrast_to_noise * frame.radius;  // glare and dust are small, illumination is faint
+            const double score = frame.confidence * frame.contrast_to_noise *
+                                 frame.radius;  // glare and dust are small, illumination is faint
             if (doubt.empty() && score > best) best = score, chosen = frame;
             if (frame.confidence > highest) highest = frame.confidence, reason = doubt;
         }

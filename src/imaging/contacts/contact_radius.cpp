@@ -21,11 +21,14 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 std::vector<const std::string*> exclusions(const FrameSource& source, const std::vector<ExcludedFrame>& excluded) {
     std::vector<const std::string*> reasons(source.size(), nullptr);
     for (const auto& [number, reason] : excluded) {
-        if (trimmed(reason).empty()) throw InvalidArgument(fmt::format("frame {} is left out without a reason; say why", number));
+        if (trimmed(reason).empty())
+            throw InvalidArgument(fmt::format("frame {} is left out without a reason; say why", number));
         std::size_t at = 0;
         while (at < source.size() && source.number(at) != number) ++at;
         if (at == source.size())
-            throw InvalidArgument(fmt::format("frame {} is to be left out, but is none of the frames {} to {} looked at", number, source.number(0), source.number(source.size() - 1)));
+            throw InvalidArgument(
+                fmt::format("frame {} is to be left out, but is none of the frames {} to {} looked at", number,
+                            source.number(0), source.number(source.size() - 1)));
         reasons[at] = &reason;
     }
     return reasons;
@@ -35,7 +38,8 @@ ContactFrame no_measurement(FrameState state, std::string reason) {
     ContactFrame frame;
     frame.state = state;
     frame.reason = std::move(reason);
-    frame.radius = frame.radius_standard_error = frame.roundness = frame.roundness_standard_error = frame.contrast_to_noise = frame.edge_width = undefined;
+    frame.radius = frame.radius_standard_error = frame.roundness = frame.roundness_standard_error =
+        frame.contrast_to_noise = frame.edge_width = undefined;
     frame.ellipse = {undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined};
     return frame;
 }
@@ -53,7 +57,8 @@ ContactFrame measured(const FrameSource& source, std::size_t index, const Contac
 Polarity majority(const std::vector<ContactRadius>& frames) {
     double dark = 0, bright = 0;
     for (const auto& frame : frames)
-        if (frame.contact.state == FrameState::measured) (frame.contact.polarity == Polarity::dark ? dark : bright) += frame.contact.confidence;
+        if (frame.contact.state == FrameState::measured)
+            (frame.contact.polarity == Polarity::dark ? dark : bright) += frame.contact.confidence;
     return dark + bright == 0 ? Polarity::automatic : dark >= bright ? Polarity::dark : Polarity::bright;
 }
 
@@ -94,13 +99,15 @@ Column column(const ContactRadii& radii, const char* name, const char* unit, Val
 }  // namespace
 
 ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOptions& options) {
-    if (!source.pixel_size()) throw InvalidArgument("no pixel size; the files state none, expected it as an option, such as 1.82 um a pixel");
+    if (!source.pixel_size())
+        throw InvalidArgument("no pixel size; the files state none, expected it as an option, such as 1.82 um a pixel");
     const auto reasons = exclusions(source, options.excluded);
     ContactRadii radii{.pixel_size = *source.pixel_size(), .frame_rate = source.frame_rate(), .notes = source.notes()};
     radii.frames.resize(source.size());
     const auto measure = [&](std::size_t index, const ContactFrameOptions& how) {
         auto& frame = radii.frames[index];
-        frame.contact = reasons[index] ? no_measurement(FrameState::excluded, *reasons[index]) : measured(source, index, how);
+        frame.contact =
+            reasons[index] ? no_measurement(FrameState::excluded, *reasons[index]) : measured(source, index, how);
         frame.number = source.number(index);
         frame.name = source.name(index);
         frame.time = source.time(index);
@@ -113,19 +120,25 @@ ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOption
         radii.polarity = majority(radii.frames);
         std::vector<std::size_t> others;
         for (std::size_t i = 0; i < radii.frames.size(); ++i)
-            if (radii.frames[i].contact.state == FrameState::measured && radii.frames[i].contact.polarity != radii.polarity) others.push_back(i);
+            if (radii.frames[i].contact.state == FrameState::measured &&
+                radii.frames[i].contact.polarity != radii.polarity)
+                others.push_back(i);
         auto given = options.frame;
         given.polarity = radii.polarity;
         parallel::for_each_index(others.size(), options.threads, [&](std::size_t k) { measure(others[k], given); });
     }
     radii.summary = summary_of(radii.frames, source.missing().size());
-    if (!source.missing().empty()) radii.notes.push_back(fmt::format("frames missing from the sequence: {}; times keep their place", ranges(source.missing())));
+    if (!source.missing().empty())
+        radii.notes.push_back(
+            fmt::format("frames missing from the sequence: {}; times keep their place", ranges(source.missing())));
     return radii;
 }
 
 Table as_table(const ContactRadii& radii) {
     const double pixel = radii.pixel_size;
-    const auto seen = [](double value, const ContactRadius& f) { return f.contact.state == FrameState::measured ? value : undefined; };
+    const auto seen = [](double value, const ContactRadius& f) {
+        return f.contact.state == FrameState::measured ? value : undefined;
+    };
     Table table;
     table.columns = {
         column(radii, "time", "s", [](const auto& f) { return f.time; }),
@@ -147,7 +160,8 @@ Table as_table(const ContactRadii& radii) {
     table.metadata = {{"pixel_size", fmt::format("{:.9g} m", radii.pixel_size)},
                       {"frame_rate", fmt::format("{:.9g} 1/s", radii.frame_rate)},
                       {"polarity", to_string(radii.polarity)},
-                      {"frames", fmt::format("{} measured, {} without contact, {} not found, {} bad, {} excluded", s.measured, s.no_contact, s.not_found, s.bad, s.excluded)},
+                      {"frames", fmt::format("{} measured, {} without contact, {} not found, {} bad, {} excluded",
+                                             s.measured, s.no_contact, s.not_found, s.bad, s.excluded)},
                       {"state", "0 measured, 1 no contact, 2 not found, 3 bad frame, 4 excluded"}};
     return table;
 }
@@ -159,7 +173,8 @@ std::string as_csv(const ContactRadii& radii) {
     for (const auto& frame : radii.frames) {
         if (frame.contact.reason.empty()) continue;
         std::string remark = to_string(frame.contact.state) + ": " + frame.contact.reason;
-        std::replace_if(remark.begin(), remark.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        std::replace_if(
+            remark.begin(), remark.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
         text += fmt::format("# frame {}: {}\n", frame.number, remark);
     }
     return text + tables::as_csv(table);

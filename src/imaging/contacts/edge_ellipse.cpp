@@ -13,7 +13,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double tukey = 4.685;          // 95 % efficient for Gaussian scatter
+constexpr double tukey = 4.685;  // 95 % efficient for Gaussian scatter
 constexpr double mad_to_deviation = 1.4826;
 constexpr int reweightings = 6;
 
@@ -23,8 +23,9 @@ double median_magnitude(const std::vector<double>& values) {
     return order_statistic(std::move(magnitudes), 0.5);
 }
 
-/// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours (that of
-/// farther ones its powers); pairs count where both agree. `parameters` were fitted to the residuals. At least 1.
+/// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours
+/// (that of farther ones its powers); pairs count where both agree. `parameters` were fitted to the residuals. At
+/// least 1.
 double correlation_factor(const std::vector<double>& residuals, const std::vector<double>& weights, int parameters) {
     constexpr double most = 0.8;
     const auto n = residuals.size();
@@ -35,7 +36,8 @@ double correlation_factor(const std::vector<double>& residuals, const std::vecto
         if (weights[i] > 0 && weights[j] > 0) product += residuals[i] * residuals[j], pairs += 1;
     }
     if (pairs < 12 || variance <= 0) return 1.0;
-    const double correlation = std::clamp(product / pairs / (variance / counted) + parameters / counted, 0.0, most);  // the fit takes −p/n off
+    const double correlation =
+        std::clamp(product / pairs / (variance / counted) + parameters / counted, 0.0, most);  // the fit takes −p/n off
     return (1 + correlation) / (1 - correlation);
 }
 
@@ -57,8 +59,12 @@ double Outline::radius_at(double polar_angle) const {
 }
 
 OutlineDistance::OutlineDistance(const Outline& outline)
-    : centre_x_(outline.centre_x), centre_y_(outline.centre_y), cosine_(std::cos(outline.angle())), sine_(std::sin(outline.angle())),
-      inverse_major_(1.0 / outline.semi_major()), inverse_minor_(1.0 / outline.semi_minor()) {}
+    : centre_x_(outline.centre_x),
+      centre_y_(outline.centre_y),
+      cosine_(std::cos(outline.angle())),
+      sine_(std::sin(outline.angle())),
+      inverse_major_(1.0 / outline.semi_major()),
+      inverse_minor_(1.0 / outline.semi_minor()) {}
 
 double OutlineDistance::operator()(double x, double y) const {
     const double dx = x - centre_x_, dy = y - centre_y_;
@@ -69,7 +75,8 @@ double OutlineDistance::operator()(double x, double y) const {
     return level * (level - 1.0) / std::sqrt(slope_x * slope_x + slope_y * slope_y);
 }
 
-OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets, OutlineShape shape) {
+OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets,
+                                    OutlineShape shape) {
     using Matrix = Eigen::Matrix<double, 5, 5>;
     using Vector = Eigen::Matrix<double, 5, 1>;
     const int parameters = shape == OutlineShape::circle ? 3 : 5;
@@ -97,7 +104,8 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
         const auto factors = normal.ldlt();
         if (factors.info() != Eigen::Success || factors.rcond() < 1e-7) return result;
         step = factors.solve(right);
-        for (std::size_t i = 0; i < n; ++i) residuals[i] = (offsets[i].offset - rows[i].dot(step)) / std::sqrt(offsets[i].variance);
+        for (std::size_t i = 0; i < n; ++i)
+            residuals[i] = (offsets[i].offset - rows[i].dot(step)) / std::sqrt(offsets[i].variance);
         result.scale = std::max(1e-6, mad_to_deviation * median_magnitude(residuals));
         for (std::size_t i = 0; i < n; ++i) {
             const double t = residuals[i] / (tukey * result.scale);
@@ -115,18 +123,23 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
     }
     if (agreeing < parameters + 3 || slope <= 0) return result;
     const double freedom = agreeing - parameters;
-    // never below what pixel noise makes; the last factor is the variance of Student's t, as few offsets tell their scatter badly
-    const double scatter = std::max(1.0, influence * agreeing / (slope * slope) * (agreeing / freedom) * (freedom / (freedom - 2)));
+    // never below what pixel noise makes; the last factor is the variance of Student's t, as few offsets tell their
+    // scatter badly
+    const double scatter =
+        std::max(1.0, influence * agreeing / (slope * slope) * (agreeing / freedom) * (freedom / (freedom - 2)));
     normal.setZero();
     for (std::size_t i = 0; i < n; ++i)
         if (result.weights[i] > 0) normal.noalias() += rows[i] * rows[i].transpose() / offsets[i].variance;
     if (shape == OutlineShape::circle) normal(3, 3) = normal(4, 4) = 1.0;
-    result.covariance = normal.ldlt().solve(Matrix::Identity()) * scatter * correlation_factor(residuals, result.weights, parameters);
-    if (shape == OutlineShape::circle) result.covariance.bottomRows<2>().setZero(), result.covariance.rightCols<2>().setZero();
+    result.covariance =
+        normal.ldlt().solve(Matrix::Identity()) * scatter * correlation_factor(residuals, result.weights, parameters);
+    if (shape == OutlineShape::circle)
+        result.covariance.bottomRows<2>().setZero(), result.covariance.rightCols<2>().setZero();
     result.outline.centre_x += step[0];
     result.outline.centre_y += step[1];
     result.outline.mean_radius += step[2];
-    if (shape == OutlineShape::ellipse) result.outline.stretch_cosine += step[3], result.outline.stretch_sine += step[4];
+    if (shape == OutlineShape::ellipse)
+        result.outline.stretch_cosine += step[3], result.outline.stretch_sine += step[4];
     result.largest_step = step.cwiseAbs().maxCoeff();
     result.solved = result.outline.semi_minor() > 0.3 * result.outline.semi_major();
     return result;
@@ -145,12 +158,14 @@ Outline consensus_circle(const std::vector<EdgePoint>& points, double tolerance,
     if (n < 6) return best;
     for (std::uint64_t k = 0; k < triples; ++k) {
         // three points about a third of the perimeter apart, or anywhere
-        const auto first = mixed(3 * k) % n, second = (first + 1 + mixed(3 * k + 1) % (n - 1)) % n, third = (first + 1 + mixed(3 * k + 2) % (n - 1)) % n;
+        const auto first = mixed(3 * k) % n, second = (first + 1 + mixed(3 * k + 1) % (n - 1)) % n,
+                   third = (first + 1 + mixed(3 * k + 2) % (n - 1)) % n;
         if (second == third) continue;
         const auto &a = points[first], &b = points[second], &c = points[third];
         const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y, cross = 2.0 * (bx * cy - by * cx);
         if (std::abs(cross) < 1.0) continue;
-        const double ux = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / cross, uy = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / cross;
+        const double ux = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / cross,
+                     uy = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / cross;
         const Outline circle{a.x + ux, a.y + uy, std::hypot(ux, uy)};
         if (const auto count = agreeing(circle); count > most) most = count, best = circle;
     }

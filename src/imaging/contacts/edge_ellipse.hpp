@@ -10,7 +10,8 @@
 namespace setae::imaging {
 
 /// An ellipse [px] in the parameters that are linear for small eccentricity:
-///   semi-axes mean_radius ± stretch, stretch = sqrt(stretch_cosine² + stretch_sine²), angle ½ atan2(stretch_sine, stretch_cosine).
+///   semi-axes mean_radius ± stretch, stretch = sqrt(stretch_cosine² + stretch_sine²), angle ½ atan2(stretch_sine,
+///   stretch_cosine).
 struct Outline {
     double centre_x = 0, centre_y = 0, mean_radius = 0, stretch_cosine = 0, stretch_sine = 0;
 
@@ -34,9 +35,9 @@ private:
 
 /// Where an edge was found off an outline.
 struct EdgeOffset {
-    double angle = 0;      ///< polar [rad]
-    double offset = 0;     ///< along the normal [px]
-    double variance = 1;   ///< expected of pixel noise [px²]
+    double angle = 0;     ///< polar [rad]
+    double offset = 0;    ///< along the normal [px]
+    double variance = 1;  ///< expected of pixel noise [px²]
 };
 
 enum class OutlineShape { circle, ellipse };
@@ -44,23 +45,26 @@ enum class OutlineShape { circle, ellipse };
 /// Correction of an outline by offsets from it.
 struct OutlineCorrection {
     Outline outline;
-    std::vector<double> weights;                ///< of Tukey's biweight; 0 where the offset does not agree
-    Eigen::Matrix<double, 5, 5> covariance;     ///< of centre_x, centre_y, mean_radius, stretch_cosine, stretch_sine [px²]
-    double largest_step = 0;                    ///< [px]
-    double scale = 0;                           ///< robust standard deviation of an offset over its expected one
-    bool solved = false;                        ///< false: too few offsets around the outline
+    std::vector<double> weights;             ///< of Tukey's biweight; 0 where the offset does not agree
+    Eigen::Matrix<double, 5, 5> covariance;  ///< of centre_x, centre_y, mean_radius, stretch_cosine, stretch_sine [px²]
+    double largest_step = 0;                 ///< [px]
+    double scale = 0;                        ///< robust standard deviation of an offset over its expected one
+    bool solved = false;                     ///< false: too few offsets around the outline
 };
 
-/// One step of Gauss and Newton with iteratively reweighted least squares (Tukey's biweight at 4.685, scale by the median).
+/// One step of Gauss and Newton with iteratively reweighted least squares (Tukey's biweight at 4.685, scale by the
+/// median).
 ///
 /// The covariance rests on the scatter of offsets, at least that expected of pixel noise, times (1 + ρ)/(1 − ρ) of the
 /// correlation ρ of neighbouring offsets, at least 1. Offsets stand in order of angle. A circle has no stretch.
-[[nodiscard]] OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets, OutlineShape shape);
+[[nodiscard]] OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets,
+                                                  OutlineShape shape);
 
 /// Circle through points, by random sample consensus (triples of a fixed sequence), then offsets as above.
 struct EdgePoint {
     double x = 0, y = 0;
 };
-[[nodiscard]] Outline consensus_circle(const std::vector<EdgePoint>& points, double tolerance, const Outline& otherwise);
+[[nodiscard]] Outline consensus_circle(const std::vector<EdgePoint>& points, double tolerance,
+                                       const Outline& otherwise);
 
 }  // namespace setae::imaging

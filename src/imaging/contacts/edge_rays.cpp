@@ -5,18 +5,18 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "order_statistic.hpp"
 
 namespace setae::imaging {
 namespace {
 
-constexpr double arc_a_ray = 6.0;         // px of perimeter
+constexpr double arc_a_ray = 6.0;                 // px of perimeter
 constexpr double narrowest = 0.3, widest = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
-constexpr double bin = 0.5;               // px of distance, of profiles
-constexpr double least_contrast = 0.3;    // of the median ray's
+constexpr double bin = 0.5;                       // px of distance, of profiles
+constexpr double least_contrast = 0.3;            // of the median ray's
 constexpr int most_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
 constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 
@@ -29,7 +29,8 @@ double normal_integral(double t) { return 0.5 * std::erf(t / std::numbers::sqrt2
 /// Angle in [0, 2π) to 0.005 rad: sectors need no more.
 double rough_angle(double y, double x) {
     const double ax = std::abs(x), ay = std::abs(y), q = std::min(ax, ay) / std::max(std::max(ax, ay), 1e-12);
-    double angle = q * (std::numbers::pi / 4 + 0.273 * (1 - q));  // Rajan et al., IEEE Signal Processing Magazine 23 (2006) 108
+    double angle =
+        q * (std::numbers::pi / 4 + 0.273 * (1 - q));  // Rajan et al., IEEE Signal Processing Magazine 23 (2006) 108
     if (ay > ax) angle = std::numbers::pi / 2 - angle;
     if (x < 0) angle = std::numbers::pi - angle;
     if (y < 0) angle = 2 * std::numbers::pi - angle;
@@ -59,14 +60,18 @@ struct Sectors {
 Sectors gathered(const FramePixels& pixels, const Outline& outline, std::size_t count, const Window& window) {
     Sectors sectors{std::vector<Profile>(count, Profile{std::vector<ProfileBin>(window.bins()), 0}), window};
     const OutlineDistance distance(outline);
-    const double outer = outline.semi_major() + window.outside + 1, inner = std::max(0.0, outline.semi_minor() - window.inside - 1);
+    const double outer = outline.semi_major() + window.outside + 1,
+                 inner = std::max(0.0, outline.semi_minor() - window.inside - 1);
     const double per_radian = static_cast<double>(count) / (2 * std::numbers::pi);
-    const long first = std::max(0L, static_cast<long>(std::floor(outline.centre_y - outer))), last = std::min(pixels.rows() - 1, static_cast<long>(std::ceil(outline.centre_y + outer)));
+    const long first = std::max(0L, static_cast<long>(std::floor(outline.centre_y - outer))),
+               last = std::min(pixels.rows() - 1, static_cast<long>(std::ceil(outline.centre_y + outer)));
     const auto take = [&](long row, long from, long to) {
         for (long column = std::max(0L, from); column <= std::min(pixels.cols() - 1, to); ++column) {
             const double x = static_cast<double>(column), y = static_cast<double>(row), d = distance(x, y);
             if (d < -window.inside || d > window.outside) continue;
-            const auto sector = std::min(count - 1, static_cast<std::size_t>(rough_angle(y - outline.centre_y, x - outline.centre_x) * per_radian));
+            const auto sector = std::min(
+                count - 1,
+                static_cast<std::size_t>(rough_angle(y - outline.centre_y, x - outline.centre_x) * per_radian));
             auto& profile = sectors.profiles[sector];
             auto& at = profile.bins[static_cast<std::size_t>((d + window.inside) / bin)];
             const double grey = static_cast<double>(pixels(row, column));
@@ -80,13 +85,15 @@ Sectors gathered(const FramePixels& pixels, const Outline& outline, std::size_t 
         const double dy = static_cast<double>(row) - outline.centre_y;
         if (std::abs(dy) > outer) continue;
         const double half = std::sqrt(outer * outer - dy * dy);
-        const long left = static_cast<long>(std::floor(outline.centre_x - half)), right = static_cast<long>(std::ceil(outline.centre_x + half));
+        const long left = static_cast<long>(std::floor(outline.centre_x - half)),
+                   right = static_cast<long>(std::ceil(outline.centre_x + half));
         if (std::abs(dy) >= inner) {
             take(row, left, right);
             continue;
         }
         const double hole = std::sqrt(inner * inner - dy * dy);
-        const long hole_left = static_cast<long>(std::floor(outline.centre_x - hole)), hole_right = static_cast<long>(std::ceil(outline.centre_x + hole));
+        const long hole_left = static_cast<long>(std::floor(outline.centre_x - hole)),
+                   hole_right = static_cast<long>(std::ceil(outline.centre_x + hole));
         take(row, left, hole_left);
         take(row, std::max(hole_right, hole_left + 1), right);
     }
@@ -120,9 +127,10 @@ double linear_part(const Profile& profile, StepFit& fit) {
     return gg - fit.level * g - fit.contrast * gh;
 }
 
-/// Rounds of Gauss and Newton. One round with a known contrast is linear in the grey levels: noise makes no bias, and the
-/// scatter of places is that of their mean.
-void refine(const Profile& profile, StepFit& fit, bool width_free, double farthest, int rounds, double known_contrast = 0) {
+/// Rounds of Gauss and Newton. One round with a known contrast is linear in the grey levels: noise makes no bias, and
+/// the scatter of places is that of their mean.
+void refine(const Profile& profile, StepFit& fit, bool width_free, double farthest, int rounds,
+            double known_contrast = 0) {
     const int unknowns = width_free ? 4 : 3;
     for (int round = 0; round < rounds; ++round) {
         Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -130,7 +138,8 @@ void refine(const Profile& profile, StepFit& fit, bool width_free, double farthe
         fit.squares = fit.count = 0;
         for (const auto& at : profile.bins) {
             if (at.count == 0) continue;
-            const double t = (at.distance - fit.place) / fit.width, step = normal_integral(t), density = normal_density(t);
+            const double t = (at.distance - fit.place) / fit.width, step = normal_integral(t),
+                         density = normal_density(t);
             const double residual = at.grey - fit.level - fit.contrast * step;
             const double slope = -(known_contrast != 0 ? known_contrast : fit.contrast) * density / fit.width;
             const Eigen::Vector4d row{1.0, step, slope, width_free ? slope * t : 0.0};
@@ -141,7 +150,8 @@ void refine(const Profile& profile, StepFit& fit, bool width_free, double farthe
         }
         if (!width_free) normal(3, 3) = 1.0;
         const auto factors = normal.ldlt();
-        fit.good = fit.count > unknowns && factors.info() == Eigen::Success && factors.isPositive() && factors.rcond() > 1e-12;
+        fit.good =
+            fit.count > unknowns && factors.info() == Eigen::Success && factors.isPositive() && factors.rcond() > 1e-12;
         if (!fit.good) return;
         Eigen::Vector4d change = factors.solve(right);
         change[2] = std::clamp(change[2], -fit.width, fit.width);
@@ -175,11 +185,13 @@ double whole_sector(const Outline& outline, std::size_t rays, const Window& wind
     return 2 * std::numbers::pi * outline.mean_radius / static_cast<double>(rays) * (window.inside + window.outside);
 }
 
-std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline, double width, double sign, Stage stage, double typical_contrast, double& noise) {
+std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline, double width, double sign, Stage stage,
+                                 double typical_contrast, double& noise) {
     const auto n = sectors.profiles.size();
     std::vector<EdgeRay> rays(n);
     std::vector<double> squares_a_pixel;
-    const double whole = whole_sector(outline, n, sectors.window), farthest = 0.8 * std::min(sectors.window.inside, sectors.window.outside);
+    const double whole = whole_sector(outline, n, sectors.window),
+                 farthest = 0.8 * std::min(sectors.window.inside, sectors.window.outside);
     double squares = 0, freedom = 0;
     for (std::size_t k = 0; k < n; ++k) {
         auto& ray = rays[k];
@@ -216,9 +228,10 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
     return rays;
 }
 
-/// The mean over rays that agree, of grey levels less each ray's own level; by the distance from the outline, or from each
-/// ray's own place.
-Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree, bool from_own_place) {
+/// The mean over rays that agree, of grey levels less each ray's own level; by the distance from the outline, or from
+/// each ray's own place.
+Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree,
+                     bool from_own_place) {
     Profile mean{std::vector<ProfileBin>(sectors.window.bins()), 0};
     for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!agree[k]) continue;
@@ -264,7 +277,9 @@ struct OutlineRays {
 OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
     std::vector<double> contrasts, significances;
     for (const auto& ray : rays)
-        if (ray.fitted && sign * ray.contrast > 0) contrasts.push_back(sign * ray.contrast), significances.push_back(sign * ray.contrast / ray.contrast_deviation);
+        if (ray.fitted && sign * ray.contrast > 0)
+            contrasts.push_back(sign * ray.contrast),
+                significances.push_back(sign * ray.contrast / ray.contrast_deviation);
     OutlineRays found{.significance = median_of(significances)};
     const double typical = median_of(contrasts);
     for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -276,13 +291,16 @@ OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
 }
 
 /// Takes over what a correction says of the rays; marks those that agree.
-void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrection& correction, double sign, std::vector<bool>& agree) {
+void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrection& correction, double sign,
+                    std::vector<bool>& agree) {
     constexpr double least_weight = 0.073;  // Tukey's at 4 of 4.685 scales: (1 − (4/4.685)²)²
     agree.assign(fit.rays.size(), false);
     std::vector<double> contrasts;
     for (std::size_t i = 0; i < used.rays.size(); ++i)
-        if (correction.weights[i] > least_weight) agree[used.rays[i]] = true, contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
-    const auto visible = std::count_if(fit.rays.begin(), fit.rays.end(), [](const EdgeRay& ray) { return ray.visible; });
+        if (correction.weights[i] > least_weight)
+            agree[used.rays[i]] = true, contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
+    const auto visible =
+        std::count_if(fit.rays.begin(), fit.rays.end(), [](const EdgeRay& ray) { return ray.visible; });
     fit.agreeing_share = visible > 0 ? static_cast<double>(contrasts.size()) / static_cast<double>(visible) : 0.0;
     fit.contrast = median_of(std::move(contrasts));
     fit.significance = used.significance;
@@ -297,7 +315,10 @@ double share_within(const Outline& outline, long width, long height) {
     for (int k = 0; k < points; ++k) {
         const double angle = 2 * std::numbers::pi * k / points, r = outline.radius_at(angle);
         const double x = outline.centre_x + r * std::cos(angle), y = outline.centre_y + r * std::sin(angle);
-        within += x >= -0.5 && y >= -0.5 && x <= static_cast<double>(width) - 0.5 && y <= static_cast<double>(height) - 0.5 ? 1 : 0;
+        within +=
+            x >= -0.5 && y >= -0.5 && x <= static_cast<double>(width) - 0.5 && y <= static_cast<double>(height) - 0.5
+                ? 1
+                : 0;
     }
     return static_cast<double>(within) / points;
 }
@@ -314,19 +335,24 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
     for (int round = 0; round < most_rounds; ++round) {
         auto& outline = fit.outline;
         if (fit.shape == OutlineShape::circle) outline.stretch_cosine = outline.stretch_sine = 0;
-        const double reach = stage == Stage::search ? std::max(6.0, 2.5 * uncertainty) : std::max(8.0, 5.0 * width + 3.0);
+        const double reach =
+            stage == Stage::search ? std::max(6.0, 2.5 * uncertainty) : std::max(8.0, 5.0 * width + 3.0);
         const Window window{std::min(reach, 0.85 * outline.semi_minor()), fringes ? std::min(outside, reach) : reach};
-        if (stage != Stage::polish) count = static_cast<std::size_t>(std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
+        if (stage != Stage::polish)
+            count = static_cast<std::size_t>(
+                std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
         const auto sectors = gathered(pixels, outline, count, window);
         fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
         if (stage == Stage::polish)
-            for (std::size_t k = 0; k < count; ++k) fit.rays[k].fitted = fit.rays[k].fitted && agree[k];  // a linear place cannot be far off
+            for (std::size_t k = 0; k < count; ++k)
+                fit.rays[k].fitted = fit.rays[k].fitted && agree[k];  // a linear place cannot be far off
         const auto used = comparable_rays(fit.rays, sign);
         fit.visible_share = share_within(outline, pixels.cols(), pixels.rows());
         fit.shape = fit.visible_share < 0.9 ? OutlineShape::circle : OutlineShape::ellipse;
         if (fit.shape == OutlineShape::circle && outline.stretch() > 0) continue;
         const auto correction = corrected_outline(outline, used.offsets, fit.shape);
-        const bool sane = correction.solved && correction.outline.semi_minor() > 2 && correction.largest_step < 0.5 * start.mean_radius + 2;
+        const bool sane = correction.solved && correction.outline.semi_minor() > 2 &&
+                          correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {
             fit.failure = fmt::format("{} of {} rays show an edge, too few for a circle", used.offsets.size(), count);
             return fit;
@@ -352,12 +378,14 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         } else if (stage == Stage::refine) {
             if (fringes && correction.largest_step < at_rest && steady) break;
             // resolved fringes make other contrasts than the median's: there places stay those of each ray's own fit
-            if (!fringes && ((correction.largest_step < nearly_at_rest && steady) || round >= rounds_before_polish)) stage = Stage::polish;
+            if (!fringes && ((correction.largest_step < nearly_at_rest && steady) || round >= rounds_before_polish))
+                stage = Stage::polish;
         } else if (correction.largest_step < at_rest && steady) {
             break;
         }
     }
-    if (last_step > restless) fit.failure = fmt::format("the outline does not come to rest: its last step is {:.1f} px", last_step);
+    if (last_step > restless)
+        fit.failure = fmt::format("the outline does not come to rest: its last step is {:.1f} px", last_step);
     return fit;
 }
 

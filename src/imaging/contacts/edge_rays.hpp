@@ -10,12 +10,12 @@ namespace setae::imaging {
 
 /// The edge along one ray: a sector of the annulus around the outline.
 struct EdgeRay {
-    double angle = 0;              ///< polar [rad]
-    bool visible = false;          ///< enough of its sector lies in the frame
-    bool fitted = false;           ///< level, contrast and place have values
-    double place = 0;              ///< off the outline along its normal [px]
+    double angle = 0;      ///< polar [rad]
+    bool visible = false;  ///< enough of its sector lies in the frame
+    bool fitted = false;   ///< level, contrast and place have values
+    double place = 0;      ///< off the outline along its normal [px]
     double contrast = 0, contrast_deviation = 0;
-    double variance = 0;           ///< of place [px²]
+    double variance = 0;  ///< of place [px²]
 };
 
 /// All rays of an outline that no longer moves.
@@ -24,23 +24,24 @@ struct EdgeFit {
     OutlineShape shape = OutlineShape::ellipse;
     Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
     std::vector<EdgeRay> rays;
-    double edge_width = 0;         ///< w of erf(d/(√2 w)) [px]
-    double contrast = 0;           ///< median of agreeing rays
-    double noise = 0;              ///< standard deviation of a pixel about the fits
-    double visible_share = 0;      ///< of the outline, within the frame
-    double agreeing_share = 0;     ///< of the visible rays
-    double significance = 0;       ///< median contrast of a ray over its standard deviation
-    std::string failure;           ///< why there is no edge; empty where there is one
+    double edge_width = 0;      ///< w of erf(d/(√2 w)) [px]
+    double contrast = 0;        ///< median of agreeing rays
+    double noise = 0;           ///< standard deviation of a pixel about the fits
+    double visible_share = 0;   ///< of the outline, within the frame
+    double agreeing_share = 0;  ///< of the visible rays
+    double significance = 0;    ///< median contrast of a ray over its standard deviation
+    std::string failure;        ///< why there is no edge; empty where there is one
 };
 
 /// Share of an outline that lies within a frame.
 [[nodiscard]] double share_within(const Outline& outline, long width, long height);
 
-/// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels of its
-/// sector, one width for all from the mean profile, the outline from the places; repeated until it rests.
+/// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels
+/// of its sector, one width for all from the mean profile, the outline from the places; repeated until it rests.
 ///
-/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end at
-/// twice the distance at which the mean profile first turns back outside the edge, but cover 3 px.
-[[nodiscard]] EdgeFit fit_edge(const FramePixels& pixels, const Outline& outline, double sign, double uncertainty, bool fringes);
+/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end
+/// at twice the distance at which the mean profile first turns back outside the edge, but cover 3 px.
+[[nodiscard]] EdgeFit fit_edge(const FramePixels& pixels, const Outline& outline, double sign, double uncertainty,
+                               bool fringes);
 
 }  // namespace setae::imaging

@@ -26,10 +26,12 @@ topography::TracedCurve traced_curve(const ContourSegment& segment, const PixelS
     const double across = square ? along : pixel_size.x * pixel_size.y / along;
     curve.standard_error = across * segment.standard_error;
     if (segment.edge_width > 0)
-        curve.response = topography::TraceResponse{.blur = segment.edge_width * along,
-                                                   .smoothing_length = segment.smoothing_length * along,
-                                                   .step = pixels > 0 && segment.x.size() > 1 ? pixels / static_cast<double>(segment.x.size() - 1) * along : along,
-                                                   .noise_density = segment.noise_density * along * across * across};
+        curve.response = topography::TraceResponse{
+            .blur = segment.edge_width * along,
+            .smoothing_length = segment.smoothing_length * along,
+            .step =
+                pixels > 0 && segment.x.size() > 1 ? pixels / static_cast<double>(segment.x.size() - 1) * along : along,
+            .noise_density = segment.noise_density * along * across * across};
     return curve;
 }
 

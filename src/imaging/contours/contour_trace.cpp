@@ -17,31 +17,39 @@
 namespace setae::imaging {
 namespace {
 
-constexpr long smallest_picture = 32;      // px a side
-constexpr double least_area = 400.0;       // px² of an island that counts
-constexpr double default_length = 50.0;    // px
-constexpr double least_gain = 0.05;        // of ln likelihood a square of the coarse division, by which two phases explain more
-constexpr double faint = 1.0;              // contrast over noise
-constexpr double start_smoothing = 2.0;    // px: outlines of pixels are staircases
-constexpr double least_detour = 30.0;      // px on either side of a single anchor that are found anew
+constexpr long smallest_picture = 32;    // px a side
+constexpr double least_area = 400.0;     // px² of an island that counts
+constexpr double default_length = 50.0;  // px
+constexpr double least_gain =
+    0.05;                      // of ln likelihood a square of the coarse division, by which two phases explain more
+constexpr double faint = 1.0;  // contrast over noise
+constexpr double start_smoothing = 2.0;  // px: outlines of pixels are staircases
+constexpr double least_detour = 30.0;    // px on either side of a single anchor that are found anew
 
 void validate(const FramePixels& pixels, const TraceOptions& options) {
     if (pixels.rows() < smallest_picture || pixels.cols() < smallest_picture)
-        throw InvalidArgument(fmt::format("a picture of {} × {} pixels; an edge needs at least {} × {}", pixels.cols(), pixels.rows(), smallest_picture, smallest_picture));
+        throw InvalidArgument(fmt::format("a picture of {} × {} pixels; an edge needs at least {} × {}", pixels.cols(),
+                                          pixels.rows(), smallest_picture, smallest_picture));
     if (options.smoothing_length && !(*options.smoothing_length >= 0 && *options.smoothing_length <= 100))
         throw InvalidArgument(fmt::format("smoothing length {} px, expected 0 … 100", *options.smoothing_length));
-    if (!(options.denoise >= 0 && options.denoise <= 20)) throw InvalidArgument(fmt::format("denoise {} px, expected 0 … 20", options.denoise));
-    if (options.least_length && !(*options.least_length >= 0)) throw InvalidArgument(fmt::format("least length {} px, expected 0 or more", *options.least_length));
+    if (!(options.denoise >= 0 && options.denoise <= 20))
+        throw InvalidArgument(fmt::format("denoise {} px, expected 0 … 20", options.denoise));
+    if (options.least_length && !(*options.least_length >= 0))
+        throw InvalidArgument(fmt::format("least length {} px, expected 0 or more", *options.least_length));
     for (std::size_t s = 0; s < options.anchors.size(); ++s)
         for (std::size_t i = 0; i < options.anchors[s].size(); ++i) {
             const auto& a = options.anchors[s][i];
-            if (!(a.x >= -0.5 && a.y >= -0.5 && a.x <= static_cast<double>(pixels.cols()) - 0.5 && a.y <= static_cast<double>(pixels.rows()) - 0.5))
-                throw InvalidArgument(fmt::format("anchor {} of segment {} at ({}, {}) lies outside the picture of {} × {} pixels; the centre of its first pixel is (0, 0)", i + 1, s + 1, a.x, a.y, pixels.cols(), pixels.rows()));
+            if (!(a.x >= -0.5 && a.y >= -0.5 && a.x <= static_cast<double>(pixels.cols()) - 0.5 &&
+                  a.y <= static_cast<double>(pixels.rows()) - 0.5))
+                throw InvalidArgument(fmt::format(
+                    "anchor {} of segment {} at ({}, {}) lies outside the picture of {} × {} pixels; the centre of its first pixel is (0, 0)",
+                    i + 1, s + 1, a.x, a.y, pixels.cols(), pixels.rows()));
         }
 }
 
 ContourSegment exact_segment(const PlaneCurve& outline) {
-    ContourSegment segment{outline.x, outline.y, Array1D::Constant(outline.size(), std::sqrt(1.0 / 12.0)), outline.closed, outline.length(), {}};
+    ContourSegment segment{outline.x,      outline.y,        Array1D::Constant(outline.size(), std::sqrt(1.0 / 12.0)),
+                           outline.closed, outline.length(), {}};
     segment.contrast_to_noise = std::numeric_limits<double>::infinity();
     return segment;
 }
@@ -60,7 +68,8 @@ std::vector<ContourSegment> binary_segments(const PixelMask& sample, const Trace
         double least = std::numeric_limits<double>::infinity();
         for (const auto& outline : found) {
             Index at = 0;
-            if (const double d = distance_to(resampled(outline, 1.0, false), list.front(), at); d < least) least = d, best = &outline;
+            if (const double d = distance_to(resampled(outline, 1.0, false), list.front(), at); d < least)
+                least = d, best = &outline;
         }
         if (best != nullptr) segments.push_back(exact_segment(*best));
     }
@@ -73,20 +82,27 @@ std::vector<ContourSegment> binary_segments(const PixelMask& sample, const Trace
 /// Points outside the picture go: at its sides the curve's ends wander.
 void keep_within(PlaneCurve& curve, Array1D& standard_error, long columns, long rows) {
     if (curve.closed) return;
-    const auto inside = [&](Index i) { return curve.x[i] >= -0.5 && curve.y[i] >= -0.5 && curve.x[i] <= static_cast<double>(columns) - 0.5 && curve.y[i] <= static_cast<double>(rows) - 0.5; };
+    const auto inside = [&](Index i) {
+        return curve.x[i] >= -0.5 && curve.y[i] >= -0.5 && curve.x[i] <= static_cast<double>(columns) - 0.5 &&
+               curve.y[i] <= static_cast<double>(rows) - 0.5;
+    };
     Index first = 0, last = curve.size() - 1;
     while (first < last && !inside(first)) ++first;
     while (last > first && !inside(last)) --last;
     const Index n = last - first + 1;
-    curve.x = Array1D(curve.x.segment(first, n)), curve.y = Array1D(curve.y.segment(first, n)), standard_error = Array1D(standard_error.segment(first, n));
+    curve.x = Array1D(curve.x.segment(first, n)), curve.y = Array1D(curve.y.segment(first, n)),
+    standard_error = Array1D(standard_error.segment(first, n));
 }
 
-ContourSegment refined_segment(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors, const TraceOptions& options, const FramePixels& pixels) {
+ContourSegment refined_segment(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors,
+                               const TraceOptions& options, const FramePixels& pixels) {
     auto edge = refined_edge(band, start, anchors, options.smoothing_length);
     keep_within(edge.curve, edge.standard_error, pixels.cols(), pixels.rows());
     ContourSegment segment{edge.curve.x, edge.curve.y, edge.standard_error, edge.curve.closed, edge.curve.length(), {}};
-    segment.edge_width = edge.blur, segment.smoothing_length = edge.smoothing_length, segment.noise_density = edge.noise_density;
-    segment.contrast_to_noise = edge.contrast_to_noise, segment.fringe = edge.shape.fringe != 0, segment.converged = edge.converged;
+    segment.edge_width = edge.blur, segment.smoothing_length = edge.smoothing_length,
+    segment.noise_density = edge.noise_density;
+    segment.contrast_to_noise = edge.contrast_to_noise, segment.fringe = edge.shape.fringe != 0,
+    segment.converged = edge.converged;
     for (const auto& anchor : anchors) {
         Index nearest = 0;
         distance_to(edge.curve, anchor, nearest);
@@ -122,7 +138,9 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
         Index at = 0;
         if (const double d = distance_to(curve, anchor, at); d < least) least = d, best = &curve, nearest = at;
     }
-    if (best == nullptr) throw UndefinedDataError("a segment with one anchor, and no edge found without help; give the segment two anchors or more, its ends among them");
+    if (best == nullptr)
+        throw UndefinedDataError(
+            "a segment with one anchor, and no edge found without help; give the segment two anchors or more, its ends among them");
     const auto detour = static_cast<Index>(std::max(least_detour, 2 * least));
     auto curve = *best;
     if (curve.closed) {  // opened opposite to the anchor
@@ -145,25 +163,38 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
 std::vector<PlaneCurve> found_curves(const TwoPhases& phases, const TraceOptions& options) {
     std::vector<PlaneCurve> curves;
     for (const auto& outline : outlines(phases.sample))
-        if (outline.length() >= options.least_length.value_or(default_length)) curves.push_back(smoothed(resampled(outline, 1.0, false), start_smoothing));
+        if (outline.length() >= options.least_length.value_or(default_length))
+            curves.push_back(smoothed(resampled(outline, 1.0, false), start_smoothing));
     return curves;
 }
 
 void add_alerts(ContourTrace& trace, const TwoPhases& phases, bool helped) {
     if (phases.vacuum_assumed)
-        trace.alerts.push_back({"VACUUM_ASSUMED", "picture", fmt::format("neither phase has more structure; the {} one was taken for vacuum, as in a bright field", trace.vacuum == Vacuum::bright ? "brighter" : "darker"),
-                                "say which is vacuum (--vacuum bright or dark) where this is wrong"});
+        trace.alerts.push_back(
+            {"VACUUM_ASSUMED", "picture",
+             fmt::format("neither phase has more structure; the {} one was taken for vacuum, as in a bright field",
+                         trace.vacuum == Vacuum::bright ? "brighter" : "darker"),
+             "say which is vacuum (--vacuum bright or dark) where this is wrong"});
     if (!helped && trace.segments.size() > 1)
-        trace.alerts.push_back({"TWO_EDGES", "picture", fmt::format("{} edges, {:.0f} and {:.0f} px long the longest ones; the longest comes first", trace.segments.size(), trace.segments[0].length, trace.segments[1].length),
-                                "choose one by number (--segment), or by anchors"});
+        trace.alerts.push_back(
+            {"TWO_EDGES", "picture",
+             fmt::format("{} edges, {:.0f} and {:.0f} px long the longest ones; the longest comes first",
+                         trace.segments.size(), trace.segments[0].length, trace.segments[1].length),
+             "choose one by number (--segment), or by anchors"});
     for (std::size_t i = 0; i < trace.segments.size(); ++i) {
         const auto& segment = trace.segments[i];
         const auto subject = fmt::format("segment {}", i + 1);
         if (segment.contrast_to_noise < faint)
-            trace.alerts.push_back({"LOW_CONTRAST", subject, fmt::format("the edge is {:.2g} times the noise of a pixel; its places scatter by {:.2g} px", segment.contrast_to_noise, segment.standard_error.mean()),
-                                    "look at the overlay; anchors keep the trace where the eye sees the edge"});
+            trace.alerts.push_back(
+                {"LOW_CONTRAST", subject,
+                 fmt::format("the edge is {:.2g} times the noise of a pixel; its places scatter by {:.2g} px",
+                             segment.contrast_to_noise, segment.standard_error.mean()),
+                 "look at the overlay; anchors keep the trace where the eye sees the edge"});
         if (!segment.converged)
-            trace.alerts.push_back({"NOT_CONVERGED", subject, "more than a twentieth of the trace still moved by more than 0.02 px in its last round", "look at the overlay; anchors or a given smoothing length settle it"});
+            trace.alerts.push_back(
+                {"NOT_CONVERGED", subject,
+                 "more than a twentieth of the trace still moved by more than 0.02 px in its last round",
+                 "look at the overlay; anchors or a given smoothing length settle it"});
     }
 }
 
@@ -174,22 +205,28 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     const auto picture = prepared_picture(pixels, options);
     ContourTrace trace;
     trace.alerts = picture.alerts;
-    if (picture.grey_levels == 1) throw UndefinedDataError(fmt::format("the picture has one grey level, {}: there is no edge", static_cast<double>(picture.pixels(0, 0))));
+    if (picture.grey_levels == 1)
+        throw UndefinedDataError(fmt::format("the picture has one grey level, {}: there is no edge",
+                                             static_cast<double>(picture.pixels(0, 0))));
     trace.binary = picture.grey_levels == 2;
     if (trace.binary) {
         const auto mask = divide_binary(picture.pixels, picture.hidden, options.vacuum);
         trace.vacuum_level = mask.vacuum_level, trace.sample_level = mask.sample_level, trace.vacuum = mask.vacuum;
         trace.segments = binary_segments(mask.sample, options);
         add_alerts(trace, mask, !options.anchors.empty());
-        if (trace.segments.empty()) throw UndefinedDataError("no outline of the mask is as long as the least length asked for");
+        if (trace.segments.empty())
+            throw UndefinedDataError("no outline of the mask is as long as the least length asked for");
         return trace;
     }
     auto phases = divide(picture.pixels, picture.hidden, options.vacuum);
-    const bool helped = std::any_of(options.anchors.begin(), options.anchors.end(), [](const auto& list) { return !list.empty(); });
+    const bool helped =
+        std::any_of(options.anchors.begin(), options.anchors.end(), [](const auto& list) { return !list.empty(); });
     const bool divided = phases.sample.size() > 0 && phases.gain > least_gain * phases.cells;
     if (!divided && !helped)
-        throw UndefinedDataError(fmt::format("no edge: two phases explain the picture no better than one (ln likelihood {:+.3g} a square, at least {:.2g} expected); "
-                                             "give anchors along the edge where the eye sees one", phases.cells > 0 ? phases.gain / phases.cells : 0.0, least_gain));
+        throw UndefinedDataError(fmt::format(
+            "no edge: two phases explain the picture no better than one (ln likelihood {:+.3g} a square, at least {:.2g} expected); "
+            "give anchors along the edge where the eye sees one",
+            phases.cells > 0 ? phases.gain / phases.cells : 0.0, least_gain));
     trace.vacuum = divided ? phases.vacuum : options.vacuum == Vacuum::dark ? Vacuum::dark : Vacuum::bright;
     trace.vacuum_level = phases.vacuum_level, trace.sample_level = phases.sample_level;
     trace.vacuum_noise = phases.vacuum_noise, trace.sample_noise = phases.sample_noise;
@@ -204,15 +241,22 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
         for (const auto& list : options.anchors)
             if (!list.empty()) {
                 const auto path = list.size() == 1 ? led_through(curves, list.front(), wire) : wire.through(list);
-                trace.segments.push_back(refined_segment(band, smoothed(path, start_smoothing), list, options, picture.pixels));
+                trace.segments.push_back(
+                    refined_segment(band, smoothed(path, start_smoothing), list, options, picture.pixels));
             }
     } else {
-        for (const auto& curve : curves) trace.segments.push_back(refined_segment(band, curve, {}, options, picture.pixels));
-        std::stable_sort(trace.segments.begin(), trace.segments.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+        for (const auto& curve : curves)
+            trace.segments.push_back(refined_segment(band, curve, {}, options, picture.pixels));
+        std::stable_sort(trace.segments.begin(), trace.segments.end(),
+                         [](const auto& a, const auto& b) { return a.length > b.length; });
     }
     std::erase_if(trace.segments, [](const auto& segment) { return !segment.standard_error.isFinite().all(); });
-    if (trace.segments.empty() && (helped || !curves.empty())) throw UndefinedDataError("the edge was lost: along it no slope of grey levels stands out; give anchors nearer to it");
-    if (trace.segments.empty()) throw UndefinedDataError(fmt::format("no edge is as long as the least length of {} px", options.least_length.value_or(default_length)));
+    if (trace.segments.empty() && (helped || !curves.empty()))
+        throw UndefinedDataError(
+            "the edge was lost: along it no slope of grey levels stands out; give anchors nearer to it");
+    if (trace.segments.empty())
+        throw UndefinedDataError(fmt::format("no edge is as long as the least length of {} px",
+                                             options.least_length.value_or(default_length)));
     add_alerts(trace, phases, helped);
     return trace;
 }

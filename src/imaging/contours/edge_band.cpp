@@ -18,7 +18,8 @@ struct Nearest {
 
 }  // namespace
 
-EdgeBand::EdgeBand(const FramePixels& pixels, const PixelMask& hidden) : pixels_(pixels), hidden_(hidden), slot_(static_cast<std::size_t>(pixels.size()), -1) {}
+EdgeBand::EdgeBand(const FramePixels& pixels, const PixelMask& hidden)
+    : pixels_(pixels), hidden_(hidden), slot_(static_cast<std::size_t>(pixels.size()), -1) {}
 
 std::vector<BandPixel> EdgeBand::near(const PlaneCurve& curve, double reach) {
     const long rows = pixels_.rows(), columns = pixels_.cols();
@@ -27,8 +28,10 @@ std::vector<BandPixel> EdgeBand::near(const PlaneCurve& curve, double reach) {
     nearest.reserve(static_cast<std::size_t>(static_cast<double>(n) * 2.5 * reach));
     for (Index k = 0; k < pieces; ++k) {
         const Index next = curve.at(k + 1);
-        const double ax = curve.x[k], ay = curve.y[k], ex = curve.x[next] - ax, ey = curve.y[next] - ay, squared_length = std::max(1e-300, ex * ex + ey * ey);
-        const long first_row = std::max(0L, static_cast<long>(std::ceil(std::min(ay, ay + ey) - reach))), last_row = std::min(rows - 1, static_cast<long>(std::floor(std::max(ay, ay + ey) + reach)));
+        const double ax = curve.x[k], ay = curve.y[k], ex = curve.x[next] - ax, ey = curve.y[next] - ay,
+                     squared_length = std::max(1e-300, ex * ex + ey * ey);
+        const long first_row = std::max(0L, static_cast<long>(std::ceil(std::min(ay, ay + ey) - reach))),
+                   last_row = std::min(rows - 1, static_cast<long>(std::floor(std::max(ay, ay + ey) + reach)));
         const long first_column = std::max(0L, static_cast<long>(std::ceil(std::min(ax, ax + ex) - reach))),
                    last_column = std::min(columns - 1, static_cast<long>(std::floor(std::max(ax, ax + ex) + reach)));
         for (long row = first_row; row <= last_row; ++row)
@@ -53,7 +56,9 @@ std::vector<BandPixel> EdgeBand::near(const PlaneCurve& curve, double reach) {
     found.reserve(nearest.size());
     for (const auto& best : nearest) {
         slot_[static_cast<std::size_t>(best.pixel)] = -1;
-        if (!best.beyond_end) found.push_back({best.index, best.fraction, std::copysign(std::sqrt(best.squared), best.side), static_cast<double>(pixels_.data()[best.pixel])});
+        if (!best.beyond_end)
+            found.push_back({best.index, best.fraction, std::copysign(std::sqrt(best.squared), best.side),
+                             static_cast<double>(pixels_.data()[best.pixel])});
     }
     return found;
 }

@@ -9,8 +9,8 @@
 
 namespace setae::imaging {
 
-/// A pixel near a curve. It belongs to the nearest place of the curve alone: nothing is interpolated, so that white noise
-/// stays white.
+/// A pixel near a curve. It belongs to the nearest place of the curve alone: nothing is interpolated, so that white
+/// noise stays white.
 struct BandPixel {
     Index index = 0;      ///< the place lies between points `index` and the next
     double fraction = 0;  ///< by this much, in [0, 1]
@@ -24,8 +24,8 @@ public:
     /// Keeps references to both, which must outlive it. hidden: 1 where the picture shows no sample.
     EdgeBand(const FramePixels& pixels, const PixelMask& hidden);
 
-    /// Pixels within `reach` of a curve whose points are about a pixel apart; hidden ones are left out, and those beyond the
-    /// ends of an open curve.
+    /// Pixels within `reach` of a curve whose points are about a pixel apart; hidden ones are left out, and those
+    /// beyond the ends of an open curve.
     [[nodiscard]] std::vector<BandPixel> near(const PlaneCurve& curve, double reach);
 
 private:

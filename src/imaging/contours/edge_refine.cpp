@@ -14,28 +14,31 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3, most_choices = 4;
-constexpr double search_reach = 10.0;     // px
-constexpr double first_smoothing = 3.0;   // px
-constexpr double at_rest = 0.02;          // px
-constexpr Index least_pixels = 2;          // near each point of a curve that is not lost
-constexpr double most_move = 1.5;         // px a round
-constexpr double level_stretch = 30.0;    // px along the curve over which level and contrast are taken (standard deviation)
-constexpr double least_error = 0.02;      // px: what pixels of a picture without noise leave
+constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3,
+              most_choices = 4;
+constexpr double search_reach = 10.0;    // px
+constexpr double first_smoothing = 3.0;  // px
+constexpr double at_rest = 0.02;         // px
+constexpr Index least_pixels = 2;        // near each point of a curve that is not lost
+constexpr double most_move = 1.5;        // px a round
+constexpr double level_stretch =
+    30.0;                             // px along the curve over which level and contrast are taken (standard deviation)
+constexpr double least_error = 0.02;  // px: what pixels of a picture without noise leave
 constexpr double narrowest = 0.29, widest = 4.0;  // px
-constexpr double anchor_weight = 1e7;     // over the information of one point
+constexpr double anchor_weight = 1e7;             // over the information of one point
 
 /// What pixels say at each point of a curve.
 struct Evidence {
-    Array1D level, contrast;     ///< a and b of I = a + b shape
-    Array1D information;         ///< Σ b² I'²/σ² [1/px²]
-    Array1D score;               ///< Σ of −b I' r/σ² [1/px]
+    Array1D level, contrast;  ///< a and b of I = a + b shape
+    Array1D information;      ///< Σ b² I'²/σ² [1/px²]
+    Array1D score;            ///< Σ of −b I' r/σ² [1/px]
 };
 
 Array1D spread(const PlaneCurve& curve, const Array1D& values, double deviation) {
     const Index n = values.size(), reach = std::min<Index>(n - 1, static_cast<Index>(std::ceil(3 * deviation)));
     Array1D kernel(reach + 1), result(n);
-    for (Index j = 0; j <= reach; ++j) kernel[j] = std::exp(-0.5 * static_cast<double>(j * j) / (deviation * deviation));
+    for (Index j = 0; j <= reach; ++j)
+        kernel[j] = std::exp(-0.5 * static_cast<double>(j * j) / (deviation * deviation));
     for (Index i = 0; i < n; ++i) {
         double sum = kernel[0] * values[i];
         for (Index j = 1; j <= reach; ++j) {
@@ -50,12 +53,19 @@ Array1D spread(const PlaneCurve& curve, const Array1D& values, double deviation)
 /// Scatter about the shape by distance, in bins of a pixel.
 class Scatter {
 public:
-    Scatter(double reach, double floor) : reach_(reach), floor_(floor), squares_(static_cast<std::size_t>(std::ceil(2 * reach)) + 1, 0.0), count_(squares_.size(), 0.0) {}
-    void add(double distance, double residual) { squares_[bin(distance)] += residual * residual, count_[bin(distance)] += 1; }
+    Scatter(double reach, double floor)
+        : reach_(reach),
+          floor_(floor),
+          squares_(static_cast<std::size_t>(std::ceil(2 * reach)) + 1, 0.0),
+          count_(squares_.size(), 0.0) {}
+    void add(double distance, double residual) {
+        squares_[bin(distance)] += residual * residual, count_[bin(distance)] += 1;
+    }
     [[nodiscard]] double variance(double distance) const {
         const auto i = bin(distance);
         double squares = 0, count = 0;
-        for (auto j = i > 0 ? i - 1 : i; j <= std::min(i + 1, count_.size() - 1); ++j) squares += squares_[j], count += count_[j];
+        for (auto j = i > 0 ? i - 1 : i; j <= std::min(i + 1, count_.size() - 1); ++j)
+            squares += squares_[j], count += count_[j];
         return count > 0 ? std::max(floor_, squares / count) : floor_ + 1;
     }
     [[nodiscard]] double variance_between(double from, double to) const {
@@ -65,7 +75,9 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t bin(double distance) const { return std::min(squares_.size() - 1, static_cast<std::size_t>(std::max(0.0, distance + reach_))); }
+    [[nodiscard]] std::size_t bin(double distance) const {
+        return std::min(squares_.size() - 1, static_cast<std::size_t>(std::max(0.0, distance + reach_)));
+    }
     double reach_, floor_;
     std::vector<double> squares_, count_;
 };
@@ -73,7 +85,8 @@ private:
 /// One curve on its way to the edge.
 class Refinement {
 public:
-    Refinement(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors) : band_(band), curve_(resampled(start, 1.0, false)), anchors_(anchors) {}
+    Refinement(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors)
+        : band_(band), curve_(resampled(start, 1.0, false)), anchors_(anchors) {}
 
     RefinedEdge run(std::optional<double> given) {
         smoothing_ = given.value_or(first_smoothing);
@@ -82,7 +95,8 @@ public:
         for (int round = 0; round < most_rounds; ++round) {
             look(round);
             if (lost_) return lost_edge();
-            if (choices < most_choices && (round >= last_choice + rounds_before_choice || (round > last_choice && last_move_ < 0.1))) {
+            if (choices < most_choices &&
+                (round >= last_choice + rounds_before_choice || (round > last_choice && last_move_ < 0.1))) {
                 choose_smoothing();
                 ++choices;
                 last_choice = round;
@@ -127,13 +141,16 @@ private:
     }
 
     /// Distance from the edge beyond which it is not felt.
-    [[nodiscard]] double reach_of_slope() const { return shape_.fringe != 0 ? std::max(3 * shape_.width, 2.5 * shape_.fringe_width) : 3 * shape_.width; }
+    [[nodiscard]] double reach_of_slope() const {
+        return shape_.fringe != 0 ? std::max(3 * shape_.width, 2.5 * shape_.fringe_width) : 3 * shape_.width;
+    }
     [[nodiscard]] double away() const { return reach_of_slope() + 2.0; }
 
-    /// The edge's own width. A trace with error e that follows noise by K̄ = ∫K dq/π shows w² + ⟨e²⟩ − 2 N K̄: errors blur the mean
-    /// profile, and noise that was followed makes it steeper.
+    /// The edge's own width. A trace with error e that follows noise by K̄ = ∫K dq/π shows w² + ⟨e²⟩ − 2 N K̄: errors
+    /// blur the mean profile, and noise that was followed makes it steeper.
     [[nodiscard]] double freed_of_fit(double width) const {
-        return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_spline_transfer(smoothing_), narrowest * narrowest, widest * widest));
+        return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_spline_transfer(smoothing_),
+                                    narrowest * narrowest, widest * widest));
     }
 
     void shift(double distance) {
@@ -162,7 +179,8 @@ private:
             const double weight = 1.0 / scatter.variance(p.distance), slope = slope_at(p);
             const Index next = curve_.at(p.index + 1);
             const double information = weight * slope * slope, score = -weight * slope * residual(p);
-            evidence_.information[p.index] += (1 - p.fraction) * information, evidence_.information[next] += p.fraction * information;
+            evidence_.information[p.index] += (1 - p.fraction) * information,
+                evidence_.information[next] += p.fraction * information;
             evidence_.score[p.index] += (1 - p.fraction) * score, evidence_.score[next] += p.fraction * score;
         }
     }
@@ -171,8 +189,10 @@ private:
         const Index n = curve_.size();
         Array1D one = Array1D::Zero(n), shape = one, squared = one, grey = one, product = one;
         for (const auto& p : pixels_) {
-            const double w = 1.0 / scatter.variance(p.distance), t = shape_.value(p.distance), g = p.value - shape_.level;
-            one[p.index] += w, shape[p.index] += w * t, squared[p.index] += w * t * t, grey[p.index] += w * g, product[p.index] += w * t * g;
+            const double w = 1.0 / scatter.variance(p.distance), t = shape_.value(p.distance),
+                         g = p.value - shape_.level;
+            one[p.index] += w, shape[p.index] += w * t, squared[p.index] += w * t * t, grey[p.index] += w * g,
+                product[p.index] += w * t * g;
         }
         for (auto* sum : {&one, &shape, &squared, &grey, &product}) *sum = spread(curve_, *sum, level_stretch);
         // the contrast is held to the whole contour's with the weight of a tenth of the pixels around
@@ -182,8 +202,12 @@ private:
         evidence_.level = shape_.level + (grey - evidence_.contrast * shape) / one.max(1e-300);
     }
 
-    [[nodiscard]] double residual(const BandPixel& p) const { return p.value - evidence_.level[p.index] - evidence_.contrast[p.index] * shape_.value(p.distance); }
-    [[nodiscard]] double slope_at(const BandPixel& p) const { return evidence_.contrast[p.index] * shape_.slope(p.distance); }
+    [[nodiscard]] double residual(const BandPixel& p) const {
+        return p.value - evidence_.level[p.index] - evidence_.contrast[p.index] * shape_.value(p.distance);
+    }
+    [[nodiscard]] double slope_at(const BandPixel& p) const {
+        return evidence_.contrast[p.index] * shape_.slope(p.distance);
+    }
 
     /// Solves for the displacement along normals that the smoothing wants, and goes there.
     void move(int round) {
@@ -192,16 +216,21 @@ private:
         Array1D right = evidence_.score;
         std::vector<Eigen::Triplet<double>> entries;
         entries.reserve(static_cast<std::size_t>(12 * n));
-        const auto add = [&](Index i, Index j, double value) { entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value); };
+        const auto add = [&](Index i, Index j, double value) {
+            entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
+        };
         for (Index k = curve_.closed ? 0 : 1; k < (curve_.closed ? n : n - 1); ++k) {
             const std::array<Index, 3> at{curve_.at(k - 1), k, curve_.at(k + 1)};
             constexpr std::array<double, 3> part{1, -2, 1};
             double bend_x = 0, bend_y = 0;
-            for (std::size_t i = 0; i < 3; ++i) bend_x += part[i] * curve_.x[at[i]], bend_y += part[i] * curve_.y[at[i]];
+            for (std::size_t i = 0; i < 3; ++i)
+                bend_x += part[i] * curve_.x[at[i]], bend_y += part[i] * curve_.y[at[i]];
             for (std::size_t i = 0; i < 3; ++i) {
                 const double nx = normals_.x[at[i]], ny = normals_.y[at[i]];
                 right[at[i]] -= stiffness[k] * part[i] * (bend_x * nx + bend_y * ny);
-                for (std::size_t j = 0; j < 3; ++j) add(at[i], at[j], stiffness[k] * part[i] * part[j] * (nx * normals_.x[at[j]] + ny * normals_.y[at[j]]));
+                for (std::size_t j = 0; j < 3; ++j)
+                    add(at[i], at[j],
+                        stiffness[k] * part[i] * part[j] * (nx * normals_.x[at[j]] + ny * normals_.y[at[j]]));
             }
         }
         hold_anchors(right, entries);
@@ -231,12 +260,16 @@ private:
             const Index next = curve_.at(at.index + 1);
             const std::array<Index, 2> points{at.index, next};
             const std::array<double, 2> share{1 - at.fraction, at.fraction};
-            const double nx = share[0] * normals_.x[at.index] + share[1] * normals_.x[next], ny = share[0] * normals_.y[at.index] + share[1] * normals_.y[next];
-            const double off_x = anchor.x - share[0] * curve_.x[at.index] - share[1] * curve_.x[next], off_y = anchor.y - share[0] * curve_.y[at.index] - share[1] * curve_.y[next];
+            const double nx = share[0] * normals_.x[at.index] + share[1] * normals_.x[next],
+                         ny = share[0] * normals_.y[at.index] + share[1] * normals_.y[next];
+            const double off_x = anchor.x - share[0] * curve_.x[at.index] - share[1] * curve_.x[next],
+                         off_y = anchor.y - share[0] * curve_.y[at.index] - share[1] * curve_.y[next];
             const double off = (off_x * nx + off_y * ny) / (nx * nx + ny * ny);
             for (std::size_t i = 0; i < 2; ++i) {
                 right[points[i]] += weight * share[i] * off;
-                for (std::size_t j = 0; j < 2; ++j) entries.emplace_back(static_cast<int>(points[i]), static_cast<int>(points[j]), weight * share[i] * share[j]);
+                for (std::size_t j = 0; j < 2; ++j)
+                    entries.emplace_back(static_cast<int>(points[i]), static_cast<int>(points[j]),
+                                         weight * share[i] * share[j]);
             }
         }
     }
@@ -251,7 +284,8 @@ private:
         double least = 1e300;
         for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
             const Index next = curve_.at(k + 1);
-            const double ex = curve_.x[next] - curve_.x[k], ey = curve_.y[next] - curve_.y[k], px = anchor.x - curve_.x[k], py = anchor.y - curve_.y[k];
+            const double ex = curve_.x[next] - curve_.x[k], ey = curve_.y[next] - curve_.y[k],
+                         px = anchor.x - curve_.x[k], py = anchor.y - curve_.y[k];
             const double t = std::clamp((px * ex + py * ey) / std::max(1e-300, ex * ex + ey * ey), 0.0, 1.0);
             const double squared = (px - t * ex) * (px - t * ex) + (py - t * ey) * (py - t * ey);
             if (squared < least) least = squared, best = {k, t};
@@ -262,7 +296,8 @@ private:
     void even_out() {
         double shortest = 1e300, longest = 0;
         for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
-            const double d = std::hypot(curve_.x[curve_.at(k + 1)] - curve_.x[k], curve_.y[curve_.at(k + 1)] - curve_.y[k]);
+            const double d =
+                std::hypot(curve_.x[curve_.at(k + 1)] - curve_.x[k], curve_.y[curve_.at(k + 1)] - curve_.y[k]);
             shortest = std::min(shortest, d), longest = std::max(longest, d);
         }
         if (shortest >= 0.75 && longest <= 1.3) return;
@@ -301,7 +336,8 @@ private:
         const auto across = normals(base);
         const Array1D information = local_information();
         const Array1D off = evidence_.score / information;
-        Array1D height = (curve_.x + off * normals_.x - base.x) * across.x + (curve_.y + off * normals_.y - base.y) * across.y;
+        Array1D height =
+            (curve_.x + off * normals_.x - base.x) * across.x + (curve_.y + off * normals_.y - base.y) * across.y;
         return place_spectrum(height);
     }
 
@@ -317,13 +353,14 @@ private:
         error_squares_ = expected_squares(spectrum(), noise_, smoothing_);
     }
 
-    /// Pixels between two points speak for both by their distance from either, so the points are those of the polyline that fits
-    /// the edge best, K (1 + q²/12): a twelfth of the second difference makes them samples of the edge.
+    /// Pixels between two points speak for both by their distance from either, so the points are those of the polyline
+    /// that fits the edge best, K (1 + q²/12): a twelfth of the second difference makes them samples of the edge.
     [[nodiscard]] PlaneCurve samples_of_edge() const {
         auto samples = curve_;
         for (Index k = curve_.closed ? 0 : 1; k < (curve_.closed ? curve_.size() : curve_.size() - 1); ++k) {
             const Index before = curve_.at(k - 1), after = curve_.at(k + 1);
-            const double bend = (curve_.x[before] - 2 * curve_.x[k] + curve_.x[after]) * normals_.x[k] + (curve_.y[before] - 2 * curve_.y[k] + curve_.y[after]) * normals_.y[k];
+            const double bend = (curve_.x[before] - 2 * curve_.x[k] + curve_.x[after]) * normals_.x[k] +
+                                (curve_.y[before] - 2 * curve_.y[k] + curve_.y[after]) * normals_.y[k];
             samples.x[k] += bend / 12 * normals_.x[k], samples.y[k] += bend / 12 * normals_.y[k];
         }
         return samples;
@@ -332,14 +369,16 @@ private:
     RefinedEdge result(bool converged) {
         RefinedEdge edge;
         const Array1D information = local_information();
-        edge.standard_error = (error_squares_ * information.mean() / information + least_error * least_error + moved_.square()).sqrt();
+        edge.standard_error =
+            (error_squares_ * information.mean() / information + least_error * least_error + moved_.square()).sqrt();
         edge.blur = shape_.width;
         edge.curve = samples_of_edge();
         edge.shape = shape_;
         edge.noise_density = noise_;
         edge.smoothing_length = smoothing_;
         const double noise = std::sqrt(0.5 * (vacuum_noise_ * vacuum_noise_ + sample_noise_ * sample_noise_));
-        edge.contrast_to_noise = noise > 0 ? std::sqrt(2 * std::numbers::pi) * shape_.width * std::abs(shape_.slope(0)) / noise : 1e6;
+        edge.contrast_to_noise =
+            noise > 0 ? std::sqrt(2 * std::numbers::pi) * shape_.width * std::abs(shape_.slope(0)) / noise : 1e6;
         edge.converged = converged;
         return edge;
     }
@@ -361,7 +400,8 @@ private:
 
 }  // namespace
 
-RefinedEdge refined_edge(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors, std::optional<double> smoothing_length) {
+RefinedEdge refined_edge(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors,
+                         std::optional<double> smoothing_length) {
     return Refinement(band, start, anchors).run(smoothing_length);
 }
 

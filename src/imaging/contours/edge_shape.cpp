@@ -11,14 +11,14 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double narrowest = 0.29, widest = 4.0;            // px; a pixel's own area makes 0.29
+constexpr double narrowest = 0.29, widest = 4.0;  // px; a pixel's own area makes 0.29
 constexpr double narrowest_fringe = 0.8, widest_fringe = 10.0;
-constexpr double least_gain = 30.0;                         // of χ² by which a fringe stands out
-constexpr double farthest = 3.0;                            // px between the place a fit begins at and the edge
-constexpr double least_scatter = 1e-3;                      // of a profile's range: pixels are squares
-constexpr double least_fringe = 0.05;                       // of the step
-constexpr double least_spread = 1.7;                        // of the fringe over the step's width
-constexpr double bin = 0.25;                                // px
+constexpr double least_gain = 30.0;     // of χ² by which a fringe stands out
+constexpr double farthest = 3.0;        // px between the place a fit begins at and the edge
+constexpr double least_scatter = 1e-3;  // of a profile's range: pixels are squares
+constexpr double least_fringe = 0.05;   // of the step
+constexpr double least_spread = 1.7;    // of the fringe over the step's width
+constexpr double bin = 0.25;            // px
 constexpr int most_steps = 60;
 
 using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width, fringe, ln fringe width
@@ -65,9 +65,11 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
         for (std::size_t i = 0; i < profile.mean.size(); ++i) {
             if (weights[i] == 0) continue;
             const double t = profile.distance[i] - shape.place, u = t / shape.width, v = t / shape.fringe_width;
-            const double bell = std::exp(-0.5 * u * u) * std::numbers::inv_sqrtpi / std::numbers::sqrt2, wave = std::exp(0.5 - 0.5 * v * v);
+            const double bell = std::exp(-0.5 * u * u) * std::numbers::inv_sqrtpi / std::numbers::sqrt2,
+                         wave = std::exp(0.5 - 0.5 * v * v);
             Parameters derivative;
-            derivative << 1, 0.5 * std::erf(u / std::numbers::sqrt2), -shape.slope(t), -shape.step * bell * u, v * wave, shape.fringe * wave * v * (v * v - 1);
+            derivative << 1, 0.5 * std::erf(u / std::numbers::sqrt2), -shape.slope(t), -shape.step * bell * u, v * wave,
+                shape.fringe * wave * v * (v * v - 1);
             const double residual = profile.mean[i] - shape.level - shape.value(t);
             normal.noalias() += weights[i] * derivative * derivative.transpose();
             right += weights[i] * residual * derivative;
@@ -100,13 +102,16 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
 
 std::vector<double> weights_of(const EdgeProfile& profile) {
     double variance = 0, count = 0;
-    for (std::size_t i = 0; i < profile.mean.size(); ++i) variance += profile.count[i] * profile.variance[i], count += profile.count[i];
+    for (std::size_t i = 0; i < profile.mean.size(); ++i)
+        variance += profile.count[i] * profile.variance[i], count += profile.count[i];
     double low = 1e300, high = -1e300;
     for (std::size_t i = 0; i < profile.mean.size(); ++i)
         if (profile.count[i] > 0) low = std::min(low, profile.mean[i]), high = std::max(high, profile.mean[i]);
-    const double typical = std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
+    const double typical =
+        std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
     std::vector<double> weights;
-    for (std::size_t i = 0; i < profile.mean.size(); ++i) weights.push_back(profile.count[i] / std::max(0.25 * typical, profile.variance[i]));
+    for (std::size_t i = 0; i < profile.mean.size(); ++i)
+        weights.push_back(profile.count[i] / std::max(0.25 * typical, profile.variance[i]));
     return weights;
 }
 
@@ -121,7 +126,8 @@ bool same_edge(const EdgeShape& shape, const EdgeShape& start) {
 
 /// A narrow one would only be a step of another width: the derivative of a step by its width is such a wave.
 bool is_fringe(const EdgeShape& shape) {
-    return shape.fringe_rules() || (std::abs(shape.fringe) > least_fringe * std::abs(shape.step) && shape.fringe_width > least_spread * shape.width);
+    return shape.fringe_rules() || (std::abs(shape.fringe) > least_fringe * std::abs(shape.step) &&
+                                    shape.fringe_width > least_spread * shape.width);
 }
 
 EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
@@ -130,14 +136,17 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
     bare.step = start.slope(0) * start.width * std::sqrt(2 * std::numbers::pi);
     bare.fringe = 0, bare.fringe_width = std::max(2.0, 2 * start.width);
     auto step = least_squares(profile, weights, parameters_of(bare), 4);
-    if (!same_edge(shape_of(step.parameters), start)) step = {parameters_of(bare), squares_of(profile, weights, parameters_of(bare))};
+    if (!same_edge(shape_of(step.parameters), start))
+        step = {parameters_of(bare), squares_of(profile, weights, parameters_of(bare))};
     Fit best = step;
     for (const double width : {2.0, 4.0}) {
         Parameters from = step.parameters;
         from[5] = std::log(width);
         from[4] = 0.01 * std::abs(from[1]);
         auto with_fringe = least_squares(profile, weights, from, 6);
-        if (with_fringe.squares < best.squares - least_gain && is_fringe(shape_of(with_fringe.parameters)) && same_edge(shape_of(with_fringe.parameters), start)) best = with_fringe;
+        if (with_fringe.squares < best.squares - least_gain && is_fringe(shape_of(with_fringe.parameters)) &&
+            same_edge(shape_of(with_fringe.parameters), start))
+            best = with_fringe;
     }
     auto shape = shape_of(best.parameters);
     if (shape.fringe_rules()) shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest, widest);
@@ -148,24 +157,30 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
 
 double EdgeShape::value(double distance) const {
     const double v = distance / fringe_width;
-    return 0.5 * step * std::erf(distance / (width * std::numbers::sqrt2)) + (fringe == 0 ? 0.0 : fringe * v * std::exp(0.5 - 0.5 * v * v));
+    return 0.5 * step * std::erf(distance / (width * std::numbers::sqrt2)) +
+           (fringe == 0 ? 0.0 : fringe * v * std::exp(0.5 - 0.5 * v * v));
 }
 
 double EdgeShape::slope(double distance) const {
     const double u = distance / width, v = distance / fringe_width;
-    return step / width * std::exp(-0.5 * u * u) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2) + (fringe == 0 ? 0.0 : fringe / fringe_width * (1 - v * v) * std::exp(0.5 - 0.5 * v * v));
+    return step / width * std::exp(-0.5 * u * u) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2) +
+           (fringe == 0 ? 0.0 : fringe / fringe_width * (1 - v * v) * std::exp(0.5 - 0.5 * v * v));
 }
 
 bool EdgeShape::fringe_rules() const {
-    const double of_step = std::abs(step) / width * (std::numbers::inv_sqrtpi / std::numbers::sqrt2), of_fringe = std::abs(fringe) / fringe_width * std::exp(0.5);
+    const double of_step = std::abs(step) / width * (std::numbers::inv_sqrtpi / std::numbers::sqrt2),
+                 of_fringe = std::abs(fringe) / fringe_width * std::exp(0.5);
     return of_step < 0.5 * of_fringe;
 }
 
 EdgeProfile edge_profile(const std::vector<BandPixel>& pixels, double reach) {
     EdgeProfile profile{reach};
     const auto bins = static_cast<std::size_t>(std::ceil(2 * reach / bin));
-    for (auto* values : {&profile.count, &profile.distance, &profile.mean, &profile.variance}) values->assign(bins, 0.0);
-    const auto bin_of = [&](const BandPixel& p) { return std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, (p.distance + reach) / bin))); };
+    for (auto* values : {&profile.count, &profile.distance, &profile.mean, &profile.variance})
+        values->assign(bins, 0.0);
+    const auto bin_of = [&](const BandPixel& p) {
+        return std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, (p.distance + reach) / bin)));
+    };
     for (const auto& p : pixels) {
         const auto i = bin_of(p);
         profile.count[i] += 1, profile.distance[i] += p.distance, profile.mean[i] += p.value;
@@ -185,7 +200,9 @@ EdgeShape fitted_shape(const EdgeProfile& profile) {
     constexpr long reach = 12;  // bins on either side whose means make a slope: 3 px
     const auto mean_over = [&](long from, long to) {
         double sum = 0, weight = 0;
-        for (long i = std::max(0L, from); i < std::min(n, to); ++i) sum += weights[static_cast<std::size_t>(i)] * profile.mean[static_cast<std::size_t>(i)], weight += weights[static_cast<std::size_t>(i)];
+        for (long i = std::max(0L, from); i < std::min(n, to); ++i)
+            sum += weights[static_cast<std::size_t>(i)] * profile.mean[static_cast<std::size_t>(i)],
+                weight += weights[static_cast<std::size_t>(i)];
         return weight > 0 ? sum / weight : 0.0;
     };
     double steepest_up = 0, steepest_down = 0;

@@ -20,8 +20,10 @@ constexpr std::array<long, 8> step_x{1, 1, 0, -1, -1, -1, 0, 1}, step_y{0, 1, 1,
 
 }  // namespace
 
-LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum) : rise_x_(pixels.rows(), pixels.cols()), rise_y_(pixels.rows(), pixels.cols()) {
-    const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F, const_cast<float*>(pixels.data()));
+LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum)
+    : rise_x_(pixels.rows(), pixels.cols()), rise_y_(pixels.rows(), pixels.cols()) {
+    const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,
+                       const_cast<float*>(pixels.data()));
     cv::Mat smooth, x(grey.size(), CV_32F, rise_x_.data()), y(grey.size(), CV_32F, rise_y_.data());
     cv::GaussianBlur(grey, smooth, {}, scale, scale, cv::BORDER_REPLICATE);
     const float sign = vacuum == Vacuum::dark ? -1.0F : 1.0F;
@@ -38,10 +40,14 @@ LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum) : rise_x_(pixels.ro
 LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
     const double margin = std::max(least_margin, 0.5 * std::hypot(to.x - from.x, to.y - from.y));
     const auto bound = [](double value, long most) { return std::clamp(std::lround(value), 0L, most); };
-    const long left = bound(std::min(from.x, to.x) - margin, rise_x_.cols() - 1), right = bound(std::max(from.x, to.x) + margin, rise_x_.cols() - 1);
-    const long top = bound(std::min(from.y, to.y) - margin, rise_x_.rows() - 1), bottom = bound(std::max(from.y, to.y) + margin, rise_x_.rows() - 1);
+    const long left = bound(std::min(from.x, to.x) - margin, rise_x_.cols() - 1),
+               right = bound(std::max(from.x, to.x) + margin, rise_x_.cols() - 1);
+    const long top = bound(std::min(from.y, to.y) - margin, rise_x_.rows() - 1),
+               bottom = bound(std::max(from.y, to.y) + margin, rise_x_.rows() - 1);
     const long columns = right - left + 1, rows = bottom - top + 1;
-    const auto index = [&](const Anchor& a) { return (bound(a.y, rise_x_.rows() - 1) - top) * columns + bound(a.x, rise_x_.cols() - 1) - left; };
+    const auto index = [&](const Anchor& a) {
+        return (bound(a.y, rise_x_.rows() - 1) - top) * columns + bound(a.x, rise_x_.cols() - 1) - left;
+    };
     const long start = index(from), end = index(to);
     std::vector<double> cost(static_cast<std::size_t>(rows * columns), std::numeric_limits<double>::infinity());
     std::vector<signed char> came(cost.size(), -1);
@@ -60,8 +66,10 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
             if (y < 0 || x < 0 || y >= rows || x >= columns) continue;
             const double length = d % 2 == 0 ? 1.0 : 1.4142135623730951;
             // left hand of the step, as the picture is seen
-            const double across_x = static_cast<double>(step_y[d]) / length, across_y = -static_cast<double>(step_x[d]) / length;
-            const double rise = static_cast<double>(rise_x_(top + y, left + x)) * across_x + static_cast<double>(rise_y_(top + y, left + x)) * across_y;
+            const double across_x = static_cast<double>(step_y[d]) / length,
+                         across_y = -static_cast<double>(step_x[d]) / length;
+            const double rise = static_cast<double>(rise_x_(top + y, left + x)) * across_x +
+                                static_cast<double>(rise_y_(top + y, left + x)) * across_y;
             const double next = so_far + length / (least_edge + std::clamp(rise, 0.0, 1.0));
             const auto place = static_cast<std::size_t>(y * columns + x);
             if (next >= cost[place]) continue;
@@ -72,7 +80,8 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
     Path path;
     path.cost = cost[static_cast<std::size_t>(end)];
     for (long at = end;;) {
-        path.x.push_back(static_cast<double>(left + at % columns)), path.y.push_back(static_cast<double>(top + at / columns));
+        path.x.push_back(static_cast<double>(left + at % columns)),
+            path.y.push_back(static_cast<double>(top + at / columns));
         if (at == start) break;
         const auto d = static_cast<std::size_t>(came[static_cast<std::size_t>(at)]);
         at -= step_y[d] * columns + step_x[d];

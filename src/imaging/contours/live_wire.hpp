@@ -10,9 +10,10 @@ namespace setae::imaging {
 
 /// Shortest paths along an edge.
 ///
-/// From pixel to neighbour the way costs its length over 0.02 + e, e: the rise of the picture, smoothed by 1.5 px, towards the left
-/// hand (towards vacuum: its sign is known), over the 99th percentile of all rises, at most 1: what is steep in the wrong direction is no edge.
-/// Source: Mortensen, Barrett, SIGGRAPH 1995 (intelligent scissors); Dijkstra 1959.
+/// From pixel to neighbour the way costs its length over 0.02 + e, e: the rise of the picture, smoothed by 1.5 px,
+/// towards the left hand (towards vacuum: its sign is known), over the 99th percentile of all rises, at most 1: what is
+/// steep in the wrong direction is no edge. Source: Mortensen, Barrett, SIGGRAPH 1995 (intelligent scissors); Dijkstra
+/// 1959.
 class LiveWire {
 public:
     LiveWire(const FramePixels& pixels, Vacuum vacuum);

@@ -16,7 +16,11 @@ constexpr std::array<long, 4> step_x{1, 0, -1, 0}, step_y{0, 1, 0, -1};
 /// Walks with vacuum on the left hand; a corner (x, y) is the upper left one of pixel (row y, column x).
 class Walk {
 public:
-    explicit Walk(const PixelMask& sample) : sample_(sample), rows_(sample.rows()), columns_(sample.cols()), walked_(PixelMask::Zero(rows_ + 1, columns_ + 1)) {}
+    explicit Walk(const PixelMask& sample)
+        : sample_(sample),
+          rows_(sample.rows()),
+          columns_(sample.cols()),
+          walked_(PixelMask::Zero(rows_ + 1, columns_ + 1)) {}
 
     std::vector<PlaneCurve> all() {
         std::vector<PlaneCurve> curves;
@@ -24,13 +28,17 @@ public:
             for (long y = 0; y <= rows_; ++y)
                 for (long x = 0; x <= columns_; ++x)
                     for (int direction = 0; direction < 4; ++direction)
-                        if (is_border(x, y, direction) && !was_walked(x, y, direction) && (!open || begins_at_side(x, y, direction))) curves.push_back(from(x, y, direction, open));
+                        if (is_border(x, y, direction) && !was_walked(x, y, direction) &&
+                            (!open || begins_at_side(x, y, direction)))
+                            curves.push_back(from(x, y, direction, open));
         return curves;
     }
 
 private:
     /// −1 outside the picture.
-    [[nodiscard]] int label(long row, long column) const { return row < 0 || column < 0 || row >= rows_ || column >= columns_ ? -1 : sample_(row, column); }
+    [[nodiscard]] int label(long row, long column) const {
+        return row < 0 || column < 0 || row >= rows_ || column >= columns_ ? -1 : sample_(row, column);
+    }
 
     /// Whether vacuum lies on the left and sample on the right of the step from a corner.
     [[nodiscard]] bool is_border(long x, long y, int direction) const {
@@ -42,23 +50,30 @@ private:
         }
     }
 
-    [[nodiscard]] bool was_walked(long x, long y, int direction) const { return ((walked_(y, x) >> direction) & 1) != 0; }
+    [[nodiscard]] bool was_walked(long x, long y, int direction) const {
+        return ((walked_(y, x) >> direction) & 1) != 0;
+    }
 
-    [[nodiscard]] static bool at_side(long x, long y, long columns, long rows) { return x == 0 || y == 0 || x == columns || y == rows; }
+    [[nodiscard]] static bool at_side(long x, long y, long columns, long rows) {
+        return x == 0 || y == 0 || x == columns || y == rows;
+    }
 
     /// No border leads to this corner.
     [[nodiscard]] bool begins_at_side(long x, long y, int) const {
         if (!at_side(x, y, columns_, rows_)) return false;
         for (int d = 0; d < 4; ++d) {
             const long from_x = x - step_x[d], from_y = y - step_y[d];
-            if (from_x >= 0 && from_y >= 0 && from_x <= columns_ && from_y <= rows_ && is_border(from_x, from_y, d)) return false;
+            if (from_x >= 0 && from_y >= 0 && from_x <= columns_ && from_y <= rows_ && is_border(from_x, from_y, d))
+                return false;
         }
         return true;
     }
 
     PlaneCurve from(long x, long y, int direction, bool open) {
         std::vector<double> corner_x{static_cast<double>(x) - 0.5}, corner_y{static_cast<double>(y) - 0.5};
-        const auto add = [&] { corner_x.push_back(static_cast<double>(x) - 0.5), corner_y.push_back(static_cast<double>(y) - 0.5); };
+        const auto add = [&] {
+            corner_x.push_back(static_cast<double>(x) - 0.5), corner_y.push_back(static_cast<double>(y) - 0.5);
+        };
         const int first = direction;
         while (true) {
             walked_(y, x) = static_cast<std::uint8_t>(walked_(y, x) | (1 << direction));
@@ -76,7 +91,8 @@ private:
             direction = next;
         }
         if (open) add();
-        else if (direction == first) corner_x.erase(corner_x.begin()), corner_y.erase(corner_y.begin());  // it began within a straight stretch
+        else if (direction == first)
+            corner_x.erase(corner_x.begin()), corner_y.erase(corner_y.begin());  // it began within a straight stretch
         PlaneCurve curve;
         curve.x = Eigen::Map<Array1D>(corner_x.data(), static_cast<Index>(corner_x.size()));
         curve.y = Eigen::Map<Array1D>(corner_y.data(), static_cast<Index>(corner_y.size()));
@@ -93,20 +109,27 @@ private:
 
 std::vector<PlaneCurve> outlines(const PixelMask& sample) {
     auto curves = Walk(sample).all();
-    std::stable_sort(curves.begin(), curves.end(), [](const auto& a, const auto& b) { return a.length() > b.length(); });
+    std::stable_sort(curves.begin(), curves.end(),
+                     [](const auto& a, const auto& b) { return a.length() > b.length(); });
     return curves;
 }
 
-Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> enclosed(const std::vector<ContourSegment>& outlines, long width, long height) {
-    // each upright side of a pixel that is walked says what lies right of it; what lies left of the first one is the other
+Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> enclosed(
+    const std::vector<ContourSegment>& outlines, long width, long height) {
+    // each upright side of a pixel that is walked says what lies right of it; what lies left of the first one is the
+    // other
     constexpr std::uint8_t vacuum = 0, sample = 1, unknown = 2;
-    PixelMask right_of = PixelMask::Constant(height, width + 1, unknown), below = PixelMask::Constant(height + 1, width, unknown);
+    PixelMask right_of = PixelMask::Constant(height, width + 1, unknown),
+              below = PixelMask::Constant(height + 1, width, unknown);
     for (const auto& outline : outlines) {
         const Index n = outline.x.size();
         for (Index i = 0; i + (outline.closed ? 0 : 1) < n; ++i) {
-            const auto x0 = std::lround(outline.x[i] + 0.5), y0 = std::lround(outline.y[i] + 0.5), x1 = std::lround(outline.x[(i + 1) % n] + 0.5), y1 = std::lround(outline.y[(i + 1) % n] + 0.5);
-            for (long y = std::min(y0, y1); x0 == x1 && y < std::max(y0, y1); ++y) right_of(y, x0) = y1 > y0 ? vacuum : sample;
-            for (long x = std::min(x0, x1); y0 == y1 && x < std::max(x0, x1); ++x) below(y0, x) = x1 > x0 ? sample : vacuum;
+            const auto x0 = std::lround(outline.x[i] + 0.5), y0 = std::lround(outline.y[i] + 0.5),
+                       x1 = std::lround(outline.x[(i + 1) % n] + 0.5), y1 = std::lround(outline.y[(i + 1) % n] + 0.5);
+            for (long y = std::min(y0, y1); x0 == x1 && y < std::max(y0, y1); ++y)
+                right_of(y, x0) = y1 > y0 ? vacuum : sample;
+            for (long x = std::min(x0, x1); y0 == y1 && x < std::max(x0, x1); ++x)
+                below(y0, x) = x1 > x0 ? sample : vacuum;
         }
     }
     PixelMask mask(height, width);

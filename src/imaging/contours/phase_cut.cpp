@@ -19,13 +19,16 @@ constexpr long surroundings = 12;        // squares around one whose levels coun
 constexpr double most_difference = 6.0;  // of one square
 constexpr long tile_side = 128;          // squares
 
-cv::Mat view(PixelMask& mask) { return {static_cast<int>(mask.rows()), static_cast<int>(mask.cols()), CV_8U, mask.data()}; }
+cv::Mat view(PixelMask& mask) {
+    return {static_cast<int>(mask.rows()), static_cast<int>(mask.cols()), CV_8U, mask.data()};
+}
 cv::Mat view(CellMap& map) { return {static_cast<int>(map.rows()), static_cast<int>(map.cols()), CV_64F, map.data()}; }
 
 PixelMask grown(PixelMask mask, long distance) {
     const int side = static_cast<int>(2 * distance + 1);
     cv::Mat target = view(mask);
-    cv::dilate(target, target, cv::getStructuringElement(cv::MORPH_RECT, {side, side}), {-1, -1}, 1, cv::BORDER_REPLICATE);
+    cv::dilate(target, target, cv::getStructuringElement(cv::MORPH_RECT, {side, side}), {-1, -1}, 1,
+               cv::BORDER_REPLICATE);
     return mask;
 }
 
@@ -42,7 +45,8 @@ struct Surroundings {
     CellMap count, mean, variance;
 };
 
-Surroundings around(const CellMap& values, const CellMap& weight, const PixelMask& core, int label, const PixelMask& labels, double origin) {
+Surroundings around(const CellMap& values, const CellMap& weight, const PixelMask& core, int label,
+                    const PixelMask& labels, double origin) {
     const CellMap own = weight * (labels == static_cast<std::uint8_t>(label)).cast<double>() * core.cast<double>();
     Surroundings found;
     found.count = summed_around(own);
@@ -55,7 +59,9 @@ Surroundings around(const CellMap& values, const CellMap& weight, const PixelMas
 
 }  // namespace
 
-PixelMask away_from_border(const PixelMask& labels, long distance) { return (grown(labels, distance) == labels && grown(1 - labels, distance) == 1 - labels).cast<std::uint8_t>(); }
+PixelMask away_from_border(const PixelMask& labels, long distance) {
+    return (grown(labels, distance) == labels && grown(1 - labels, distance) == 1 - labels).cast<std::uint8_t>();
+}
 
 namespace {
 
@@ -76,13 +82,15 @@ PixelMask cut_of(const Vertices& vertex, std::vector<double> terminal, double bo
     const long rows = labels.rows(), columns = labels.cols();
     constexpr double side_share = std::numbers::pi / 4, diagonal_share = std::numbers::pi / (8 * std::numbers::sqrt2);
     const double side = border_cost * side_share, diagonal = border_cost * diagonal_share;
-    cv::detail::GCGraph<double> graph(static_cast<unsigned>(terminal.size()), static_cast<unsigned>(8 * terminal.size()));
+    cv::detail::GCGraph<double> graph(static_cast<unsigned>(terminal.size()),
+                                      static_cast<unsigned>(8 * terminal.size()));
     for (std::size_t i = 0; i < terminal.size(); ++i) graph.addVtx();
     const auto join = [&](long row, long column, long other_row, long other_column, double weight) {
         if (other_row < 0 || other_row >= rows || other_column < 0 || other_column >= columns) return;
         const int a = vertex(row, column), b = vertex(other_row, other_column);
         if (a >= 0 && b >= 0) graph.addEdges(a, b, weight, weight);
-        else if (a >= 0) terminal[static_cast<std::size_t>(a)] += labels(other_row, other_column) == 1 ? -weight : weight;
+        else if (a >= 0)
+            terminal[static_cast<std::size_t>(a)] += labels(other_row, other_column) == 1 ? -weight : weight;
         else if (b >= 0) terminal[static_cast<std::size_t>(b)] += labels(row, column) == 1 ? -weight : weight;
     };
     for (long row = 0; row < rows; ++row)
@@ -93,7 +101,8 @@ PixelMask cut_of(const Vertices& vertex, std::vector<double> terminal, double bo
             join(row, column, row + 1, column - 1, diagonal);
         }
     // the source is vacuum: cutting off from it costs what sample costs more
-    for (std::size_t i = 0; i < terminal.size(); ++i) graph.addTermWeights(static_cast<int>(i), std::max(0.0, terminal[i]), std::max(0.0, -terminal[i]));
+    for (std::size_t i = 0; i < terminal.size(); ++i)
+        graph.addTermWeights(static_cast<int>(i), std::max(0.0, terminal[i]), std::max(0.0, -terminal[i]));
     graph.maxFlow();
     PixelMask cut = labels;
     for (long i = 0; i < labels.size(); ++i)
@@ -108,16 +117,20 @@ struct Tile {
 
 Tile widened(const Tile& tile, long margin, long rows, long columns) {
     const long top = std::max(0L, tile.row - margin), left = std::max(0L, tile.column - margin);
-    return {top, left, std::min(rows, tile.row + tile.rows + margin) - top, std::min(columns, tile.column + tile.columns + margin) - left};
+    return {top, left, std::min(rows, tile.row + tile.rows + margin) - top,
+            std::min(columns, tile.column + tile.columns + margin) - left};
 }
 
 /// The differences of the free squares of one tile.
-void weigh(std::vector<double>& difference, const Vertices& vertex, const Tile& tile, const FramePixels& pixels, const PixelMask& hidden, long side, const PixelMask& labels, const PixelMask& core) {
+void weigh(std::vector<double>& difference, const Vertices& vertex, const Tile& tile, const FramePixels& pixels,
+           const PixelMask& hidden, long side, const PixelMask& labels, const PixelMask& core) {
     const auto wide = widened(tile, surroundings, labels.rows(), labels.cols());
     const auto cells = cells_of(pixels, hidden, side, wide.row, wide.column, wide.rows, wide.columns);
-    const PixelMask own_labels = labels.block(wide.row, wide.column, wide.rows, wide.columns), own_core = core.block(wide.row, wide.column, wide.rows, wide.columns);
+    const PixelMask own_labels = labels.block(wide.row, wide.column, wide.rows, wide.columns),
+                    own_core = core.block(wide.row, wide.column, wide.rows, wide.columns);
     const double origin = cells.mean.mean();
-    const auto vacuum = around(cells.mean, cells.weight, own_core, 0, own_labels, origin), sample = around(cells.mean, cells.weight, own_core, 1, own_labels, origin);
+    const auto vacuum = around(cells.mean, cells.weight, own_core, 0, own_labels, origin),
+               sample = around(cells.mean, cells.weight, own_core, 1, own_labels, origin);
     const double floor = 1e-6 * std::max(1e-300, (cells.mean - origin).square().mean());
     for (long row = tile.row; row < tile.row + tile.rows; ++row)
         for (long column = tile.column; column < tile.column + tile.columns; ++column) {
@@ -126,13 +139,15 @@ void weigh(std::vector<double>& difference, const Vertices& vertex, const Tile& 
             if (at < 0 || cells.weight(y, x) == 0 || vacuum.count(y, x) < 10 || sample.count(y, x) < 10) continue;
             const double v = vacuum.variance(y, x) + floor, s = sample.variance(y, x) + floor;
             const double dv = cells.mean(y, x) - vacuum.mean(y, x), ds = cells.mean(y, x) - sample.mean(y, x);
-            difference[static_cast<std::size_t>(at)] = std::clamp(0.5 * (ds * ds / s - dv * dv / v) + 0.5 * std::log(s / v), -most_difference, most_difference);
+            difference[static_cast<std::size_t>(at)] = std::clamp(
+                0.5 * (ds * ds / s - dv * dv / v) + 0.5 * std::log(s / v), -most_difference, most_difference);
         }
 }
 
 }  // namespace
 
-Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side, long first_row, long first_column, long rows, long columns) {
+Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side, long first_row, long first_column,
+               long rows, long columns) {
     Cells cells{CellMap::Zero(rows, columns), CellMap::Zero(rows, columns), CellMap::Zero(rows, columns)};
     for (long row = 0; row < rows; ++row)
         for (long column = 0; column < columns; ++column) {
@@ -149,10 +164,12 @@ Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side, lo
             cells.weight(row, column) = 1;
             cells.mean(row, column) = origin + sum / count;
             const double variance = count > 1 ? (squares - sum * sum / count) / (count - 1) : 0.0;
-            cells.log_variance(row, column) = variance > 0 ? std::log(variance) : std::numeric_limits<double>::quiet_NaN();
+            cells.log_variance(row, column) =
+                variance > 0 ? std::log(variance) : std::numeric_limits<double>::quiet_NaN();
         }
     // squares without any scatter take the least there is
-    const double least = cells.log_variance.isFinite().select(cells.log_variance, std::numeric_limits<double>::infinity()).minCoeff();
+    const double least =
+        cells.log_variance.isFinite().select(cells.log_variance, std::numeric_limits<double>::infinity()).minCoeff();
     cells.log_variance = cells.log_variance.isFinite().select(cells.log_variance, std::isfinite(least) ? least : 0.0);
     return cells;
 }
@@ -164,15 +181,18 @@ PixelMask minimum_cut(const CellMap& difference, double border_cost, const Pixel
     return cut_of(numbered(free), std::move(terminal), border_cost, labels);
 }
 
-PixelMask cut_in_band(const FramePixels& pixels, const PixelMask& hidden, long side, const PixelMask& labels, long width, double border_cost) {
+PixelMask cut_in_band(const FramePixels& pixels, const PixelMask& hidden, long side, const PixelMask& labels,
+                      long width, double border_cost) {
     const PixelMask core = away_from_border(labels, 2);
     const PixelMask free = 1 - away_from_border(labels, width);
     const auto vertex = numbered(free);
     std::vector<double> difference(static_cast<std::size_t>((free != 0).count()), 0.0);
     for (long row = 0; row < labels.rows(); row += tile_side)
         for (long column = 0; column < labels.cols(); column += tile_side) {
-            const Tile tile{row, column, std::min(tile_side, labels.rows() - row), std::min(tile_side, labels.cols() - column)};
-            if ((free.block(tile.row, tile.column, tile.rows, tile.columns) != 0).any()) weigh(difference, vertex, tile, pixels, hidden, side, labels, core);
+            const Tile tile{row, column, std::min(tile_side, labels.rows() - row),
+                            std::min(tile_side, labels.cols() - column)};
+            if ((free.block(tile.row, tile.column, tile.rows, tile.columns) != 0).any())
+                weigh(difference, vertex, tile, pixels, hidden, side, labels, core);
         }
     return cut_of(vertex, std::move(difference), border_cost, labels);
 }
@@ -184,11 +204,14 @@ void remove_islands(PixelMask& sample, double least_area) {
         const int count = cv::connectedComponentsWithStats(view(own), parts, statistics, centres, 4, CV_32S);
         int largest = 0;
         for (int part = 1; part < count; ++part)
-            if (largest == 0 || statistics.at<int>(part, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA)) largest = part;
+            if (largest == 0 ||
+                statistics.at<int>(part, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA))
+                largest = part;
         for (long row = 0; row < sample.rows(); ++row)
             for (long column = 0; column < sample.cols(); ++column) {
                 const int part = parts.at<int>(static_cast<int>(row), static_cast<int>(column));
-                if (part > 0 && part != largest && statistics.at<int>(part, cv::CC_STAT_AREA) < least_area) sample(row, column) = static_cast<std::uint8_t>(1 - label);
+                if (part > 0 && part != largest && statistics.at<int>(part, cv::CC_STAT_AREA) < least_area)
+                    sample(row, column) = static_cast<std::uint8_t>(1 - label);
             }
     }
 }

@@ -22,7 +22,8 @@ struct Normals {
 };
 [[nodiscard]] Normals normals(const PlaneCurve& curve);
 
-/// Points at equal distances close to `step` along the polyline, its ends kept; `smooth`: on a cubic (Catmull–Rom) instead.
+/// Points at equal distances close to `step` along the polyline, its ends kept; `smooth`: on a cubic (Catmull–Rom)
+/// instead.
 [[nodiscard]] PlaneCurve resampled(const PlaneCurve& curve, double step, bool smooth);
 
 /// The mean of its points under a Gaussian of `deviation` points; ends mirrored at themselves, so that they stay.

@@ -15,12 +15,16 @@ namespace {
 
 constexpr double spike = 8.0;  // standard deviations
 
-cv::Mat view(FramePixels& pixels) { return {static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F, pixels.data()}; }
+cv::Mat view(FramePixels& pixels) {
+    return {static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F, pixels.data()};
+}
 
 void hide(PixelMask& hidden, const std::vector<Region>& regions) {
     for (const auto& r : regions) {
-        if (r.width <= 0 || r.height <= 0 || r.x < 0 || r.y < 0 || r.x + r.width > hidden.cols() || r.y + r.height > hidden.rows())
-            throw InvalidArgument(fmt::format("hidden region {},{},{},{} does not lie in the picture of {} × {} pixels", r.x, r.y, r.width, r.height, hidden.cols(), hidden.rows()));
+        if (r.width <= 0 || r.height <= 0 || r.x < 0 || r.y < 0 || r.x + r.width > hidden.cols() ||
+            r.y + r.height > hidden.rows())
+            throw InvalidArgument(fmt::format("hidden region {},{},{},{} does not lie in the picture of {} × {} pixels",
+                                              r.x, r.y, r.width, r.height, hidden.cols(), hidden.rows()));
         hidden.block(r.y, r.x, r.height, r.width) = 1;
     }
 }
@@ -56,7 +60,8 @@ int counted_levels(const PreparedPicture& picture) {
 double noise_of(const FramePixels& pixels) {
     std::vector<float> differences;
     const long stride = std::max(1L, pixels.size() / 200'000);
-    for (long i = 1; i < pixels.size(); i += stride) differences.push_back(std::abs(pixels.data()[i] - pixels.data()[i - 1]));
+    for (long i = 1; i < pixels.size(); i += stride)
+        differences.push_back(std::abs(pixels.data()[i] - pixels.data()[i - 1]));
     constexpr double to_deviation = 1.4826 / 1.4142135623730951;  // of a normal variate, and of a difference of two
     return to_deviation * static_cast<double>(order_statistic(std::move(differences), 0.5));
 }
@@ -88,11 +93,14 @@ PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& 
     PreparedPicture picture{pixels, PixelMask::Zero(pixels.rows(), pixels.cols())};
     hide(picture.hidden, options.hidden);
     if (const long count = fill_undefined(picture); count > 0)
-        picture.alerts.push_back({"UNDEF", "picture", fmt::format("{} pixels are undefined and were left out", count), "look at the overlay where they lie"});
+        picture.alerts.push_back({"UNDEF", "picture", fmt::format("{} pixels are undefined and were left out", count),
+                                  "look at the overlay where they lie"});
     picture.grey_levels = counted_levels(picture);
     if (picture.grey_levels < 3) return picture;
     if (const long count = remove_spikes(picture.pixels); count > 0)
-        picture.alerts.push_back({"SPIKES", "picture", fmt::format("{} pixels stand out of all their neighbours and were replaced", count), "nothing, unless they are many: X-rays and dead pixels do this"});
+        picture.alerts.push_back({"SPIKES", "picture",
+                                  fmt::format("{} pixels stand out of all their neighbours and were replaced", count),
+                                  "nothing, unless they are many: X-rays and dead pixels do this"});
     if (options.denoise > 0) {
         cv::Mat target = view(picture.pixels);
         cv::GaussianBlur(target, target, {}, options.denoise, options.denoise, cv::BORDER_REPLICATE);

@@ -17,8 +17,9 @@ struct PreparedPicture {
     std::vector<Alert> alerts;  ///< UNDEF, SPIKES
 };
 
-/// Pixels that lie above, or below, all eight neighbours by more than 8 standard deviations of the noise are spikes (X-rays, dead
-/// pixels) and become the neighbours' median. The noise is that of differences between neighbours, by their median.
+/// Pixels that lie above, or below, all eight neighbours by more than 8 standard deviations of the noise are spikes
+/// (X-rays, dead pixels) and become the neighbours' median. The noise is that of differences between neighbours, by
+/// their median.
 /// @throws InvalidArgument for regions outside the picture; UndefinedDataError where nothing is left to look at.
 [[nodiscard]] PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& options);
 

@@ -10,7 +10,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr int bins = 24, modes = 12;
-constexpr double lowest = 0.08;                                       // 1/px
+constexpr double lowest = 0.08;                                            // 1/px
 constexpr double shortest_length = 0.2, longest_length = 12, pace = 1.07;  // px
 constexpr Index most_lags = 8;
 constexpr double least_share = 0.05;  // of the variance: sums over lags may come out negative
@@ -44,14 +44,17 @@ double mean_spline_transfer(double length) {
 PlaceSpectrum place_spectrum(Array1D heights) {
     const Index n = heights.size();
     heights -= heights.mean();
-    for (Index k = 0; k < n; ++k) heights[k] *= (1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n))) / std::sqrt(1.5);
+    for (Index k = 0; k < n; ++k)
+        heights[k] *= (1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n))) /
+                      std::sqrt(1.5);
     PlaceSpectrum found;
     const double ratio = std::pow(std::numbers::pi / lowest, 1.0 / bins);
     for (int b = 0; b < bins; ++b) {
         const double from = lowest * std::pow(ratio, b), to = from * ratio;
         double sum = 0;
         for (int m = 0; m < modes; ++m) sum += power(heights, from + (to - from) * (m + 0.5) / modes);
-        found.wavevector.push_back(std::sqrt(from * to)), found.density.push_back(sum / modes), found.width.push_back(to - from);
+        found.wavevector.push_back(std::sqrt(from * to)), found.density.push_back(sum / modes),
+            found.width.push_back(to - from);
     }
     return found;
 }
@@ -59,7 +62,8 @@ PlaceSpectrum place_spectrum(Array1D heights) {
 double expected_squares(const PlaceSpectrum& places, double noise, double length) {
     double sum = noise * lowest;  // longer waves are followed
     for (std::size_t i = 0; i < places.wavevector.size(); ++i) {
-        const double k = spline_transfer(places.wavevector[i], length), signal = std::max(0.0, places.density[i] - noise);
+        const double k = spline_transfer(places.wavevector[i], length),
+                     signal = std::max(0.0, places.density[i] - noise);
         sum += ((1 - k) * (1 - k) * signal + k * k * noise) * places.width[i];
     }
     return sum / std::numbers::pi;
@@ -80,7 +84,8 @@ double long_run_variance(const Array1D& series) {
     const double variance = centred.square().mean();
     double sum = variance;
     for (Index lag = 1; lag <= lags; ++lag)
-        sum += 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags + 1)) * (centred.head(n - lag) * centred.tail(n - lag)).sum() / static_cast<double>(n);
+        sum += 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags + 1)) *
+               (centred.head(n - lag) * centred.tail(n - lag)).sum() / static_cast<double>(n);
     return std::max(sum, least_share * variance);
 }
 

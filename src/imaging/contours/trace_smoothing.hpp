@@ -30,8 +30,8 @@ struct PlaceSpectrum {
 /// ℓ in 0.2 … 12 px, by steps of 7 %, with the least expected squared error.
 [[nodiscard]] double best_smoothing(const PlaceSpectrum& places, double noise);
 
-/// Variance times the correlation length of neighbours, over 8 lags with Bartlett's weights: the density of a series' longest waves.
-/// Source: Newey, West, Econometrica 55 (1987) 703.
+/// Variance times the correlation length of neighbours, over 8 lags with Bartlett's weights: the density of a series'
+/// longest waves. Source: Newey, West, Econometrica 55 (1987) 703.
 [[nodiscard]] double long_run_variance(const Array1D& series);
 
 }  // namespace setae::imaging

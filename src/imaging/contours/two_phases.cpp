@@ -17,16 +17,18 @@ namespace {
 
 using Map = CellMap;
 
-constexpr long coarse_cells = 48;        // across the shorter side, where levels are found
-constexpr double border_cost = 2.0;      // of a side of a square, in units of ln likelihood
-constexpr double most_cost = 8.0;        // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
-constexpr double least_share = 1e-3;     // of the range of levels: what is less is rounding and the tails of blur, not structure
+constexpr long coarse_cells = 48;    // across the shorter side, where levels are found
+constexpr double border_cost = 2.0;  // of a side of a square, in units of ln likelihood
+constexpr double most_cost =
+    8.0;  // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
+constexpr double least_share =
+    1e-3;  // of the range of levels: what is less is rounding and the tails of blur, not structure
 constexpr double least_squares_of_a_phase = 20;
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
-constexpr double told_structure = 1.3;   // ratio of noise by which one phase has more of it
-constexpr long most_samples = 1'000'000; // of pixels for a median
-constexpr long band = 3;                 // squares on either side of a border cut anew
+constexpr double told_structure = 1.3;    // ratio of noise by which one phase has more of it
+constexpr long most_samples = 1'000'000;  // of pixels for a median
+constexpr long band = 3;                  // squares on either side of a border cut anew
 
 /// 1, x, y, x², xy, y² of the illumination, then 1, x, y of the sample on it; x, y in −1 … 1.
 constexpr int terms = 9;
@@ -45,8 +47,10 @@ struct PhaseModel {
 
 double place(long i, long n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
 
-/// Levels and scatter of a division, by squares away from its border, which hold some of both; false where a phase has too few.
-bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double least_scatter, double least_structure_scatter) {
+/// Levels and scatter of a division, by squares away from its border, which hold some of both; false where a phase has
+/// too few.
+bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double least_scatter,
+         double least_structure_scatter) {
     const long rows = labels.rows(), columns = labels.cols();
     const CellMap weight = cells.weight * away_from_border(labels, 1).cast<double>();
     std::array<double, 2> count{};
@@ -72,7 +76,9 @@ bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double 
                 if (weight(row, column) == 0) continue;
                 const int label = labels(row, column);
                 if (pass == 0) {
-                    const double residual = cells.mean(row, column) - model.levels.dot(terms_at(place(column, columns), place(row, rows), label == 1));
+                    const double residual =
+                        cells.mean(row, column) -
+                        model.levels.dot(terms_at(place(column, columns), place(row, rows), label == 1));
                     squares[label] += residual * residual;
                     sum[label] += cells.log_variance(row, column);
                 } else {
@@ -83,15 +89,18 @@ bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double 
     for (int label : {0, 1}) {
         model.scatter[label] = std::max(least_scatter, std::sqrt(squares[label] / count[label]));
         model.structure[label] = sum[label] / count[label];
-        model.structure_scatter[label] = std::max(least_structure_scatter, std::sqrt(structure_squares[label] / count[label]));
+        model.structure_scatter[label] =
+            std::max(least_structure_scatter, std::sqrt(structure_squares[label] / count[label]));
     }
     return true;
 }
 
 double cost(const PhaseModel& model, const Cells& cells, long row, long column, int label, const Terms& t) {
     const double level = (cells.mean(row, column) - model.levels.dot(t)) / model.scatter[label];
-    const double structure = (cells.log_variance(row, column) - model.structure[label]) / model.structure_scatter[label];
-    return std::min(0.5 * level * level, most_cost) + std::log(model.scatter[label]) + std::min(0.5 * structure * structure, most_cost) + std::log(model.structure_scatter[label]);
+    const double structure =
+        (cells.log_variance(row, column) - model.structure[label]) / model.structure_scatter[label];
+    return std::min(0.5 * level * level, most_cost) + std::log(model.scatter[label]) +
+           std::min(0.5 * structure * structure, most_cost) + std::log(model.structure_scatter[label]);
 }
 
 /// How much rather vacuum than sample; and the energy of the division given.
@@ -107,7 +116,8 @@ Preference preference(const PhaseModel& model, const Cells& cells, const PixelMa
         for (long column = 0; column < columns; ++column) {
             if (cells.weight(row, column) == 0) continue;
             const double x = place(column, columns), y = place(row, rows);
-            const double vacuum = cost(model, cells, row, column, 0, terms_at(x, y, false)), sample = cost(model, cells, row, column, 1, terms_at(x, y, true));
+            const double vacuum = cost(model, cells, row, column, 0, terms_at(x, y, false)),
+                         sample = cost(model, cells, row, column, 1, terms_at(x, y, true));
             found.difference(row, column) = sample - vacuum;
             found.energy += labels(row, column) == 1 ? sample : vacuum;
         }
@@ -146,7 +156,8 @@ double otsu(const Map& map, const Map& weight) {
 
 std::vector<PixelMask> starts(const Cells& cells) {
     const long rows = cells.mean.rows(), columns = cells.mean.cols();
-    std::vector<PixelMask> list{above(-cells.mean, -otsu(cells.mean, cells.weight)), above(cells.log_variance, otsu(cells.log_variance, cells.weight))};
+    std::vector<PixelMask> list{above(-cells.mean, -otsu(cells.mean, cells.weight)),
+                                above(cells.log_variance, otsu(cells.log_variance, cells.weight))};
     constexpr double pi = 3.14159265358979323846;
     for (int direction = 0; direction < 8; ++direction)
         for (const double offset : {-0.4, 0.0, 0.4}) {
@@ -155,7 +166,8 @@ std::vector<PixelMask> starts(const Cells& cells) {
             const double angle = pi * direction / 8;
             for (long row = 0; row < rows; ++row)
                 for (long column = 0; column < columns; ++column)
-                    half(row, column) = std::cos(angle) * place(column, columns) + std::sin(angle) * place(row, rows) > offset ? 1 : 0;
+                    half(row, column) =
+                        std::cos(angle) * place(column, columns) + std::sin(angle) * place(row, rows) > offset ? 1 : 0;
             list.push_back(half);
         }
     return list;
@@ -180,7 +192,8 @@ Division settled(const Cells& cells, PixelMask labels, const LeastScatter& least
         const auto wish = preference(model, cells, labels);
         const double energy = wish.energy + border_cost * border(labels);
         if (energy < best.energy) best = {labels, model, energy};
-        const auto next = minimum_cut(wish.difference, border_cost, PixelMask::Ones(labels.rows(), labels.cols()), labels);
+        const auto next =
+            minimum_cut(wish.difference, border_cost, PixelMask::Ones(labels.rows(), labels.cols()), labels);
         if ((next == labels).all()) break;
         labels = next;
     }
@@ -207,7 +220,9 @@ double undivided_energy(const Cells& cells, const LeastScatter& least) {
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
     Six right = Six::Zero();
     double count = 0, structure = 0;
-    const auto quadratic = [&](long row, long column) { return Six(terms_at(place(column, columns), place(row, rows), false).head<6>()); };
+    const auto quadratic = [&](long row, long column) {
+        return Six(terms_at(place(column, columns), place(row, rows), false).head<6>());
+    };
     for (long row = 0; row < rows; ++row)
         for (long column = 0; column < columns; ++column) {
             if (cells.weight(row, column) == 0) continue;
@@ -222,28 +237,35 @@ double undivided_energy(const Cells& cells, const LeastScatter& least) {
     for (long row = 0; row < rows; ++row)
         for (long column = 0; column < columns; ++column) {
             if (cells.weight(row, column) == 0) continue;
-            const double residual = cells.mean(row, column) - levels.dot(quadratic(row, column)), other = cells.log_variance(row, column) - structure / count;
+            const double residual = cells.mean(row, column) - levels.dot(quadratic(row, column)),
+                         other = cells.log_variance(row, column) - structure / count;
             squares += residual * residual, structure_squares += other * other;
         }
-    const double scatter = std::max(least.level, std::sqrt(squares / count)), structure_scatter = std::max(least.structure, std::sqrt(structure_squares / count));
-    return count * (std::log(scatter) + std::log(structure_scatter)) + 0.5 * squares / (scatter * scatter) + 0.5 * structure_squares / (structure_scatter * structure_scatter);
+    const double scatter = std::max(least.level, std::sqrt(squares / count)),
+                 structure_scatter = std::max(least.structure, std::sqrt(structure_squares / count));
+    return count * (std::log(scatter) + std::log(structure_scatter)) + 0.5 * squares / (scatter * scatter) +
+           0.5 * structure_squares / (structure_scatter * structure_scatter);
 }
 
 PixelMask enlarged(const PixelMask& labels, long rows, long columns, long ratio) {
     PixelMask larger(rows, columns);
     for (long row = 0; row < rows; ++row)
         for (long column = 0; column < columns; ++column)
-            larger(row, column) = labels(std::min(row / ratio, labels.rows() - 1), std::min(column / ratio, labels.cols() - 1));
+            larger(row, column) =
+                labels(std::min(row / ratio, labels.rows() - 1), std::min(column / ratio, labels.cols() - 1));
     return larger;
 }
 
-/// Levels and noise away from the border, and which phase is vacuum: that with less structure, of like ones the brighter.
-void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& hidden, const PhaseModel& model, long side, Vacuum vacuum) {
+/// Levels and noise away from the border, and which phase is vacuum: that with less structure, of like ones the
+/// brighter.
+void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& hidden, const PhaseModel& model,
+                 long side, Vacuum vacuum) {
     std::array<std::vector<double>, 2> levels;
     const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
     const long stride = std::max(1L, pixels.size() / most_samples);
     for (long i = 0; i < pixels.size(); i += stride)
-        if (inner.data()[i] != 0 && hidden.data()[i] == 0) levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
+        if (inner.data()[i] != 0 && hidden.data()[i] == 0)
+            levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
     std::array<double, 2> level{}, noise{};
     for (int label : {0, 1}) {
         if (levels[label].empty()) continue;
@@ -272,7 +294,8 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     long side = 1;
     while (std::min(pixels.rows(), pixels.cols()) / (2 * side) >= coarse_cells) side *= 2;
     auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
-    const double least_level = std::max(std::numeric_limits<double>::min(), least_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
+    const double least_level =
+        std::max(std::numeric_limits<double>::min(), least_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
     coarse.log_variance = coarse.log_variance.max(2 * std::log(least_level));
     const LeastScatter least{least_level, side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
     const auto best = best_division(coarse, least);
@@ -286,7 +309,9 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
         labels = enlarged(labels, pixels.rows() / finer, pixels.cols() / finer, 2);
         labels = cut_in_band(pixels, hidden, finer, labels, band, border_cost);
     }
-    result.sample = labels.rows() == pixels.rows() && labels.cols() == pixels.cols() ? labels : enlarged(labels, pixels.rows(), pixels.cols(), 1);
+    result.sample = labels.rows() == pixels.rows() && labels.cols() == pixels.cols()
+                        ? labels
+                        : enlarged(labels, pixels.rows(), pixels.cols(), 1);
 
     name_phases(result, pixels, hidden, best.model, side, vacuum);
     return result;
@@ -297,12 +322,14 @@ TwoPhases divide_binary(const FramePixels& pixels, const PixelMask& hidden, Vacu
     const PixelMask bright = (pixels == high && hidden == 0).cast<std::uint8_t>();
     const long rows = pixels.rows(), columns = pixels.cols();
     const long rim = 2 * (rows + columns);
-    const long bright_rim = (bright.row(0) != 0).count() + (bright.row(rows - 1) != 0).count() + (bright.col(0) != 0).count() + (bright.col(columns - 1) != 0).count();
+    const long bright_rim = (bright.row(0) != 0).count() + (bright.row(rows - 1) != 0).count() +
+                            (bright.col(0) != 0).count() + (bright.col(columns - 1) != 0).count();
     TwoPhases result;
     const bool vacuum_bright = vacuum == Vacuum::automatic ? 2 * bright_rim > rim : vacuum == Vacuum::bright;
     result.sample = vacuum_bright ? PixelMask(1 - bright) : bright;
     result.vacuum = vacuum_bright ? Vacuum::bright : Vacuum::dark;
-    result.vacuum_level = static_cast<double>(vacuum_bright ? high : low), result.sample_level = static_cast<double>(vacuum_bright ? low : high);
+    result.vacuum_level = static_cast<double>(vacuum_bright ? high : low),
+    result.sample_level = static_cast<double>(vacuum_bright ? low : high);
     return result;
 }
 

@@ -15,7 +15,8 @@ namespace {
 constexpr int deepest_list = 8;
 
 std::string upper(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return text;
 }
 
@@ -27,12 +28,15 @@ std::string printable(std::string text) {
 
 }  // namespace
 
-bool is_avi(std::string_view head) { return head.size() >= 12 && head.starts_with("RIFF") && head.substr(8, 4) == "AVI "; }
+bool is_avi(std::string_view head) {
+    return head.size() >= 12 && head.starts_with("RIFF") && head.substr(8, 4) == "AVI ";
+}
 
 AviFile::AviFile(RandomAccess file) : file_(std::move(file)) {
     const auto& path = file_.path();
     read_list(0, file_.size(), 0);
-    if (!video_ || size_.width <= 0 || size_.height <= 0) throw FormatError(path, {.offset = 0}, "an AVI without video; the file may be truncated");
+    if (!video_ || size_.width <= 0 || size_.height <= 0)
+        throw FormatError(path, {.offset = 0}, "an AVI without video; the file may be truncated");
     if (frames_.empty()) throw FormatError(path, {.offset = 0}, "an AVI without frames; the file may be truncated");
 }
 
@@ -45,14 +49,17 @@ void AviFile::read_list(std::uint64_t begin, std::uint64_t end, int depth) {
         const auto body = at + 8;
         if ((id == "RIFF" || id == "LIST") && head.size() == 12 && depth < deepest_list) {
             const auto kind = head.substr(8, 4);
-            const auto list_end = bytes < 4 ? end : std::min(end, body + bytes);  // a recorder that was cut off leaves 0 or too much
+            const auto list_end =
+                bytes < 4 ? end : std::min(end, body + bytes);  // a recorder that was cut off leaves 0 or too much
             if (kind != "INFO" && kind != "odml") read_list(body + 4, list_end, depth + 1);
             at = list_end + list_end % 2;
             continue;
         }
-        if (id == "strh" || id == "strf" || id == "avih") read_header(id, file_.read(body, std::min<std::uint64_t>(bytes, 4096)));
-        else if (video_ && id.size() == 4 && std::isdigit(static_cast<unsigned char>(id[0])) && std::isdigit(static_cast<unsigned char>(id[1])) &&
-                 (id[0] - '0') * 10 + (id[1] - '0') == *video_ && id[2] == 'd' && (id[3] == 'b' || id[3] == 'c'))
+        if (id == "strh" || id == "strf" || id == "avih")
+            read_header(id, file_.read(body, std::min<std::uint64_t>(bytes, 4096)));
+        else if (video_ && id.size() == 4 && std::isdigit(static_cast<unsigned char>(id[0])) &&
+                 std::isdigit(static_cast<unsigned char>(id[1])) && (id[0] - '0') * 10 + (id[1] - '0') == *video_ &&
+                 id[2] == 'd' && (id[3] == 'b' || id[3] == 'c'))
             frames_.push_back({body, bytes});
         at = body + bytes + bytes % 2;
     }
@@ -75,7 +82,9 @@ void AviFile::read_header(const std::string& id, const std::string& bytes) {
         bits_ = static_cast<int>(number_in(bytes, 14, 2));
         require_known_codec(bytes.substr(16, 4));
         for (std::size_t at = 40; bits_ == 8 && at + 4 <= bytes.size() && palette_.size() < 256; at += 4) {
-            const auto part = [&](std::size_t k) { return static_cast<float>(static_cast<unsigned char>(bytes[at + k])); };
+            const auto part = [&](std::size_t k) {
+                return static_cast<float>(static_cast<unsigned char>(bytes[at + k]));
+            };
             palette_.push_back(0.299f * part(2) + 0.587f * part(1) + 0.114f * part(0));
         }
     }
@@ -84,26 +93,38 @@ void AviFile::read_header(const std::string& id, const std::string& bytes) {
 void AviFile::require_known_codec(const std::string& codec) {
     const auto name = upper(codec);
     if (codec == std::string(4, '\0') || name == "DIB " || name == "RGB " || name == "RAW ") layout_ = Layout::rgb;
-    else if (name == "MJPG" || name == "JPEG" || name == "AVI1" || name == "PNG " || name == "MPNG") layout_ = Layout::compressed;
-    else if (name == "Y800" || name == "GREY" || name == "Y8  " || name == "I420" || name == "IYUV" || name == "YV12" || name == "NV12") layout_ = Layout::planar_luminance;
+    else if (name == "MJPG" || name == "JPEG" || name == "AVI1" || name == "PNG " || name == "MPNG")
+        layout_ = Layout::compressed;
+    else if (name == "Y800" || name == "GREY" || name == "Y8  " || name == "I420" || name == "IYUV" || name == "YV12" ||
+             name == "NV12")
+        layout_ = Layout::planar_luminance;
     else if (name == "YUY2" || name == "YUYV") layout_ = Layout::yuyv;
     else if (name == "UYVY") layout_ = Layout::uyvy;
     else
-        throw FormatError(file_.path(), {.offset = 0},
-                          fmt::format("video of codec '{}', whose frames do not stand by themselves; convert it without loss: ffmpeg -i IN.avi -pix_fmt gray frame_%05d.png", printable(codec)));
+        throw FormatError(
+            file_.path(), {.offset = 0},
+            fmt::format(
+                "video of codec '{}', whose frames do not stand by themselves; convert it without loss: ffmpeg -i IN.avi -pix_fmt gray frame_%05d.png",
+                printable(codec)));
     if (layout_ == Layout::rgb && bits_ != 8 && bits_ != 24 && bits_ != 32)
-        throw FormatError(file_.path(), {.offset = 0}, fmt::format("uncompressed video of {} bits a pixel, expected 8, 24 or 32; convert it: ffmpeg -i IN.avi frame_%05d.png", bits_));
+        throw FormatError(
+            file_.path(), {.offset = 0},
+            fmt::format(
+                "uncompressed video of {} bits a pixel, expected 8, 24 or 32; convert it: ffmpeg -i IN.avi frame_%05d.png",
+                bits_));
 }
 
 FrameRead AviFile::uncompressed(const std::string& bytes) const {
     const long bytes_a_pixel = layout_ == Layout::rgb ? bits_ / 8 : layout_ == Layout::planar_luminance ? 1 : 2;
-    const long stride = layout_ == Layout::rgb ? (size_.width * bytes_a_pixel + 3) / 4 * 4 : size_.width * bytes_a_pixel;
+    const long stride =
+        layout_ == Layout::rgb ? (size_.width * bytes_a_pixel + 3) / 4 * 4 : size_.width * bytes_a_pixel;
     if (static_cast<long>(bytes.size()) < stride * size_.height)
         return {{}, fmt::format("truncated: {} of {} bytes of pixels", bytes.size(), stride * size_.height)};
     FramePixels pixels(size_.height, size_.width);
     for (long row = 0; row < size_.height; ++row) {
         const bool flipped = layout_ == Layout::rgb && !top_down_;
-        const auto* at = reinterpret_cast<const unsigned char*>(bytes.data()) + (flipped ? size_.height - 1 - row : row) * stride;
+        const auto* at =
+            reinterpret_cast<const unsigned char*>(bytes.data()) + (flipped ? size_.height - 1 - row : row) * stride;
         for (long column = 0; column < size_.width; ++column, at += bytes_a_pixel) {
             float grey = 0;
             if (bytes_a_pixel >= 3) grey = 0.299f * at[2] + 0.587f * at[1] + 0.114f * at[0];
@@ -119,7 +140,8 @@ FrameRead AviFile::read(std::size_t index) const {
     const auto& place = frames_[index];
     if (place.bytes == 0) return {{}, "dropped by the recorder: an empty frame"};
     const auto bytes = file_.read(place.offset, place.bytes);
-    if (bytes.size() < place.bytes) return {{}, fmt::format("truncated: {} of {} bytes at byte {}", bytes.size(), place.bytes, place.offset)};
+    if (bytes.size() < place.bytes)
+        return {{}, fmt::format("truncated: {} of {} bytes at byte {}", bytes.size(), place.bytes, place.offset)};
     return layout_ == Layout::compressed ? decoded_picture(bytes) : uncompressed(bytes);
 }
 

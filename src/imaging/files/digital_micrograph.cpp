@@ -29,7 +29,9 @@ std::vector<std::size_t> images_of(const DmTag& root, std::size_t count) {
             if (const auto index = index_of(thumbnail.number_at("ImageIndex"))) thumbnails.insert(*index);
     std::vector<std::size_t> images;
     const auto add = [&](std::optional<std::size_t> index) {
-        if (index && *index < count && !thumbnails.contains(*index) && std::find(images.begin(), images.end(), *index) == images.end()) images.push_back(*index);
+        if (index && *index < count && !thumbnails.contains(*index) &&
+            std::find(images.begin(), images.end(), *index) == images.end())
+            images.push_back(*index);
     };
     if (const auto* list = root.find("ImageSourceList"))
         for (const auto& source : list->tags) add(index_of(source.number_at("ImageRef")));
@@ -45,9 +47,11 @@ std::optional<SampleType> sample_type(int data_type) {
         case 1: return SampleType::int16;
         case 2: return SampleType::float32;
         case 3: return SampleType::complex_float32;
-        case 6: case 14: return SampleType::uint8;
+        case 6:
+        case 14: return SampleType::uint8;
         case 7: return SampleType::int32;
-        case 8: case 23: return SampleType::bgra;
+        case 8:
+        case 23: return SampleType::bgra;
         case 9: return SampleType::int8;
         case 10: return SampleType::uint16;
         case 11: return SampleType::uint32;
@@ -64,17 +68,22 @@ struct Tagged {
 };
 
 /// What tags of an image say of how it was taken.
-constexpr std::array instrument_tags{Tagged{"Microscope Info/Indicated Magnification", "magnification", ""}, Tagged{"Microscope Info/Voltage", "voltage", " V"},
-                                     Tagged{"Microscope Info/Illumination Mode", "illumination mode", ""}, Tagged{"Microscope Info/Imaging Mode", "imaging mode", ""},
-                                     Tagged{"Microscope Info/Operation Mode", "operation mode", ""}, Tagged{"Microscope Info/Cs(mm)", "spherical aberration", " mm"},
-                                     Tagged{"Acquisition/Parameters/High Level/Exposure (s)", "exposure", " s"}, Tagged{"Acquisition/Device/Name", "camera", ""}};
+constexpr std::array instrument_tags{Tagged{"Microscope Info/Indicated Magnification", "magnification", ""},
+                                     Tagged{"Microscope Info/Voltage", "voltage", " V"},
+                                     Tagged{"Microscope Info/Illumination Mode", "illumination mode", ""},
+                                     Tagged{"Microscope Info/Imaging Mode", "imaging mode", ""},
+                                     Tagged{"Microscope Info/Operation Mode", "operation mode", ""},
+                                     Tagged{"Microscope Info/Cs(mm)", "spherical aberration", " mm"},
+                                     Tagged{"Acquisition/Parameters/High Level/Exposure (s)", "exposure", " s"},
+                                     Tagged{"Acquisition/Device/Name", "camera", ""}};
 
 void describe(Micrograph& micrograph, const DmTag& image) {
     const auto* tags = image.find("ImageTags");
     if (!tags) return;
     for (const auto& [path, name, unit] : instrument_tags) {
         if (const auto text = tags->text_at(path); !text.empty()) micrograph.attributes[name] = text;
-        else if (const auto number = tags->number_at(path); number && *number != 0) micrograph.attributes[name] = fmt::format("{:g}{}", *number, unit);
+        else if (const auto number = tags->number_at(path); number && *number != 0)
+            micrograph.attributes[name] = fmt::format("{:g}{}", *number, unit);
     }
     for (const auto* path : {"Session Info/Microscope", "Microscope Info/Name", "Microscope Info/Microscope"})
         if (micrograph.instrument.empty()) micrograph.instrument = tags->text_at(path);
@@ -93,41 +102,62 @@ Micrograph read_digital_micrograph(const RandomAccess& file, const MicrographOpt
     const auto tags = read_dm_tags(file);
     auto micrograph = unread_micrograph(file, tags.version == 4 ? "dm4" : "dm3");
     const auto* list = tags.root.find("ImageList");
-    if (!list || list->tags.empty()) throw FormatError(file.path(), {.offset = tags.root.offset}, "a DigitalMicrograph file without an image; it holds tags alone");
+    if (!list || list->tags.empty())
+        throw FormatError(file.path(), {.offset = tags.root.offset},
+                          "a DigitalMicrograph file without an image; it holds tags alone");
     const auto images = images_of(tags.root, list->tags.size());
     choose_image(micrograph, images.size(), options);
     const auto& image = list->tags[images[options.image]];
-    const auto damaged = [&](const std::string& what) { return FormatError(file.path(), {.offset = image.offset}, what); };
+    const auto damaged = [&](const std::string& what) {
+        return FormatError(file.path(), {.offset = image.offset}, what);
+    };
     const auto* data = image.find("ImageData");
     const auto* numbers = data ? data->find("Data") : nullptr;
     const auto* dimensions = data ? data->find("Dimensions") : nullptr;
     const auto data_type = data ? index_of(data->number_at("DataType")) : std::nullopt;
-    if (!numbers || numbers->bytes == 0 || !dimensions || !data_type) throw damaged("an image without data, dimensions or a type of data: damaged");
+    if (!numbers || numbers->bytes == 0 || !dimensions || !data_type)
+        throw damaged("an image without data, dimensions or a type of data: damaged");
 
     std::vector<std::uint64_t> lengths;
     for (const auto& dimension : dimensions->tags) {
         const auto length = dimension.number;
-        if (!length || !(*length >= 1) || *length > 1e15) throw damaged("an image with a dimension without length: damaged");
+        if (!length || !(*length >= 1) || *length > 1e15)
+            throw damaged("an image with a dimension without length: damaged");
         lengths.push_back(static_cast<std::uint64_t>(*length));
     }
     for (std::size_t axis = 0; axis < lengths.size(); ++axis)
         if (const auto unit = axis_of(*data, axis).unit; is_energy(unit))
-            throw damaged(fmt::format("axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image", axis, unit));
-    if (lengths.size() < 2) throw damaged(fmt::format("{} numbers along one axis: a spectrum or a line, not a picture; choose the file with the image", lengths.empty() ? 0 : lengths[0]));
+            throw damaged(fmt::format(
+                "axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image", axis, unit));
+    if (lengths.size() < 2)
+        throw damaged(fmt::format(
+            "{} numbers along one axis: a spectrum or a line, not a picture; choose the file with the image",
+            lengths.empty() ? 0 : lengths[0]));
     const auto size = picture_size(file, image.offset, lengths[0], lengths[1], options);
     for (std::size_t axis = 2; axis < lengths.size(); ++axis)
         if (lengths[axis] > 1) {
-            add_alert(micrograph, "STACK", fmt::format("the image is a stack with {} planes along axis {}; the first is read", lengths[axis], axis), "save the plane wanted as a file of its own");
+            add_alert(micrograph, "STACK",
+                      fmt::format("the image is a stack with {} planes along axis {}; the first is read", lengths[axis],
+                                  axis),
+                      "save the plane wanted as a file of its own");
             break;
         }
 
     const auto type = sample_type(static_cast<int>(*data_type));
-    if (!type) throw damaged(fmt::format("pixels of type {}, which is not read; convert the image to real numbers with DigitalMicrograph", *data_type));
-    const auto needed = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
+    if (!type)
+        throw damaged(fmt::format(
+            "pixels of type {}, which is not read; convert the image to real numbers with DigitalMicrograph",
+            *data_type));
+    const auto needed =
+        static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
     if (numbers->bytes < needed)
-        throw FormatError(file.path(), {.offset = numbers->offset}, fmt::format("{} bytes of pixels, {} × {} of {} bytes need {}: damaged", numbers->bytes, size.width, size.height, bytes_of(*type), needed));
+        throw FormatError(file.path(), {.offset = numbers->offset},
+                          fmt::format("{} bytes of pixels, {} × {} of {} bytes need {}: damaged", numbers->bytes,
+                                      size.width, size.height, bytes_of(*type), needed));
     micrograph.pixels = read_pixels(file, {numbers->offset, *type, tags.big_endian, size});
-    if (is_complex(*type)) add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read", "save the real image if this is a Fourier transform");
+    if (is_complex(*type))
+        add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
+                  "save the real image if this is a Fourier transform");
 
     set_pixel_size(micrograph, axis_of(*data, 0), axis_of(*data, 1), fmt::format("DM{} calibration", tags.version));
     describe(micrograph, image);

@@ -14,7 +14,19 @@ namespace setae::imaging {
 namespace {
 
 /// Types of numbers in tags, as the files number them.
-enum class DmType { int16 = 2, int32 = 3, uint16 = 4, uint32 = 5, float32 = 6, float64 = 7, boolean = 8, int8 = 9, uint8 = 10, int64 = 11, uint64 = 12 };
+enum class DmType {
+    int16 = 2,
+    int32 = 3,
+    uint16 = 4,
+    uint32 = 5,
+    float32 = 6,
+    float64 = 7,
+    boolean = 8,
+    int8 = 9,
+    uint8 = 10,
+    int64 = 11,
+    uint64 = 12
+};
 
 constexpr int deepest_group = 64;
 constexpr std::uint64_t most_tags = 200'000;      // real files have some thousands
@@ -27,10 +39,17 @@ constexpr int entry_group = 20, entry_data = 21;
 
 std::optional<std::uint64_t> bytes_of_type(std::uint64_t type) {
     switch (type) {
-        case 2: case 4: return 2;
-        case 3: case 5: case 6: return 4;
-        case 7: case 11: case 12: return 8;
-        case 8: case 9: case 10: return 1;
+        case 2:
+        case 4: return 2;
+        case 3:
+        case 5:
+        case 6: return 4;
+        case 7:
+        case 11:
+        case 12: return 8;
+        case 8:
+        case 9:
+        case 10: return 1;
         default: return std::nullopt;
     }
 }
@@ -44,18 +63,24 @@ public:
         tags.version = static_cast<int>(number(4));
         word_ = tags.version == 4 ? 8 : 4;
         const auto length = number(word_);
-        if (length > file_.size()) throw damaged(0, fmt::format("its header announces {} bytes, the file has {}: truncated", length, file_.size()));
+        if (length > file_.size())
+            throw damaged(
+                0, fmt::format("its header announces {} bytes, the file has {}: truncated", length, file_.size()));
         tags.big_endian = big_endian_ = number(4) == 0;
         tags.root = group(0);
         return tags;
     }
 
 private:
-    [[nodiscard]] FormatError damaged(std::uint64_t offset, const std::string& what) const { return {file_.path(), {.offset = offset}, what}; }
+    [[nodiscard]] FormatError damaged(std::uint64_t offset, const std::string& what) const {
+        return {file_.path(), {.offset = offset}, what};
+    }
 
     /// Bytes at the place of reading, which moves on.
     std::string_view take(std::uint64_t count) {
-        if (count > file_.size() - at_) throw damaged(at_, fmt::format("{} bytes expected, the file ends at byte {}: truncated or damaged", count, file_.size()));
+        if (count > file_.size() - at_)
+            throw damaged(at_, fmt::format("{} bytes expected, the file ends at byte {}: truncated or damaged", count,
+                                           file_.size()));
         if (at_ < window_at_ || at_ + count > window_at_ + window_.size()) {
             window_at_ = at_;
             window_ = file_.read(at_, std::max(count, window_bytes));
@@ -69,18 +94,23 @@ private:
     std::uint64_t number(std::size_t bytes) { return number_in(take(bytes), 0, bytes, true); }
 
     DmTag group(int depth) {
-        if (depth > deepest_group) throw damaged(at_, fmt::format("groups of tags more than {} deep: damaged", deepest_group));
+        if (depth > deepest_group)
+            throw damaged(at_, fmt::format("groups of tags more than {} deep: damaged", deepest_group));
         (void)take(2);  // sorted, open
         const auto begin = at_;
         const auto count = number(word_);
-        if (count > (file_.size() - at_) / 3) throw damaged(begin, fmt::format("a group of {} tags in the {} bytes that are left: damaged", count, file_.size() - at_));
+        if (count > (file_.size() - at_) / 3)
+            throw damaged(begin, fmt::format("a group of {} tags in the {} bytes that are left: damaged", count,
+                                             file_.size() - at_));
         DmTag tag;
         tag.offset = at_;
         for (std::uint64_t i = 0; i < count; ++i) {
             if (++tags_ > most_tags) throw damaged(at_, fmt::format("more than {} tags: damaged", most_tags));
             const auto entry_at = at_;
             const auto kind = static_cast<int>(number(1));
-            if (kind != entry_group && kind != entry_data) throw damaged(entry_at, fmt::format("a tag of kind {}, expected {} or {}: damaged", kind, entry_group, entry_data));
+            if (kind != entry_group && kind != entry_data)
+                throw damaged(entry_at, fmt::format("a tag of kind {}, expected {} or {}: damaged", kind, entry_group,
+                                                    entry_data));
             auto name = text_of(take(number(2)));
             if (word_ == 8) (void)take(8);  // bytes of the entry
             auto member = kind == entry_group ? group(depth + 1) : data();
@@ -94,7 +124,8 @@ private:
         const auto begin = at_;
         if (take(4) != "%%%%") throw damaged(begin, "a tag's data without the mark %%%%: damaged");
         const auto words = number(word_);
-        if (words == 0 || words > most_type_words) throw damaged(begin, fmt::format("a type described by {} numbers: damaged", words));
+        if (words == 0 || words > most_type_words)
+            throw damaged(begin, fmt::format("a type described by {} numbers: damaged", words));
         types_.clear();
         for (std::uint64_t i = 0; i < words; ++i) types_.push_back(number(word_));
         DmTag tag;
@@ -124,11 +155,14 @@ private:
         if (const auto bytes = bytes_of_type(kind)) return *bytes;
         if (kind == kind_structure && from + 2 < types_.size()) {
             const auto fields = types_[from + 2];
-            if (fields > (types_.size() - from - 3) / 2) throw damaged(begin, fmt::format("a structure of {} fields that are not described: damaged", fields));
+            if (fields > (types_.size() - from - 3) / 2)
+                throw damaged(begin, fmt::format("a structure of {} fields that are not described: damaged", fields));
             std::uint64_t bytes = 0;
             for (std::uint64_t i = 0; i < fields; ++i) {
                 const auto field = bytes_of_type(types_[from + 4 + 2 * i]);
-                if (!field) throw damaged(begin, fmt::format("a field of type {} in a structure: unknown or damaged", types_[from + 4 + 2 * i]));
+                if (!field)
+                    throw damaged(begin, fmt::format("a field of type {} in a structure: unknown or damaged",
+                                                     types_[from + 4 + 2 * i]));
                 bytes += *field;
             }
             return bytes;
@@ -141,7 +175,9 @@ private:
     }
 
     [[nodiscard]] std::uint64_t times(std::uint64_t count, std::uint64_t bytes, std::uint64_t begin) const {
-        if (bytes > 0 && count > file_.size() / bytes) throw damaged(begin, fmt::format("{} elements of {} bytes in a file of {} bytes: truncated or damaged", count, bytes, file_.size()));
+        if (bytes > 0 && count > file_.size() / bytes)
+            throw damaged(begin, fmt::format("{} elements of {} bytes in a file of {} bytes: truncated or damaged",
+                                             count, bytes, file_.size()));
         return count * bytes;
     }
 
@@ -153,7 +189,10 @@ private:
 
     void skip(const DmTag& tag, std::uint64_t begin) {
         if (tag.bytes > file_.size() - tag.offset)
-            throw damaged(begin, fmt::format("{} bytes of data, the file ends {} bytes after their beginning: truncated or damaged", tag.bytes, file_.size() - tag.offset));
+            throw damaged(
+                begin,
+                fmt::format("{} bytes of data, the file ends {} bytes after their beginning: truncated or damaged",
+                            tag.bytes, file_.size() - tag.offset));
         at_ = tag.offset + tag.bytes;
     }
 

@@ -49,7 +49,9 @@ Handle opened(const RandomAccess& file) {
     return opened_file;
 }
 
-bool exists(hid_t place, const std::string& name) { return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0 && H5Oexists_by_name(place, name.c_str(), H5P_DEFAULT) > 0; }
+bool exists(hid_t place, const std::string& name) {
+    return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0 && H5Oexists_by_name(place, name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<hsize_t> sides_of(hid_t data) {
     const Handle space(H5Dget_space(data), &H5Sclose);
@@ -89,7 +91,9 @@ std::optional<double> step_of(hid_t group, const std::string& name) {
     const hsize_t start = 0, count = 2;
     const Handle memory(H5Screate_simple(1, &count, nullptr), &H5Sclose);
     double positions[2]{};
-    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr) < 0 || H5Dread(data, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, positions) < 0) return std::nullopt;
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr) < 0 ||
+        H5Dread(data, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, positions) < 0)
+        return std::nullopt;
     return positions[1] - positions[0];
 }
 
@@ -120,18 +124,21 @@ bool is_ncem_image(hid_t group) {
     const Handle attribute(H5Aopen(group, "emd_group_type", H5P_DEFAULT), &H5Aclose);
     const Handle space(H5Aget_space(attribute), &H5Sclose), type(H5Aget_type(attribute), &H5Tclose);
     int value = 0;
-    return space && type && H5Tget_class(type) == H5T_INTEGER && H5Sget_simple_extent_npoints(space) == 1 && H5Aread(attribute, H5T_NATIVE_INT, &value) >= 0 && value == 1;
+    return space && type && H5Tget_class(type) == H5T_INTEGER && H5Sget_simple_extent_npoints(space) == 1 &&
+           H5Aread(attribute, H5T_NATIVE_INT, &value) >= 0 && value == 1;
 }
 
 /// Paths of groups that hold an image in NCEM's layout.
-void find_ncem_images(hid_t group, const std::string& path, int depth, std::vector<std::string>& found, std::size_t& visited) {
+void find_ncem_images(hid_t group, const std::string& path, int depth, std::vector<std::string>& found,
+                      std::size_t& visited) {
     if (is_ncem_image(group)) found.push_back(path);
     if (depth > deepest_group) return;
     for (const auto& name : members_of(group)) {
         if (++visited > most_members) return;
         if (!exists(group, name)) continue;
         const Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
-        if (member && H5Iget_type(member) == H5I_GROUP) find_ncem_images(member, path + "/" + name, depth + 1, found, visited);
+        if (member && H5Iget_type(member) == H5I_GROUP)
+            find_ncem_images(member, path + "/" + name, depth + 1, found, visited);
     }
 }
 
@@ -140,20 +147,25 @@ struct Plane {
 };
 
 /// Grey levels of the first plane of a dataset. @throws FormatError.
-FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsize_t>& sides, Plane plane, const MicrographOptions& options) {
+FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsize_t>& sides, Plane plane,
+                     const MicrographOptions& options) {
     const auto damaged = [&](const std::string& what) { return FormatError(file.path(), {.offset = 0}, what); };
     const auto size = picture_size(file, 0, sides[plane.column_axis], sides[plane.row_axis], options);
     const Handle type(H5Dget_type(data), &H5Tclose);
     const auto kind = H5Tget_class(type);
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) throw damaged("pixels that are no plain numbers; convert complex or coloured images to real ones");
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT)
+        throw damaged("pixels that are no plain numbers; convert complex or coloured images to real ones");
     const Handle properties(H5Dget_create_plist(data), &H5Pclose);
-    if (H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) == H5D_VIRTUAL) throw damaged("pixels that lie in other files; copy them into one");
+    if (H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) == H5D_VIRTUAL)
+        throw damaged("pixels that lie in other files; copy them into one");
     if (H5Pget_layout(properties) == H5D_CHUNKED) {
         std::vector<hsize_t> chunk(sides.size());
         H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
         double bytes = static_cast<double>(H5Tget_size(type));
         for (const auto side : chunk) bytes *= static_cast<double>(side);
-        if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels)) throw damaged(fmt::format("pixels packed in pieces of {:.3g} bytes; export the image as a file of its own", bytes));
+        if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels))
+            throw damaged(
+                fmt::format("pixels packed in pieces of {:.3g} bytes; export the image as a file of its own", bytes));
     } else if (H5Dget_storage_size(data) > file.size()) {
         throw damaged("more pixels than the file has bytes: truncated or damaged");
     }
@@ -162,11 +174,13 @@ FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsi
     std::vector<hsize_t> count(sides.size(), 1);
     count[plane.row_axis] = sides[plane.row_axis];
     count[plane.column_axis] = sides[plane.column_axis];
-    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0) throw damaged("a plane HDF5 cannot select: damaged");
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0)
+        throw damaged("a plane HDF5 cannot select: damaged");
     const hsize_t numbers = sides[plane.row_axis] * sides[plane.column_axis];
     const Handle memory(H5Screate_simple(1, &numbers, nullptr), &H5Sclose);
     FramePixels pixels(size.height, size.width);
-    if (H5Dread(data, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, pixels.data()) < 0) throw damaged("HDF5 cannot read the pixels: truncated or damaged");
+    if (H5Dread(data, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, pixels.data()) < 0)
+        throw damaged("HDF5 cannot read the pixels: truncated or damaged");
     return pixels;
 }
 
@@ -174,7 +188,9 @@ void note_planes(Micrograph& micrograph, const std::vector<hsize_t>& sides, Plan
     double planes = 1;
     for (std::size_t axis = 0; axis < sides.size(); ++axis)
         if (axis != plane.row_axis && axis != plane.column_axis) planes *= static_cast<double>(sides[axis]);
-    if (planes > 1) add_alert(micrograph, "STACK", fmt::format("the image is a stack of {:g} planes; the first is read", planes), "save the plane wanted as a file of its own");
+    if (planes > 1)
+        add_alert(micrograph, "STACK", fmt::format("the image is a stack of {:g} planes; the first is read", planes),
+                  "save the plane wanted as a file of its own");
 }
 
 void read_ncem(const RandomAccess& file, hid_t group, Micrograph& micrograph, const MicrographOptions& options) {
@@ -191,9 +207,16 @@ void read_ncem(const RandomAccess& file, hid_t group, Micrograph& micrograph, co
             unit = emd_unit(text_attribute(dimension, "units"));
         }
         axes.push_back({step.value_or(0), unit});
-        if (is_energy(unit)) throw FormatError(file.path(), {.offset = 0}, fmt::format("axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image", axis, unit));
+        if (is_energy(unit))
+            throw FormatError(
+                file.path(), {.offset = 0},
+                fmt::format("axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image",
+                            axis, unit));
     }
-    if (sides.size() < 2) throw FormatError(file.path(), {.offset = 0}, "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
+    if (sides.size() < 2)
+        throw FormatError(
+            file.path(), {.offset = 0},
+            "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
     const Plane plane{sides.size() - 2, sides.size() - 1};
     micrograph.pixels = plane_of(file, data, sides, plane, options);
     note_planes(micrograph, sides, plane);
@@ -211,7 +234,9 @@ nlohmann::json velox_metadata(hid_t image) {
     const hsize_t start[] = {0, 0}, count[] = {sides[0], 1};
     const Handle memory(H5Screate_simple(1, count, nullptr), &H5Sclose);
     std::string text(sides[0], '\0');
-    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 || H5Dread(data, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, text.data()) < 0) return nullptr;
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
+        H5Dread(data, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, text.data()) < 0)
+        return nullptr;
     return nlohmann::json::parse(text.substr(0, text.find('\0')), nullptr, false);
 }
 
@@ -227,16 +252,24 @@ void read_velox(const RandomAccess& file, hid_t image, Micrograph& micrograph, c
     const Handle data(H5Dopen2(image, "Data", H5P_DEFAULT), &H5Dclose);
     if (!data) throw FormatError(file.path(), {.offset = 0}, "an image whose Data is no dataset: damaged");
     const auto sides = sides_of(data);
-    if (sides.size() < 2) throw FormatError(file.path(), {.offset = 0}, "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
+    if (sides.size() < 2)
+        throw FormatError(
+            file.path(), {.offset = 0},
+            "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
     const Plane plane{0, 1};  // frames along the last axis
     micrograph.pixels = plane_of(file, data, sides, plane, options);
     note_planes(micrograph, sides, plane);
     const auto metadata = velox_metadata(image);
-    const auto width = number_of(json_text(metadata, "/BinaryResult/PixelSize/width")), height = number_of(json_text(metadata, "/BinaryResult/PixelSize/height"));
-    if (width && height) set_pixel_size(micrograph, {*width, json_text(metadata, "/BinaryResult/PixelUnitX")}, {*height, json_text(metadata, "/BinaryResult/PixelUnitY")}, "Velox metadata");
+    const auto width = number_of(json_text(metadata, "/BinaryResult/PixelSize/width")),
+               height = number_of(json_text(metadata, "/BinaryResult/PixelSize/height"));
+    if (width && height)
+        set_pixel_size(micrograph, {*width, json_text(metadata, "/BinaryResult/PixelUnitX")},
+                       {*height, json_text(metadata, "/BinaryResult/PixelUnitY")}, "Velox metadata");
     micrograph.instrument = json_text(metadata, "/Instrument/InstrumentClass");
     micrograph.acquisition_time = json_text(metadata, "/Acquisition/AcquisitionStartDatetime/DateTime");
-    for (const auto& [name, path, unit] : {std::tuple{"voltage", "/Optics/AccelerationVoltage", " V"}, {"magnification", "/Optics/NominalMagnification", ""}, {"detector", "/BinaryResult/Detector", ""}})
+    for (const auto& [name, path, unit] : {std::tuple{"voltage", "/Optics/AccelerationVoltage", " V"},
+                                           {"magnification", "/Optics/NominalMagnification", ""},
+                                           {"detector", "/BinaryResult/Detector", ""}})
         if (const auto text = json_text(metadata, path); !text.empty()) micrograph.attributes[name] = text + unit;
 }
 
@@ -257,19 +290,25 @@ Micrograph read_emd(const RandomAccess& file, const MicrographOptions& options) 
         const Handle group(H5Oopen(root, velox.c_str(), H5P_DEFAULT), &H5Oclose);
         if (group && H5Iget_type(group) == H5I_GROUP)
             for (const auto& name : members_of(group))
-                if (exists(group, name) && exists(root, velox + "/" + name + "/Data")) images.push_back(velox + "/" + name);
+                if (exists(group, name) && exists(root, velox + "/" + name + "/Data"))
+                    images.push_back(velox + "/" + name);
     } else {
         const Handle group(H5Oopen(root, "/", H5P_DEFAULT), &H5Oclose);
         std::size_t visited = 0;
         find_ncem_images(group, "", 0, images, visited);
     }
-    if (images.empty()) throw FormatError(file.path(), {.offset = 0}, "an HDF5 file without an image in the layout of EMD (emd_group_type or Data/Image)");
+    if (images.empty())
+        throw FormatError(file.path(), {.offset = 0},
+                          "an HDF5 file without an image in the layout of EMD (emd_group_type or Data/Image)");
     choose_image(micrograph, images.size(), options);
-    const Handle image(H5Oopen(root, images[options.image].empty() ? "/" : images[options.image].c_str(), H5P_DEFAULT), &H5Oclose);
-    if (!image || H5Iget_type(image) != H5I_GROUP) throw FormatError(file.path(), {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
+    const Handle image(H5Oopen(root, images[options.image].empty() ? "/" : images[options.image].c_str(), H5P_DEFAULT),
+                       &H5Oclose);
+    if (!image || H5Iget_type(image) != H5I_GROUP)
+        throw FormatError(file.path(), {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
     if (is_velox) read_velox(file, image, micrograph, options);
     else read_ncem(file, image, micrograph, options);
-    add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand", "compare picture and pixel size with another program's");
+    add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand",
+              "compare picture and pixel size with another program's");
     return micrograph;
 }
 

@@ -15,8 +15,8 @@
 #include "picture_files.hpp"
 #include "plain_picture.hpp"
 #include "ser_file.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "tiff_micrograph.hpp"
 
 namespace setae::imaging {
@@ -52,35 +52,50 @@ Micrograph read_micrograph_file(RandomAccess file, const MicrographOptions& opti
             case Kind::emd: return read_emd(file, options);
             case Kind::none: break;
         }
-        throw FormatError(path, {.offset = 0}, "no picture setae knows; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC");
+        throw FormatError(path, {.offset = 0},
+                          "no picture setae knows; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC");
     }();
     if (const auto undefined = micrograph.pixels.size() - micrograph.pixels.isFinite().count(); undefined > 0)
-        throw FormatError(path, {}, fmt::format("{} pixels without a number; replace them and save the picture again", undefined));
+        throw FormatError(
+            path, {}, fmt::format("{} pixels without a number; replace them and save the picture again", undefined));
     return micrograph;
 }
 
 Micrograph read_micrograph(const std::string& path, const MicrographOptions& options) {
     auto micrograph = read_micrograph_file(RandomAccess(path), options);
     if (micrograph.format == "ser")
-        if (const auto emi = emi_beside(path); std::filesystem::is_regular_file(emi)) read_emi(bytes::read_file(emi), micrograph);
+        if (const auto emi = emi_beside(path); std::filesystem::is_regular_file(emi))
+            read_emi(bytes::read_file(emi), micrograph);
     return micrograph;
 }
 
 std::vector<std::string> micrographs_in(const std::string& folder) {
-    auto paths = files_in(folder, [](const RandomAccess& file) { return kind_of(file.read(0, head_bytes)) != Kind::none; });
-    if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
+    auto paths =
+        files_in(folder, [](const RandomAccess& file) { return kind_of(file.read(0, head_bytes)) != Kind::none; });
+    if (paths.empty())
+        throw FormatError(folder, {}, "no pictures; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
     return paths;
 }
 
 const std::vector<MicrographFormat>& micrograph_formats() {
     static const std::vector<MicrographFormat> formats{
-        {"dm3", "DigitalMicrograph 3", ".dm3", "pixel size of each axis with its unit, every type of number", "B. Schaffer, How to read DigitalMicrograph file-format (2014)", true},
-        {"dm4", "DigitalMicrograph 4", ".dm4", "the same with 64-bit lengths", "B. Schaffer, How to read DigitalMicrograph file-format (2014)", true},
-        {"tiff", "TIFF", ".tif .tiff", "pixel size of FEI, Olympus SIS, DigitalMicrograph, ImageJ; of Zeiss, JEOL and OME-XML untested on real files", "TIFF 6.0 (Adobe 1992), BigTIFF", true},
-        {"mrc", "MRC", ".mrc .mrcs .st", "modes 0 to 4, 6, 12 in either order of bytes; size of the cell, or of FEI's extended header; marked untested on real files", "Cheng et al., J. Struct. Biol. 192, 2015, 146", false},
-        {"ser", "TIA series", ".ser", "every type of number, metadata of the EMI beside it; marked untested on real files", "C. Boothroyd, TIA (Emispec) file format (2006)", false},
-        {"emd", "Electron Microscopy Dataset", ".emd", "NCEM's layout and Velox'; marked untested on real files", "emdatasets.com, EMD 0.2", false},
-        {"png", "PNG", ".png", "pixel size of pHYs where it is finer than print", "Portable Network Graphics (third edition)", false},
+        {"dm3", "DigitalMicrograph 3", ".dm3", "pixel size of each axis with its unit, every type of number",
+         "B. Schaffer, How to read DigitalMicrograph file-format (2014)", true},
+        {"dm4", "DigitalMicrograph 4", ".dm4", "the same with 64-bit lengths",
+         "B. Schaffer, How to read DigitalMicrograph file-format (2014)", true},
+        {"tiff", "TIFF", ".tif .tiff",
+         "pixel size of FEI, Olympus SIS, DigitalMicrograph, ImageJ; of Zeiss, JEOL and OME-XML untested on real files",
+         "TIFF 6.0 (Adobe 1992), BigTIFF", true},
+        {"mrc", "MRC", ".mrc .mrcs .st",
+         "modes 0 to 4, 6, 12 in either order of bytes; size of the cell, or of FEI's extended header; marked untested on real files",
+         "Cheng et al., J. Struct. Biol. 192, 2015, 146", false},
+        {"ser", "TIA series", ".ser",
+         "every type of number, metadata of the EMI beside it; marked untested on real files",
+         "C. Boothroyd, TIA (Emispec) file format (2006)", false},
+        {"emd", "Electron Microscopy Dataset", ".emd", "NCEM's layout and Velox'; marked untested on real files",
+         "emdatasets.com, EMD 0.2", false},
+        {"png", "PNG", ".png", "pixel size of pHYs where it is finer than print",
+         "Portable Network Graphics (third edition)", false},
         {"jpeg", "JPEG", ".jpg .jpeg", "no pixel size; its blocks roughen edges", "ITU-T T.81", false},
         {"bmp", "BMP", ".bmp", "no pixel size", "Microsoft, Bitmap Storage", false}};
     return formats;

@@ -23,8 +23,10 @@ std::string_view symbol_of(std::string_view unit) {
     struct Word {
         std::string_view word, symbol;
     };
-    static constexpr std::array words{Word{"micrometer", "um"}, Word{"micrometre", "um"}, Word{"nanometer", "nm"}, Word{"nanometre", "nm"}, Word{"picometer", "pm"},
-                                      Word{"Angstrom", "angstrom"}, Word{"\xE2\x84\xAB", "angstrom"}, Word{"meter", "m"}, Word{"\\u00B5m", "um"}};
+    static constexpr std::array words{
+        Word{"micrometer", "um"},         Word{"micrometre", "um"}, Word{"nanometer", "nm"},
+        Word{"nanometre", "nm"},          Word{"picometer", "pm"},  Word{"Angstrom", "angstrom"},
+        Word{"\xE2\x84\xAB", "angstrom"}, Word{"meter", "m"},       Word{"\\u00B5m", "um"}};
     for (const auto& [word, symbol] : words)
         if (unit == word) return symbol;
     return unit;
@@ -32,14 +34,19 @@ std::string_view symbol_of(std::string_view unit) {
 
 bool no_unit(std::string_view unit) { return unit.empty() || unit == "pixels" || unit == "pixel" || unit == "px"; }
 
-bool reciprocal(std::string_view unit) { return unit.find("1/") != std::string_view::npos || unit.find("-1") != std::string_view::npos || unit.find("\xE2\x81\xBB\xC2\xB9") != std::string_view::npos; }
+bool reciprocal(std::string_view unit) {
+    return unit.find("1/") != std::string_view::npos || unit.find("-1") != std::string_view::npos ||
+           unit.find("\xE2\x81\xBB\xC2\xB9") != std::string_view::npos;
+}
 
 void put_utf8(std::string& text, std::uint32_t point) {
     const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
     if (point < 0x80) byte(point);
     else if (point < 0x800) byte(0xC0 | (point >> 6)), byte(0x80 | (point & 63));
     else if (point < 0x10000) byte(0xE0 | (point >> 12)), byte(0x80 | ((point >> 6) & 63)), byte(0x80 | (point & 63));
-    else byte(0xF0 | (point >> 18)), byte(0x80 | ((point >> 12) & 63)), byte(0x80 | ((point >> 6) & 63)), byte(0x80 | (point & 63));
+    else
+        byte(0xF0 | (point >> 18)), byte(0x80 | ((point >> 12) & 63)), byte(0x80 | ((point >> 6) & 63)),
+            byte(0x80 | (point & 63));
 }
 
 }  // namespace
@@ -73,16 +80,24 @@ void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale&
     const auto metres_x = metres_of(unit_x), metres_y = metres_of(unit_y);
     if (!metres_x || !metres_y) {
         if (reciprocal(unit_x) || reciprocal(unit_y))
-            return add_alert(micrograph, "RECIPROCAL_UNITS", fmt::format("{} has axes in '{}': a diffraction pattern or a Fourier transform", source, micrograph.unit), "read the image itself");
-        return add_alert(micrograph, "UNKNOWN_UNIT", fmt::format("{} has the unit '{}', which is no length", source, micrograph.unit), remedy);
+            return add_alert(micrograph, "RECIPROCAL_UNITS",
+                             fmt::format("{} has axes in '{}': a diffraction pattern or a Fourier transform", source,
+                                         micrograph.unit),
+                             "read the image itself");
+        return add_alert(micrograph, "UNKNOWN_UNIT",
+                         fmt::format("{} has the unit '{}', which is no length", source, micrograph.unit), remedy);
     }
-    const PixelSize size{std::abs(x.scale) * *metres_x, std::abs(y.scale) * *metres_y};  // a negative scale turns an axis round
+    const PixelSize size{std::abs(x.scale) * *metres_x,
+                         std::abs(y.scale) * *metres_y};  // a negative scale turns an axis round
     if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
-        return add_alert(micrograph, "BAD_CALIBRATION", fmt::format("{} states pixels of {:g} {} × {:g} {}", source, x.scale, unit_x, y.scale, unit_y), remedy);
+        return add_alert(micrograph, "BAD_CALIBRATION",
+                         fmt::format("{} states pixels of {:g} {} × {:g} {}", source, x.scale, unit_x, y.scale, unit_y),
+                         remedy);
     micrograph.pixel_size = size;
     micrograph.pixel_size_source = source;
     if (std::abs(size.x / size.y - 1.0) > square_within)
-        add_alert(micrograph, "PIXELS_NOT_SQUARE", fmt::format("pixels are {} wide and {} high", format_value(size.x, "m"), format_value(size.y, "m")),
+        add_alert(micrograph, "PIXELS_NOT_SQUARE",
+                  fmt::format("pixels are {} wide and {} high", format_value(size.x, "m"), format_value(size.y, "m")),
                   "nothing, both sizes are used; check them if the camera has square pixels");
 }
 
@@ -91,22 +106,34 @@ bool is_energy(std::string_view unit) {
     return unit == "eV" || unit == "keV" || unit == "meV" || unit == "MeV";
 }
 
-PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height, const MicrographOptions& options) {
-    if (width == 0 || height == 0) throw FormatError(file.path(), {.offset = offset}, fmt::format("a picture of {} × {} pixels; the file is damaged", width, height));
+PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height,
+                         const MicrographOptions& options) {
+    if (width == 0 || height == 0)
+        throw FormatError(file.path(), {.offset = offset},
+                          fmt::format("a picture of {} × {} pixels; the file is damaged", width, height));
     if (width == 1 || height == 1)
-        throw FormatError(file.path(), {.offset = offset}, fmt::format("{} × {} numbers: a spectrum or a line, not a picture; choose the file with the image", width, height));
+        throw FormatError(
+            file.path(), {.offset = offset},
+            fmt::format("{} × {} numbers: a spectrum or a line, not a picture; choose the file with the image", width,
+                        height));
     const auto most = static_cast<std::uint64_t>(std::max(0L, options.most_pixels));
     if (width > most / height)
-        throw FormatError(file.path(), {.offset = offset},
-                          fmt::format("{} × {} pixels, more than the {} that are read; crop the picture to the edge, or bin it, with ImageJ or the microscope's program", width, height, most));
+        throw FormatError(
+            file.path(), {.offset = offset},
+            fmt::format(
+                "{} × {} pixels, more than the {} that are read; crop the picture to the edge, or bin it, with ImageJ or the microscope's program",
+                width, height, most));
     return {static_cast<long>(width), static_cast<long>(height)};
 }
 
 void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options) {
     if (options.image >= images)
-        throw InvalidArgument(fmt::format("{}: no image {}; the file has {}, counted from 0", micrograph.file, options.image, images));
+        throw InvalidArgument(
+            fmt::format("{}: no image {}; the file has {}, counted from 0", micrograph.file, options.image, images));
     if (images > 1)
-        add_alert(micrograph, "SEVERAL_IMAGES", fmt::format("the file holds {} images, number {} is read", images, options.image), "ask for another by its number, counted from 0");
+        add_alert(micrograph, "SEVERAL_IMAGES",
+                  fmt::format("the file holds {} images, number {} is read", images, options.image),
+                  "ask for another by its number, counted from 0");
 }
 
 std::string text_of(std::string_view bytes) {

@@ -38,7 +38,8 @@ void add_alert(Micrograph& micrograph, std::string code, std::string message, st
 
 /// Width and height as a file states them, found fit for a picture.
 /// @throws FormatError for one row or column (a spectrum) and for more pixels than the options allow.
-[[nodiscard]] PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height, const MicrographOptions& options);
+[[nodiscard]] PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width,
+                                       std::uint64_t height, const MicrographOptions& options);
 
 /// Checks that the file has the image asked for and says what is passed over: alert SEVERAL_IMAGES.
 /// @throws InvalidArgument for an image the file has not.

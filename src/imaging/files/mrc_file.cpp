@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint64_t header_bytes = 1024;
 
 namespace at {  // offsets in the header
-constexpr std::size_t sides = 0, mode = 12, sampling = 28, cell = 40, extended_bytes = 92, extended_kind = 104, mark = 208, stamp = 212;
+constexpr std::size_t sides = 0, mode = 12, sampling = 28, cell = 40, extended_bytes = 92, extended_kind = 104,
+                      mark = 208, stamp = 212;
 }
 
 namespace fei {  // offsets in an entry of FEI's extended header
@@ -38,7 +39,8 @@ std::optional<SampleType> sample_type(std::uint64_t mode) {
 /// A pixel between a tenth of a picometre and a micrometre.
 bool sensible(double size) { return size > 1e-13 && size < 1e-6; }
 
-/// Pixel size [m] of FEI's extended header, entry by entry; true where one stands there. Its numbers are little endian in practice.
+/// Pixel size [m] of FEI's extended header, entry by entry; true where one stands there. Its numbers are little endian
+/// in practice.
 bool read_fei_header(const RandomAccess& file, std::uint64_t section, Micrograph& micrograph) {
     const auto first = file.read(header_bytes, fei::least_size);
     if (first.size() < fei::least_size) return false;
@@ -49,7 +51,8 @@ bool read_fei_header(const RandomAccess& file, std::uint64_t section, Micrograph
     const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(entry, offset, 8)); };
     if (!sensible(real(fei::pixel_x)) || !sensible(real(fei::pixel_y))) return false;
     set_pixel_size(micrograph, {real(fei::pixel_x), "m"}, {real(fei::pixel_y), "m"}, "MRC extended header of FEI");
-    if (real(fei::voltage) > 0 && real(fei::voltage) < 1e7) micrograph.attributes["voltage"] = fmt::format("{:g} V", real(fei::voltage));
+    if (real(fei::voltage) > 0 && real(fei::voltage) < 1e7)
+        micrograph.attributes["voltage"] = fmt::format("{:g} V", real(fei::voltage));
     return true;
 }
 
@@ -64,27 +67,41 @@ bool is_mrc(std::string_view head) {
 Micrograph read_mrc(const RandomAccess& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "mrc");
     const auto header = file.read(0, header_bytes);
-    if (header.size() < header_bytes) throw FormatError(file.path(), {.offset = header.size()}, fmt::format("an MRC begins with {} bytes of header: truncated", header_bytes));
+    if (header.size() < header_bytes)
+        throw FormatError(file.path(), {.offset = header.size()},
+                          fmt::format("an MRC begins with {} bytes of header: truncated", header_bytes));
     const bool big_endian = header[at::stamp] == 0x11;
-    const auto whole = [&](std::size_t offset) { return static_cast<std::int32_t>(number_in(header, offset, 4, big_endian)); };
+    const auto whole = [&](std::size_t offset) {
+        return static_cast<std::int32_t>(number_in(header, offset, 4, big_endian));
+    };
     const auto real = [&](std::size_t offset) { return static_cast<double>(std::bit_cast<float>(whole(offset))); };
     const auto positive = [&](std::size_t offset) { return static_cast<std::uint64_t>(std::max(0, whole(offset))); };
     const auto size = picture_size(file, at::sides, positive(at::sides), positive(at::sides + 4), options);
     const auto sections = positive(at::sides + 8);
     choose_image(micrograph, std::max<std::uint64_t>(1, sections), options);
     const auto type = sample_type(positive(at::mode));
-    if (!type || whole(at::mode) < 0) throw FormatError(file.path(), {.offset = at::mode}, fmt::format("mode {}, expected 0, 1, 2, 3, 4, 6 or 12", whole(at::mode)));
+    if (!type || whole(at::mode) < 0)
+        throw FormatError(file.path(), {.offset = at::mode},
+                          fmt::format("mode {}, expected 0, 1, 2, 3, 4, 6 or 12", whole(at::mode)));
     const auto extended = positive(at::extended_bytes);
-    const auto section_bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
+    const auto section_bytes =
+        static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
     if (section_bytes > file.size() || options.image > file.size() / section_bytes)
-        throw FormatError(file.path(), {.offset = header_bytes}, fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size()));
-    micrograph.pixels = read_pixels(file, {header_bytes + extended + options.image * section_bytes, *type, big_endian, size});
-    if (is_complex(*type)) add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read", "read the real image if this is a Fourier transform");
+        throw FormatError(file.path(), {.offset = header_bytes},
+                          fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size()));
+    micrograph.pixels =
+        read_pixels(file, {header_bytes + extended + options.image * section_bytes, *type, big_endian, size});
+    if (is_complex(*type))
+        add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
+                  "read the real image if this is a Fourier transform");
 
-    const bool from_fei = extended > 0 && std::string_view(header).substr(at::extended_kind, 3) == "FEI" && read_fei_header(file, options.image, micrograph);
+    const bool from_fei = extended > 0 && std::string_view(header).substr(at::extended_kind, 3) == "FEI" &&
+                          read_fei_header(file, options.image, micrograph);
     if (!from_fei && real(at::cell) != 0 && positive(at::sampling) > 0 && positive(at::sampling + 4) > 0)
-        set_pixel_size(micrograph, {real(at::cell) / whole(at::sampling), "angstrom"}, {real(at::cell + 4) / whole(at::sampling + 4), "angstrom"}, "MRC cell dimensions");
-    add_alert(micrograph, "UNTESTED_FORMAT", "MRC is read from its description, no real file was at hand", "compare picture and pixel size with another program's");
+        set_pixel_size(micrograph, {real(at::cell) / whole(at::sampling), "angstrom"},
+                       {real(at::cell + 4) / whole(at::sampling + 4), "angstrom"}, "MRC cell dimensions");
+    add_alert(micrograph, "UNTESTED_FORMAT", "MRC is read from its description, no real file was at hand",
+              "compare picture and pixel size with another program's");
     return micrograph;
 }
 

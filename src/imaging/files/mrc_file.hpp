@@ -13,7 +13,8 @@ namespace setae::imaging {
 
 /// Reads a section of an MRC; rows stand in the file's order. Untested on real files.
 /// @throws as read_micrograph does.
-/// Source: Cheng et al., J. Struct. Biol. 192, 2015, 146 (MRC2014), modes 0 to 4, 6 and 12; FEI extended headers from the EPU manual.
+/// Source: Cheng et al., J. Struct. Biol. 192, 2015, 146 (MRC2014), modes 0 to 4, 6 and 12; FEI extended headers from
+/// the EPU manual.
 [[nodiscard]] Micrograph read_mrc(const RandomAccess& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

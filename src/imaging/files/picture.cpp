@@ -21,8 +21,11 @@ std::optional<PictureSize> jpeg_size(std::string_view bytes) {
             ++at;  // fill byte
             continue;
         }
-        const bool start_of_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
-        if (start_of_frame) return PictureSize{static_cast<long>(number_in(bytes, at + 7, 2, true)), static_cast<long>(number_in(bytes, at + 5, 2, true))};
+        const bool start_of_frame =
+            marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+        if (start_of_frame)
+            return PictureSize{static_cast<long>(number_in(bytes, at + 7, 2, true)),
+                               static_cast<long>(number_in(bytes, at + 5, 2, true))};
         at += 2 + number_in(bytes, at + 2, 2, true);
     }
     return std::nullopt;
@@ -45,7 +48,9 @@ PictureKind picture_kind(std::string_view head) {
     if (head.starts_with("\x89PNG\r\n\x1A\n"sv)) return PictureKind::png;
     if (head.starts_with("\xFF\xD8\xFF"sv)) return PictureKind::jpeg;
     if (head.starts_with("BM"sv) && head.size() > 26) return PictureKind::bmp;
-    if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv)) return PictureKind::tiff;
+    if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||
+        head.starts_with("MM\0+"sv))
+        return PictureKind::tiff;
     return PictureKind::none;
 }
 
@@ -53,10 +58,12 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
     switch (picture_kind(bytes)) {
         case PictureKind::png:
             if (bytes.size() < 24) return std::nullopt;
-            return PictureSize{static_cast<long>(number_in(bytes, 16, 4, true)), static_cast<long>(number_in(bytes, 20, 4, true))};
+            return PictureSize{static_cast<long>(number_in(bytes, 16, 4, true)),
+                               static_cast<long>(number_in(bytes, 20, 4, true))};
         case PictureKind::bmp: {
             const auto height = static_cast<std::int32_t>(number_in(bytes, 22, 4));
-            return PictureSize{static_cast<std::int32_t>(number_in(bytes, 18, 4)), height < 0 ? -static_cast<long>(height) : height};
+            return PictureSize{static_cast<std::int32_t>(number_in(bytes, 18, 4)),
+                               height < 0 ? -static_cast<long>(height) : height};
         }
         case PictureKind::jpeg: return jpeg_size(bytes);
         default: return std::nullopt;
@@ -64,8 +71,10 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
 }
 
 FrameRead decoded_picture(std::string_view bytes) {
-    if (!ends_whole(bytes)) return {{}, fmt::format("truncated or damaged: {} bytes without the end its format has", bytes.size())};
-    [[maybe_unused]] static const auto silent = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
+    if (!ends_whole(bytes))
+        return {{}, fmt::format("truncated or damaged: {} bytes without the end its format has", bytes.size())};
+    [[maybe_unused]] static const auto silent =
+        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
     cv::Mat image;
     try {
         const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
@@ -75,7 +84,8 @@ FrameRead decoded_picture(std::string_view bytes) {
     }
     if (image.empty()) return {{}, "does not decode: the picture is damaged or of a kind OpenCV does not know"};
     const PictureSize size{image.cols, image.rows};
-    if (image.channels() >= 3) cv::cvtColor(image, image, image.channels() == 3 ? cv::COLOR_BGR2RGB : cv::COLOR_BGRA2RGBA);
+    if (image.channels() >= 3)
+        cv::cvtColor(image, image, image.channels() == 3 ? cv::COLOR_BGR2RGB : cv::COLOR_BGRA2RGBA);
     const auto stride = static_cast<long>(image.step1());
     switch (image.depth()) {
         case CV_8U: return {luminance(image.ptr<std::uint8_t>(), size, image.channels(), stride), {}};

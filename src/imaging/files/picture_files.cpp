@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "random_access.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "tiff_stack.hpp"
 
 namespace setae::imaging {
@@ -35,7 +35,8 @@ DigitRun digits_from(std::string_view text, std::size_t at) {
 constexpr long most_missing = 100;  // times the number of files: beyond, numbers are dates or serial numbers
 
 std::string too_large(PictureSize size, long most_pixels) {
-    return fmt::format("{} × {} pixels, more than the {} a frame may have; crop the frames", size.width, size.height, most_pixels);
+    return fmt::format("{} × {} pixels, more than the {} a frame may have; crop the frames", size.width, size.height,
+                       most_pixels);
 }
 
 }  // namespace
@@ -45,7 +46,8 @@ bool natural_order(std::string_view first, std::string_view second) {
     while (i < first.size() && j < second.size()) {
         if (is_digit(first[i]) && is_digit(second[j])) {
             const auto a = digits_from(first, i), b = digits_from(second, j);
-            const auto x = first.substr(a.significant, a.end - a.significant), y = second.substr(b.significant, b.end - b.significant);
+            const auto x = first.substr(a.significant, a.end - a.significant),
+                       y = second.substr(b.significant, b.end - b.significant);
             if (x.size() != y.size()) return x.size() < y.size();
             if (x != y) return x < y;
             i = a.end, j = b.end;
@@ -71,7 +73,8 @@ std::vector<std::string> files_in(const std::string& folder, const std::function
 }
 
 std::vector<std::string> pictures_in(const std::string& folder) {
-    auto paths = files_in(folder, [](const RandomAccess& file) { return picture_kind(file.read(0, 32)) != PictureKind::none; });
+    auto paths =
+        files_in(folder, [](const RandomAccess& file) { return picture_kind(file.read(0, 32)) != PictureKind::none; });
     if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected PNG, JPEG, TIFF or BMP files");
     return paths;
 }
@@ -93,14 +96,18 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
         long number = 0;
         if (std::from_chars(name.data() + begin, name.data() + last + 1, number).ec != std::errc()) return counted("");
         if (&path == &paths.front()) before = name.substr(0, begin), after = name.substr(last + 1);
-        if (name.substr(0, begin) != before || name.substr(last + 1) != after) return counted("names differ by more than a number; frames are counted from 1");
-        if (!found.numbers.empty() && number <= found.numbers.back()) return counted(fmt::format("number {} comes twice or out of order; frames are counted from 1", number));
+        if (name.substr(0, begin) != before || name.substr(last + 1) != after)
+            return counted("names differ by more than a number; frames are counted from 1");
+        if (!found.numbers.empty() && number <= found.numbers.back())
+            return counted(fmt::format("number {} comes twice or out of order; frames are counted from 1", number));
         found.numbers.push_back(number);
     }
     const long span = found.numbers.back() - found.numbers.front() + 1;
-    if (span / most_missing > static_cast<long>(paths.size())) return counted("the numbers of names have gaps too long for frames; frames are counted from 1");
+    if (span / most_missing > static_cast<long>(paths.size()))
+        return counted("the numbers of names have gaps too long for frames; frames are counted from 1");
     for (std::size_t i = 1; i < found.numbers.size(); ++i)
-        for (long number = found.numbers[i - 1] + 1; number < found.numbers[i]; ++number) found.missing.push_back(number);
+        for (long number = found.numbers[i - 1] + 1; number < found.numbers[i]; ++number)
+            found.missing.push_back(number);
     return found;
 }
 
@@ -109,7 +116,9 @@ std::optional<PictureSize> size_of_picture(const std::string& path) {
     const auto head = file.read(0, 65536);
     if (picture_kind(head) != PictureKind::tiff) {
         const auto size = stated_size(head);
-        return size || file.size() <= head.size() ? size : stated_size(file.read(0, file.size()));  // long comments before a JPEG's size
+        return size || file.size() <= head.size()
+                   ? size
+                   : stated_size(file.read(0, file.size()));  // long comments before a JPEG's size
     }
     try {
         const auto size = TiffStack(path).size_of(0);
@@ -121,11 +130,13 @@ std::optional<PictureSize> size_of_picture(const std::string& path) {
 
 FrameRead read_picture(const std::string& path, long most_pixels) {
     try {
-        if (const auto size = size_of_picture(path); size && size->width > most_pixels / std::max(1L, size->height)) return {{}, too_large(*size, most_pixels)};
+        if (const auto size = size_of_picture(path); size && size->width > most_pixels / std::max(1L, size->height))
+            return {{}, too_large(*size, most_pixels)};
         const auto bytes = bytes::read_file(path);
         if (picture_kind(bytes) != PictureKind::tiff) return decoded_picture(bytes);
         const TiffStack stack(path);
-        if (stack.size() > 1) return {{}, fmt::format("{} pages; a stack among single pictures, open it by itself", stack.size())};
+        if (stack.size() > 1)
+            return {{}, fmt::format("{} pages; a stack among single pictures, open it by itself", stack.size())};
         return stack.read(0);
     } catch (const Error& error) {
         return {{}, error.what()};

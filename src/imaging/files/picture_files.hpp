@@ -16,7 +16,8 @@ namespace setae::imaging {
 [[nodiscard]] bool natural_order(std::string_view first, std::string_view second);
 
 /// Files of a folder that `wanted` takes, in natural order; hidden files are left out. @throws FileError.
-[[nodiscard]] std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const RandomAccess&)>& wanted);
+[[nodiscard]] std::vector<std::string> files_in(const std::string& folder,
+                                                const std::function<bool(const RandomAccess&)>& wanted);
 
 /// Pictures in a folder, in natural order; hidden files and what is no PNG, JPEG, TIFF or BMP are left out.
 /// @throws FileError; FormatError for a folder without pictures.

@@ -18,7 +18,9 @@ std::optional<PixelSize> png_pixel_size(std::string_view bytes) {
     return PixelSize{1.0 / static_cast<double>(x), 1.0 / static_cast<double>(y)};
 }
 
-std::string format_of(PictureKind kind) { return kind == PictureKind::png ? "png" : kind == PictureKind::jpeg ? "jpeg" : "bmp"; }
+std::string format_of(PictureKind kind) {
+    return kind == PictureKind::png ? "png" : kind == PictureKind::jpeg ? "jpeg" : "bmp";
+}
 
 }  // namespace
 
@@ -28,12 +30,15 @@ Micrograph read_plain_picture(const RandomAccess& file, const MicrographOptions&
     auto micrograph = unread_micrograph(file, format_of(picture_kind(bytes)));
     choose_image(micrograph, 1, options);
     const auto stated = stated_size(bytes);
-    if (!stated || stated->width <= 0 || stated->height <= 0) throw FormatError(file.path(), {.offset = 0}, "a picture whose header states no size: truncated or damaged");
-    const auto size = picture_size(file, 0, static_cast<std::uint64_t>(stated->width), static_cast<std::uint64_t>(stated->height), options);
+    if (!stated || stated->width <= 0 || stated->height <= 0)
+        throw FormatError(file.path(), {.offset = 0}, "a picture whose header states no size: truncated or damaged");
+    const auto size = picture_size(file, 0, static_cast<std::uint64_t>(stated->width),
+                                   static_cast<std::uint64_t>(stated->height), options);
     auto frame = decoded_picture(bytes);
     if (!frame.fault.empty()) throw FormatError(file.path(), {.offset = bytes.size()}, frame.fault);
     if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height)
-        throw FormatError(file.path(), {.offset = 0}, "the decoded picture has another size than its header states: damaged");
+        throw FormatError(file.path(), {.offset = 0},
+                          "the decoded picture has another size than its header states: damaged");
     micrograph.pixels = std::move(frame.pixels);
     if (micrograph.format == "png")
         if (const auto pixel = png_pixel_size(bytes); pixel && pixel->x < coarsest_pixel && pixel->y < coarsest_pixel)

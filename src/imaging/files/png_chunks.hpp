@@ -9,7 +9,8 @@ namespace setae::imaging {
 /// Checksum of a chunk's kind and content: CRC-32 of ISO 3309. Source: PNG specification (third edition), annex D.
 [[nodiscard]] std::uint32_t png_checksum(std::string_view bytes);
 
-/// Whether every chunk is there with the checksum it states, up to IEND. libpng prints what it finds wrong; it is not asked then.
+/// Whether every chunk is there with the checksum it states, up to IEND. libpng prints what it finds wrong; it is not
+/// asked then.
 [[nodiscard]] bool png_is_whole(std::string_view png);
 
 /// Content of the first chunk of a kind; empty where there is none. The file is whole.

@@ -14,7 +14,8 @@
 
 namespace setae::imaging {
 
-RandomAccess::RandomAccess(const std::string& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+RandomAccess::RandomAccess(const std::string& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (descriptor_ < 0) throw FileError(path + ": cannot open: " + std::strerror(errno));
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -24,14 +25,18 @@ RandomAccess::RandomAccess(const std::string& path) : path_(path), descriptor_(:
     size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
-RandomAccess::RandomAccess(std::string name, std::string_view bytes) : path_(std::move(name)), size_(bytes.size()), memory_(bytes) {}
+RandomAccess::RandomAccess(std::string name, std::string_view bytes)
+    : path_(std::move(name)), size_(bytes.size()), memory_(bytes) {}
 
 RandomAccess::~RandomAccess() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 RandomAccess::RandomAccess(RandomAccess&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_), memory_(other.memory_) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_),
+      memory_(other.memory_) {}
 
 std::uint64_t RandomAccess::read_into(char* target, std::uint64_t offset, std::uint64_t count) const {
     if (offset >= size_) return 0;
@@ -58,6 +63,8 @@ std::string RandomAccess::read(std::uint64_t offset, std::uint64_t count) const 
     return bytes;
 }
 
-std::optional<std::string_view> RandomAccess::memory() const { return descriptor_ < 0 ? std::optional(memory_) : std::nullopt; }
+std::optional<std::string_view> RandomAccess::memory() const {
+    return descriptor_ < 0 ? std::optional(memory_) : std::nullopt;
+}
 
 }  // namespace setae::imaging

@@ -36,7 +36,8 @@ private:
 };
 
 /// Whole number of `count` ≤ 8 bytes; the caller has checked that they are there.
-[[nodiscard]] inline std::uint64_t number_in(std::string_view bytes, std::size_t offset, std::size_t count, bool big_endian = false) {
+[[nodiscard]] inline std::uint64_t number_in(std::string_view bytes, std::size_t offset, std::size_t count,
+                                             bool big_endian = false) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto byte = static_cast<unsigned char>(bytes[offset + (big_endian ? i : count - 1 - i)]);

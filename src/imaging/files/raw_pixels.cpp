@@ -37,14 +37,16 @@ float half(std::uint16_t bits) {
 
 template <class Value>
 void convert(const char* from, bool swap, std::uint64_t count, float* to) {
-    for (std::uint64_t i = 0; i < count; ++i) to[i] = static_cast<float>(value_at<Value>(from + i * sizeof(Value), swap));
+    for (std::uint64_t i = 0; i < count; ++i)
+        to[i] = static_cast<float>(value_at<Value>(from + i * sizeof(Value), swap));
 }
 
 template <class Part>
 void convert_complex(const char* from, bool swap, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto* at = from + 2 * i * sizeof(Part);
-        to[i] = static_cast<float>(std::hypot(static_cast<double>(value_at<Part>(at, swap)), static_cast<double>(value_at<Part>(at + sizeof(Part), swap))));
+        to[i] = static_cast<float>(std::hypot(static_cast<double>(value_at<Part>(at, swap)),
+                                              static_cast<double>(value_at<Part>(at + sizeof(Part), swap))));
     }
 }
 
@@ -103,15 +105,23 @@ std::uint64_t bytes_of(SampleType type) {
     throw InternalError("a type of samples without a size");
 }
 
-bool is_complex(SampleType type) { return type == SampleType::complex_int16 || type == SampleType::complex_float32 || type == SampleType::complex_float64; }
+bool is_complex(SampleType type) {
+    return type == SampleType::complex_int16 || type == SampleType::complex_float32 ||
+           type == SampleType::complex_float64;
+}
 
 FramePixels read_pixels(const RandomAccess& file, const RawPixels& layout) {
-    const auto count = static_cast<std::uint64_t>(layout.size.width) * static_cast<std::uint64_t>(layout.size.height), unit = bytes_of(layout.type);
+    const auto count = static_cast<std::uint64_t>(layout.size.width) * static_cast<std::uint64_t>(layout.size.height),
+               unit = bytes_of(layout.type);
     if (layout.offset > file.size() || count > (file.size() - layout.offset) / unit)
-        throw FormatError(file.path(), {.offset = layout.offset},
-                          fmt::format("{} × {} pixels of {} bytes reach beyond the end of the file at byte {}; the file is truncated", layout.size.width, layout.size.height, unit, file.size()));
+        throw FormatError(
+            file.path(), {.offset = layout.offset},
+            fmt::format("{} × {} pixels of {} bytes reach beyond the end of the file at byte {}; the file is truncated",
+                        layout.size.width, layout.size.height, unit, file.size()));
     FramePixels pixels(layout.size.height, layout.size.width);
-    const auto cut = [&] { return FormatError(file.path(), {.offset = file.size()}, "the file was cut while it was read"); };
+    const auto cut = [&] {
+        return FormatError(file.path(), {.offset = file.size()}, "the file was cut while it was read");
+    };
     if (layout.type == SampleType::float32 && !layout.big_endian && std::endian::native == std::endian::little) {
         if (file.read_into(reinterpret_cast<char*>(pixels.data()), layout.offset, 4 * count) < 4 * count) throw cut();
         return pixels;
@@ -127,17 +137,21 @@ FramePixels read_pixels(const RandomAccess& file, const RawPixels& layout) {
 }
 
 std::optional<FramePixels> pixels_in(std::string_view bytes, const RawPixels& layout, int channels) {
-    const auto width = static_cast<std::uint64_t>(layout.size.width), samples = width * static_cast<std::uint64_t>(channels), row_bytes = samples * bytes_of(layout.type);
+    const auto width = static_cast<std::uint64_t>(layout.size.width),
+               samples = width * static_cast<std::uint64_t>(channels), row_bytes = samples * bytes_of(layout.type);
     const auto rows = static_cast<std::uint64_t>(layout.size.height);
     if (row_bytes == 0 || rows > bytes.size() / row_bytes) return std::nullopt;
     FramePixels pixels(layout.size.height, layout.size.width);
     std::vector<float> row(channels > 1 ? samples : 0);
     for (std::uint64_t i = 0; i < rows; ++i) {
         float* to = pixels.data() + i * width;
-        convert_samples(bytes.data() + i * row_bytes, layout.type, layout.big_endian, samples, channels > 1 ? row.data() : to);
+        convert_samples(bytes.data() + i * row_bytes, layout.type, layout.big_endian, samples,
+                        channels > 1 ? row.data() : to);
         for (std::uint64_t j = 0; channels > 1 && j < width; ++j) {
             const float* at = row.data() + j * static_cast<std::uint64_t>(channels);
-            to[j] = channels < 3 ? at[0] : luminance_of(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
+            to[j] = channels < 3 ? at[0]
+                                 : luminance_of(static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                                static_cast<double>(at[2]));
         }
     }
     return pixels;

@@ -11,7 +11,23 @@
 namespace setae::imaging {
 
 /// How a file stores one number of a pixel; complex numbers count as their magnitude, bgra as luminance.
-enum class SampleType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float16, float32, float64, complex_int16, complex_float32, complex_float64, bgra };
+enum class SampleType {
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    int64,
+    uint64,
+    float16,
+    float32,
+    float64,
+    complex_int16,
+    complex_float32,
+    complex_float64,
+    bgra
+};
 
 [[nodiscard]] std::uint64_t bytes_of(SampleType type);
 [[nodiscard]] bool is_complex(SampleType type);
@@ -28,8 +44,8 @@ struct RawPixels {
 /// @throws FormatError, before memory is taken, where they reach beyond the end of the file.
 [[nodiscard]] FramePixels read_pixels(const RandomAccess& file, const RawPixels& layout);
 
-/// Grey levels of pixels in memory, `channels` numbers each: one, two (the second left out), or red, green, blue and more.
-/// Nothing where `bytes` are fewer than the size needs.
+/// Grey levels of pixels in memory, `channels` numbers each: one, two (the second left out), or red, green, blue and
+/// more. Nothing where `bytes` are fewer than the size needs.
 [[nodiscard]] std::optional<FramePixels> pixels_in(std::string_view bytes, const RawPixels& layout, int channels);
 
 }  // namespace setae::imaging

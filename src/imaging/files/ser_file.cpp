@@ -15,7 +15,8 @@
 namespace setae::imaging {
 namespace {
 
-constexpr std::uint64_t series_id = 0x0197, version_of_32_bit = 0x0210, version_of_64_bit = 0x0220, data_1d = 0x4120, data_2d = 0x4122;
+constexpr std::uint64_t series_id = 0x0197, version_of_32_bit = 0x0210, version_of_64_bit = 0x0220, data_1d = 0x4120,
+                        data_2d = 0x4122;
 constexpr std::uint64_t head_bytes = 34;  // with a 64-bit offset
 
 std::optional<SampleType> sample_type(std::uint64_t type) {
@@ -47,24 +48,36 @@ Micrograph read_ser(const RandomAccess& file, const MicrographOptions& options) 
     const auto head = file.read(0, head_bytes);
     const std::size_t word = number_in(head, 4, 2) == version_of_32_bit ? 4 : 8;
     const auto kind = number_in(head, 6, 4), valid = number_in(head, 18, 4), offsets = number_in(head, 22, word);
-    if (kind == data_1d) throw FormatError(file.path(), {.offset = 6}, "a series of spectra, not a picture; choose the file with the image");
-    if (kind != data_2d) throw FormatError(file.path(), {.offset = 6}, fmt::format("data of type {:#x}, expected {:#x}: damaged", kind, data_2d));
+    if (kind == data_1d)
+        throw FormatError(file.path(), {.offset = 6},
+                          "a series of spectra, not a picture; choose the file with the image");
+    if (kind != data_2d)
+        throw FormatError(file.path(), {.offset = 6},
+                          fmt::format("data of type {:#x}, expected {:#x}: damaged", kind, data_2d));
     choose_image(micrograph, valid, options);
     const auto place = file.read(offsets, word * (options.image + 1));
-    if (place.size() < word * (options.image + 1)) throw FormatError(file.path(), {.offset = offsets}, "the list of images lies beyond the end of the file: truncated");
+    if (place.size() < word * (options.image + 1))
+        throw FormatError(file.path(), {.offset = offsets},
+                          "the list of images lies beyond the end of the file: truncated");
     const auto start = number_in(place, word * options.image, word);
     constexpr std::uint64_t element_bytes = 2 * 20 + 2 + 8;
     const auto element = file.read(start, element_bytes);
-    if (element.size() < element_bytes) throw FormatError(file.path(), {.offset = start}, "an image lies beyond the end of the file: truncated");
+    if (element.size() < element_bytes)
+        throw FormatError(file.path(), {.offset = start}, "an image lies beyond the end of the file: truncated");
     const auto type = sample_type(number_in(element, 40, 2));
-    if (!type) throw FormatError(file.path(), {.offset = start + 40}, fmt::format("pixels of type {}, expected 1 to 10: damaged", number_in(element, 40, 2)));
+    if (!type)
+        throw FormatError(file.path(), {.offset = start + 40},
+                          fmt::format("pixels of type {}, expected 1 to 10: damaged", number_in(element, 40, 2)));
     const auto size = picture_size(file, start + 42, number_in(element, 42, 4), number_in(element, 46, 4), options);
     micrograph.pixels = read_pixels(file, {start + element_bytes, *type, false, size});
     micrograph.pixels.colwise().reverseInPlace();
-    if (is_complex(*type)) add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read", "read the real image if this is a Fourier transform");
+    if (is_complex(*type))
+        add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
+                  "read the real image if this is a Fourier transform");
     const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(element, offset, 8)); };
     set_pixel_size(micrograph, {real(8), "m"}, {real(28), "m"}, "SER calibration");
-    add_alert(micrograph, "UNTESTED_FORMAT", "SER is read from its description, no real file was at hand", "compare picture and pixel size with another program's");
+    add_alert(micrograph, "UNTESTED_FORMAT", "SER is read from its description, no real file was at hand",
+              "compare picture and pixel size with another program's");
     return micrograph;
 }
 
@@ -77,7 +90,8 @@ void read_emi(std::string_view emi, Micrograph& micrograph) {
     const auto info = document.child("ObjectInfo");
     micrograph.acquisition_time = info.child_value("AcquireDate");
     for (const auto data : info.child("ExperimentalDescription").child("Root").children("Data")) {
-        const std::string label = data.child_value("Label"), unit = data.child_value("Unit"), value = data.child_value("Value");
+        const std::string label = data.child_value("Label"), unit = data.child_value("Unit"),
+                          value = data.child_value("Value");
         if (label == "Microscope") micrograph.instrument = value;
         else if (label == "High tension") micrograph.attributes["voltage"] = value + " " + unit;
         else if (label == "Magnification") micrograph.attributes["magnification"] = value;
@@ -89,7 +103,9 @@ std::string emi_beside(const std::string& ser) {
     std::filesystem::path path(ser);
     auto stem = path.stem().string();
     const auto underscore = stem.find_last_of('_');
-    if (underscore != std::string::npos && underscore + 1 < stem.size() && stem.find_first_not_of("0123456789", underscore + 1) == std::string::npos) stem.resize(underscore);
+    if (underscore != std::string::npos && underscore + 1 < stem.size() &&
+        stem.find_first_not_of("0123456789", underscore + 1) == std::string::npos)
+        stem.resize(underscore);
     return path.replace_filename(stem + ".emi").string();
 }
 

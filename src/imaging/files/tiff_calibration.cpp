@@ -17,8 +17,9 @@ namespace setae::imaging {
 namespace {
 
 namespace tag {
-constexpr int description = 270, make = 271, model = 272, x_resolution = 282, y_resolution = 283, resolution_unit = 296, date_time = 306, olympus = 33560,
-              zeiss = 34118, fei_sfeg = 34680, fei_helios = 34682, dm_unit_x = 65003, dm_unit_y = 65004, dm_scale_x = 65009, dm_scale_y = 65010;
+constexpr int description = 270, make = 271, model = 272, x_resolution = 282, y_resolution = 283, resolution_unit = 296,
+              date_time = 306, olympus = 33560, zeiss = 34118, fei_sfeg = 34680, fei_helios = 34682, dm_unit_x = 65003,
+              dm_unit_y = 65004, dm_scale_x = 65009, dm_scale_y = 65010;
 }
 
 using Section = std::map<std::string, std::string>;
@@ -32,12 +33,14 @@ std::map<std::string, Section> sections_of(std::string_view text) {
         const auto line = trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.size() > 2 && line.front() == '[' && line.back() == ']') name = line.substr(1, line.size() - 2);
-        else if (const auto equals = line.find('='); equals != std::string_view::npos && equals > 0) sections[name].emplace(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
+        else if (const auto equals = line.find('='); equals != std::string_view::npos && equals > 0)
+            sections[name].emplace(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
     }
     return sections;
 }
 
-std::string value_in(const std::map<std::string, Section>& sections, const std::string& section, const std::string& key) {
+std::string value_in(const std::map<std::string, Section>& sections, const std::string& section,
+                     const std::string& key) {
     const auto found = sections.find(section);
     if (found == sections.end()) return {};
     const auto value = found->second.find(key);
@@ -45,11 +48,14 @@ std::string value_in(const std::map<std::string, Section>& sections, const std::
 }
 
 /// Numbers that FEI's sections hold under these keys; an alert for text that is none.
-std::optional<double> fei_number(const std::map<std::string, Section>& sections, const std::string& section, const std::string& key, Micrograph& micrograph) {
+std::optional<double> fei_number(const std::map<std::string, Section>& sections, const std::string& section,
+                                 const std::string& key, Micrograph& micrograph) {
     const auto text = value_in(sections, section, key);
     if (text.empty()) return std::nullopt;
     const auto number = number_of(text);
-    if (!number) add_alert(micrograph, "BAD_NUMBER", fmt::format("[{}] {} is '{}', no number", section, key, text), "nothing, it is left out");
+    if (!number)
+        add_alert(micrograph, "BAD_NUMBER", fmt::format("[{}] {} is '{}', no number", section, key, text),
+                  "nothing, it is left out");
     return number;
 }
 
@@ -61,22 +67,28 @@ bool read_fei(const TiffStack& stack, const TiffPage& page, Micrograph& microgra
     const auto sections = sections_of(text);
     micrograph.instrument = value_in(sections, "System", "SystemType");
     micrograph.acquisition_time = value_in(sections, "User", "Date") + " " + value_in(sections, "User", "Time");
-    if (const auto voltage = fei_number(sections, "Beam", "HV", micrograph)) micrograph.attributes["voltage"] = fmt::format("{:g} V", *voltage);
-    if (const auto distance = fei_number(sections, "Stage", "WorkingDistance", micrograph)) micrograph.attributes["working distance"] = fmt::format("{:g} m", *distance);
+    if (const auto voltage = fei_number(sections, "Beam", "HV", micrograph))
+        micrograph.attributes["voltage"] = fmt::format("{:g} V", *voltage);
+    if (const auto distance = fei_number(sections, "Stage", "WorkingDistance", micrograph))
+        micrograph.attributes["working distance"] = fmt::format("{:g} m", *distance);
     std::vector<std::string> names{"Scan"};
     for (const auto& [name, values] : sections)
         if (name != "Scan") names.push_back(name);
     for (const auto& name : names) {
-        const auto x = fei_number(sections, name, "PixelWidth", micrograph), y = fei_number(sections, name, "PixelHeight", micrograph);
+        const auto x = fei_number(sections, name, "PixelWidth", micrograph),
+                   y = fei_number(sections, name, "PixelHeight", micrograph);
         if (!x || !y) continue;
         set_pixel_size(micrograph, {*x, "m"}, {*y, "m"}, fmt::format("FEI metadata [{}]", name));
         return true;
     }
-    const auto columns = fei_number(sections, "Image", "ResolutionX", micrograph), rows = fei_number(sections, "Image", "ResolutionY", micrograph);
+    const auto columns = fei_number(sections, "Image", "ResolutionX", micrograph),
+               rows = fei_number(sections, "Image", "ResolutionY", micrograph);
     for (const auto& name : names) {
-        const auto width = fei_number(sections, name, "HFW", micrograph), height = fei_number(sections, name, "VFW", micrograph);
+        const auto width = fei_number(sections, name, "HFW", micrograph),
+                   height = fei_number(sections, name, "VFW", micrograph);
         if (!width || !height || !columns || !rows || !(*columns > 0) || !(*rows > 0)) continue;
-        set_pixel_size(micrograph, {*width / *columns, "m"}, {*height / *rows, "m"}, fmt::format("FEI metadata [{}], width of the field", name));
+        set_pixel_size(micrograph, {*width / *columns, "m"}, {*height / *rows, "m"},
+                       fmt::format("FEI metadata [{}], width of the field", name));
         return true;
     }
     return true;
@@ -89,7 +101,8 @@ bool read_olympus(const TiffStack& stack, const TiffPage& page, Micrograph& micr
     const auto& file = stack.file();
     const auto head = file.read(*start, 60);
     if (head.size() < 60 || !head.starts_with("SIS0")) {
-        add_alert(micrograph, "BAD_CALIBRATION", fmt::format("the Olympus block at byte {} is damaged", *start), "give the pixel size, or calibrate on the scale bar");
+        add_alert(micrograph, "BAD_CALIBRATION", fmt::format("the Olympus block at byte {} is damaged", *start),
+                  "give the pixel size, or calibrate on the scale bar");
         return true;
     }
     const auto parts = number_in(head, 58, 2);
@@ -101,7 +114,8 @@ bool read_olympus(const TiffStack& stack, const TiffPage& page, Micrograph& micr
         const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(data, offset, 8)); };
         const double unit = std::pow(10.0, static_cast<std::int16_t>(number_in(data, 10, 2)));
         set_pixel_size(micrograph, {real(12) * unit, "m"}, {real(20) * unit, "m"}, "Olympus SIS block");
-        if (std::isfinite(real(36)) && real(36) > 0) micrograph.attributes["magnification"] = fmt::format("{:g}", real(36));
+        if (std::isfinite(real(36)) && real(36) > 0)
+            micrograph.attributes["magnification"] = fmt::format("{:g}", real(36));
         return true;
     }
     return true;
@@ -110,7 +124,8 @@ bool read_olympus(const TiffStack& stack, const TiffPage& page, Micrograph& micr
 bool read_dm(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
     const auto x = stack.real(page, tag::dm_scale_x), y = stack.real(page, tag::dm_scale_y);
     if (!x || !y) return false;
-    set_pixel_size(micrograph, {*x, stack.text(page, tag::dm_unit_x)}, {*y, stack.text(page, tag::dm_unit_y)}, "DigitalMicrograph tags");
+    set_pixel_size(micrograph, {*x, stack.text(page, tag::dm_unit_x)}, {*y, stack.text(page, tag::dm_unit_y)},
+                   "DigitalMicrograph tags");
     return micrograph.pixel_size.has_value() || !micrograph.unit.empty();
 }
 
@@ -122,14 +137,17 @@ bool read_zeiss(const TiffStack& stack, const TiffPage& page, Micrograph& microg
         if (at == std::string::npos) continue;
         const auto equals = text.find('=', at);
         if (equals == std::string::npos) continue;
-        const auto value = trimmed(std::string_view(text).substr(equals + 1, text.find_first_of("\r\n", equals) - equals - 1));
+        const auto value =
+            trimmed(std::string_view(text).substr(equals + 1, text.find_first_of("\r\n", equals) - equals - 1));
         const auto blank = value.find(' ');
         if (blank == std::string_view::npos) continue;
         const auto number = number_of(value.substr(0, blank));
         if (!number) continue;
         const AxisScale axis{*number, std::string(trimmed(value.substr(blank)))};
         set_pixel_size(micrograph, axis, axis, "Zeiss metadata");
-        add_alert(micrograph, "UNTESTED_FORMAT", "tags of Zeiss are read from their description, no real file was at hand", "compare the pixel size with the scale bar");
+        add_alert(micrograph, "UNTESTED_FORMAT",
+                  "tags of Zeiss are read from their description, no real file was at hand",
+                  "compare the pixel size with the scale bar");
         return true;
     }
     return false;
@@ -142,9 +160,11 @@ bool read_ome(const TiffStack& stack, Micrograph& micrograph) {
     pugi::xml_document document;
     if (!document.load_buffer(text.data(), text.size())) return false;
     const auto pixels = document.child("OME").child("Image").child("Pixels");
-    const auto x = number_of(pixels.attribute("PhysicalSizeX").value()), y = number_of(pixels.attribute("PhysicalSizeY").value());
+    const auto x = number_of(pixels.attribute("PhysicalSizeX").value()),
+               y = number_of(pixels.attribute("PhysicalSizeY").value());
     if (!x || !y) return false;
-    set_pixel_size(micrograph, {*x, pixels.attribute("PhysicalSizeXUnit").as_string("\xC2\xB5m")}, {*y, pixels.attribute("PhysicalSizeYUnit").as_string("\xC2\xB5m")}, "OME-XML");
+    set_pixel_size(micrograph, {*x, pixels.attribute("PhysicalSizeXUnit").as_string("\xC2\xB5m")},
+                   {*y, pixels.attribute("PhysicalSizeYUnit").as_string("\xC2\xB5m")}, "OME-XML");
     return true;
 }
 
@@ -162,7 +182,9 @@ std::optional<PixelSize> printed_size(const TiffStack& stack, const TiffPage& pa
 bool read_jeol(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
     const auto text = stack.text(page, tag::description);
     const auto untested = [&] {
-        add_alert(micrograph, "UNTESTED_FORMAT", "tags of JEOL are read from their description, no real file was at hand", "compare the pixel size with the scale bar");
+        add_alert(micrograph, "UNTESTED_FORMAT",
+                  "tags of JEOL are read from their description, no real file was at hand",
+                  "compare the pixel size with the scale bar");
         return true;
     };
     if (const auto root = text.find("<TemReporter"); root != std::string::npos) {
@@ -172,15 +194,19 @@ bool read_jeol(const TiffStack& stack, const TiffPage& page, Micrograph& microgr
         const auto imaging = reporter.child("ImageFormingSystem");
         const auto magnification = number_of(imaging.child_value("SelectorValue"));
         const auto screen = printed_size(stack, page);
-        if (std::string_view(imaging.child_value("ModeString")) != "MAG" || !magnification || !(*magnification > 0) || !screen) return false;
-        set_pixel_size(micrograph, {screen->x / *magnification, "m"}, {screen->y / *magnification, "m"}, "JEOL metadata");
+        if (std::string_view(imaging.child_value("ModeString")) != "MAG" || !magnification || !(*magnification > 0) ||
+            !screen)
+            return false;
+        set_pixel_size(micrograph, {screen->x / *magnification, "m"}, {screen->y / *magnification, "m"},
+                       "JEOL metadata");
         micrograph.attributes["magnification"] = fmt::format("{:g}", *magnification);
         return untested();
     }
     const auto word_after = [&](std::string_view key) -> std::string_view {
         const auto at = text.find(key);
         if (at == std::string::npos) return {};
-        return trimmed(std::string_view(text).substr(at + key.size(), text.find_first_of("\r\n", at) - at - key.size()));
+        return trimmed(
+            std::string_view(text).substr(at + key.size(), text.find_first_of("\r\n", at) - at - key.size()));
     };
     const auto bar = number_of(word_after("SM_MICRON_BAR"));
     const auto marker = word_after("SM_MICRON_MARKER");
@@ -197,7 +223,8 @@ bool read_imagej(const TiffStack& stack, const TiffPage& page, Micrograph& micro
     const auto unit = stack.description("unit");
     const auto x = stack.real(page, tag::x_resolution), y = stack.real(page, tag::y_resolution);
     if (!unit || !x || !(*x > 0) || (y && !(*y > 0))) return false;
-    set_pixel_size(micrograph, {1.0 / *x, text_of(*unit)}, {1.0 / y.value_or(*x), text_of(*unit)}, "ImageJ calibration");
+    set_pixel_size(micrograph, {1.0 / *x, text_of(*unit)}, {1.0 / y.value_or(*x), text_of(*unit)},
+                   "ImageJ calibration");
     return true;
 }
 
@@ -210,11 +237,14 @@ void read_tiff_calibration(const TiffStack& stack, std::size_t index, Micrograph
     const auto make = stack.text(page, tag::make), model = stack.text(page, tag::model);
     micrograph.instrument = trimmed(make.empty() || model.empty() ? make + model : make + " " + model);
     micrograph.acquisition_time = stack.text(page, tag::date_time);
-    const bool stated = read_fei(stack, page, micrograph) || read_olympus(stack, page, micrograph) || read_dm(stack, page, micrograph) || read_zeiss(stack, page, micrograph) ||
-                        read_ome(stack, micrograph) || read_jeol(stack, page, micrograph) || read_imagej(stack, page, micrograph);
+    const bool stated = read_fei(stack, page, micrograph) || read_olympus(stack, page, micrograph) ||
+                        read_dm(stack, page, micrograph) || read_zeiss(stack, page, micrograph) ||
+                        read_ome(stack, micrograph) || read_jeol(stack, page, micrograph) ||
+                        read_imagej(stack, page, micrograph);
     if (stated) return;
     const auto size = printed_size(stack, page);
-    if (size && size->x < coarsest_pixel && size->y < coarsest_pixel) set_pixel_size(micrograph, {size->x, "m"}, {size->y, "m"}, "TIFF resolution");
+    if (size && size->x < coarsest_pixel && size->y < coarsest_pixel)
+        set_pixel_size(micrograph, {size->x, "m"}, {size->y, "m"}, "TIFF resolution");
 }
 
 }  // namespace setae::imaging

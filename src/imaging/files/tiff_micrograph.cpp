@@ -38,18 +38,23 @@ Micrograph read_tiff(RandomAccess file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "tiff");
     const TiffStack stack(std::move(file));
     for (std::size_t i = 0; i < stack.size(); ++i)  // whether it is a thumbnail or the image cannot be told
-        if (const auto& page = stack.page(i); !page.fault.empty()) throw FormatError(micrograph.file, {.offset = page.directory}, page.fault);
+        if (const auto& page = stack.page(i); !page.fault.empty())
+            throw FormatError(micrograph.file, {.offset = page.directory}, page.fault);
     const auto images = images_of(stack);
     choose_image(micrograph, images.size(), options);
     const auto index = images[options.image];
     const auto& page = stack.page(index);
-    const auto damaged = [&](const std::string& what) { return FormatError(micrograph.file, {.offset = page.directory}, what); };
+    const auto damaged = [&](const std::string& what) {
+        return FormatError(micrograph.file, {.offset = page.directory}, what);
+    };
     if (!page.lost.empty()) throw damaged(page.lost);
     const auto stated = stack.size_of(index);
-    const auto size = picture_size(stack.file(), page.directory, static_cast<std::uint64_t>(stated.width), static_cast<std::uint64_t>(stated.height), options);
+    const auto size = picture_size(stack.file(), page.directory, static_cast<std::uint64_t>(stated.width),
+                                   static_cast<std::uint64_t>(stated.height), options);
     auto frame = stack.read(index);
     if (!frame.fault.empty()) throw damaged(frame.fault);
-    if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height) throw damaged("the decoded picture has another size than its directory states: damaged");
+    if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height)
+        throw damaged("the decoded picture has another size than its directory states: damaged");
     micrograph.pixels = std::move(frame.pixels);
     read_tiff_calibration(stack, index, micrograph);
     return micrograph;

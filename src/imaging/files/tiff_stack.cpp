@@ -19,12 +19,13 @@ namespace setae::imaging {
 namespace {
 
 namespace tag {
-constexpr int width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270, strip_offsets = 273, samples = 277,
-              strip_bytes = 279, x_resolution = 282, y_resolution = 283, planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323, tile_offsets = 324, tile_bytes = 325,
-              sample_format = 339;
+constexpr int width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270,
+              strip_offsets = 273, samples = 277, strip_bytes = 279, x_resolution = 282, y_resolution = 283,
+              planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323, tile_offsets = 324,
+              tile_bytes = 325, sample_format = 339;
 }
 
-constexpr std::uint64_t most_entries = 4096;     // of a directory; real ones have some twenty
+constexpr std::uint64_t most_entries = 4096;  // of a directory; real ones have some twenty
 constexpr std::size_t most_pages = 1'000'000;
 constexpr std::uint64_t longest_side = 1U << 30;
 constexpr std::uint64_t most_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
@@ -62,7 +63,8 @@ std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) 
 
 TiffStack::TiffStack(RandomAccess file) : file_(std::move(file)) {
     read_directories();
-    if (pages_.empty()) throw FormatError(file_.path(), {.offset = 0}, "a TIFF without a page; the file may be truncated");
+    if (pages_.empty())
+        throw FormatError(file_.path(), {.offset = 0}, "a TIFF without a page; the file may be truncated");
     add_pages_without_directory();
 }
 
@@ -70,17 +72,22 @@ void TiffStack::read_directories() {
     const auto head = file_.read(0, 16);
     if (head.size() < 8) return;
     big_endian_ = head[0] == 'M';
-    const auto at = [&](std::string_view bytes, std::size_t offset, std::size_t count) { return number_in(bytes, offset, count, big_endian_); };
+    const auto at = [&](std::string_view bytes, std::size_t offset, std::size_t count) {
+        return number_in(bytes, offset, count, big_endian_);
+    };
     big_tiff_ = at(head, 2, 2) == 43;
     if (big_tiff_ && head.size() < 16) return;
     const std::size_t word = big_tiff_ ? 8 : 4, counter = big_tiff_ ? 8 : 2, length = big_tiff_ ? 20 : 12;
     auto offset = at(head, big_tiff_ ? 8 : 4, word);
     std::set<std::uint64_t> seen;
-    std::uint64_t directories_bytes = 0, values_bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
+    std::uint64_t directories_bytes = 0,
+                  values_bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
     while (offset != 0 && pages_.size() < most_pages) {
         auto& page = pages_.emplace_back();
         page.directory = offset;
-        const auto damaged = [&](std::string_view what) { page.fault = fmt::format("its directory at byte {} {}", offset, what); };
+        const auto damaged = [&](std::string_view what) {
+            page.fault = fmt::format("its directory at byte {} {}", offset, what);
+        };
         if (!seen.insert(offset).second) return pages_.pop_back();  // a ring of pages
         const auto count_bytes = file_.read(offset, counter);
         if (count_bytes.size() < counter) return damaged("lies beyond the end of the file: truncated");
@@ -100,7 +107,9 @@ void TiffStack::read_directories() {
             const auto size = readable ? unit * entry.count : 0;
             if (size > word) values_bytes += size;
             if (values_bytes > file_.size()) return damaged("shares values with others: damaged");
-            if (readable) entry.value = size <= word ? bytes.substr(entry_at + 4 + word, size) : file_.read(at(bytes, entry_at + 4 + word, word), size);
+            if (readable)
+                entry.value = size <= word ? bytes.substr(entry_at + 4 + word, size)
+                                           : file_.read(at(bytes, entry_at + 4 + word, word), size);
             if (readable && entry.value.size() == size) page.entries.emplace(number, std::move(entry));
             else page.lost = fmt::format("the value of its tag {} lies beyond the end of the file: truncated", number);
         }
@@ -115,7 +124,8 @@ void TiffStack::add_pages_without_directory() {
     const auto first = pages_.front();
     const auto start = number(first, tag::strip_offsets);
     const auto size = size_of(0);
-    const auto page_bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * number(first, tag::samples).value_or(1) * number(first, tag::bits).value_or(1) / 8;
+    const auto page_bytes = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                            number(first, tag::samples).value_or(1) * number(first, tag::bits).value_or(1) / 8;
     const bool contiguous = pages_.size() == 1 && start && number(first, tag::compression).value_or(1) == 1;
     while (static_cast<double>(pages_.size()) < *count) {
         const auto offset = start.value_or(0) + pages_.size() * page_bytes;
@@ -141,9 +151,12 @@ std::optional<double> TiffStack::real(const TiffPage& page, int tag) const {
     const auto& [type, count, value] = found->second;
     std::optional<double> number;
     if (type == 5) number = ratio(page, tag);
-    else if (type == 11) number = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(number_in(value, 0, 4, big_endian_))));
+    else if (type == 11)
+        number =
+            static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(number_in(value, 0, 4, big_endian_))));
     else if (type == 12) number = std::bit_cast<double>(number_in(value, 0, 8, big_endian_));
-    else if (type == 3 || type == 4 || type == 16) number = static_cast<double>(number_in(value, 0, bytes_of_type(type), big_endian_));
+    else if (type == 3 || type == 4 || type == 16)
+        number = static_cast<double>(number_in(value, 0, bytes_of_type(type), big_endian_));
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
@@ -155,13 +168,15 @@ std::string TiffStack::text(const TiffPage& page, int tag) const {
 std::optional<double> TiffStack::ratio(const TiffPage& page, int tag) const {
     const auto found = page.entries.find(tag);
     if (found == page.entries.end() || found->second.type != 5 || found->second.count < 1) return std::nullopt;
-    const auto above = number_in(found->second.value, 0, 4, big_endian_), below = number_in(found->second.value, 4, 4, big_endian_);
+    const auto above = number_in(found->second.value, 0, 4, big_endian_),
+               below = number_in(found->second.value, 4, 4, big_endian_);
     if (above == 0 || below == 0) return std::nullopt;
     return static_cast<double>(above) / static_cast<double>(below);
 }
 
 PictureSize TiffStack::size_of(std::size_t page) const {
-    const auto width = number(pages_[page], tag::width).value_or(0), height = number(pages_[page], tag::height).value_or(0);
+    const auto width = number(pages_[page], tag::width).value_or(0),
+               height = number(pages_[page], tag::height).value_or(0);
     if (width > longest_side || height > longest_side) return {};
     return {static_cast<long>(width), static_cast<long>(height)};
 }
@@ -173,7 +188,8 @@ std::optional<std::string> TiffStack::description(const std::string& key) const 
     const auto at = text.find("\n" + key + "=");
     if (at == std::string::npos) return std::nullopt;
     const auto begin = at + key.size() + 2;
-    return std::string(trimmed(std::string_view(text).substr(begin, text.find_first_of(std::string_view("\n\0", 2), begin) - begin)));
+    return std::string(
+        trimmed(std::string_view(text).substr(begin, text.find_first_of(std::string_view("\n\0", 2), begin) - begin)));
 }
 
 std::optional<double> TiffStack::pixel_size() const {
@@ -182,12 +198,17 @@ std::optional<double> TiffStack::pixel_size() const {
     if (!x) return std::nullopt;
     const auto stated = description("unit");
     const auto tag_unit = number(page, tag::resolution_unit).value_or(2);
-    std::optional<double> unit = stated ? metres_of(text_of(*stated)) : tag_unit == 2 ? std::optional(0.0254) : tag_unit == 3 ? std::optional(0.01) : std::nullopt;
+    std::optional<double> unit = stated          ? metres_of(text_of(*stated))
+                                 : tag_unit == 2 ? std::optional(0.0254)
+                                 : tag_unit == 3 ? std::optional(0.01)
+                                                 : std::nullopt;
     if (!unit) return std::nullopt;
     const double size = *unit / *x;
     if (!stated && size > coarsest_pixel) return std::nullopt;
     if (y && std::abs(*y / *x - 1.0) > 1e-3)
-        throw InvalidArgument(fmt::format("{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels, resample the frames", file_.path(), size, *unit / *y));
+        throw InvalidArgument(fmt::format(
+            "{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels, resample the frames",
+            file_.path(), size, *unit / *y));
     return size;
 }
 
@@ -203,13 +224,17 @@ std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
     std::string pixels;
     if (page.offset) {
         const auto size = size_of(0);
-        const auto expected = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8;
+        const auto expected = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                              number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8;
         pixels = file_.read(*page.offset, expected);
-        if (pixels.size() < expected) fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", pixels.size(), expected, *page.offset);
+        if (pixels.size() < expected)
+            fault =
+                fmt::format("truncated: {} of {} bytes of pixels at byte {}", pixels.size(), expected, *page.offset);
         return pixels;
     }
     const bool tiled = page.entries.contains(tag::tile_offsets);
-    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets, counts = tiled ? tag::tile_bytes : tag::strip_bytes;
+    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets,
+              counts = tiled ? tag::tile_bytes : tag::strip_bytes;
     const auto found = page.entries.find(offsets);
     if (found == page.entries.end() || !page.entries.contains(counts)) {
         fault = "damaged: its directory names no pixels";
@@ -242,17 +267,24 @@ std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
 }
 
 std::optional<FrameRead> TiffStack::plain(const TiffPage& page, const std::string& strips) const {
-    if (number(page, tag::compression).value_or(1) != 1 || page.entries.contains(tag::tile_offsets)) return std::nullopt;
+    if (number(page, tag::compression).value_or(1) != 1 || page.entries.contains(tag::tile_offsets))
+        return std::nullopt;
     const auto channels = number(page, tag::samples).value_or(1);
     const auto photometric = number(page, tag::photometric).value_or(1);
-    if (channels < 1 || channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1)) return std::nullopt;
-    const PictureSize size{static_cast<long>(number(page, tag::width).value_or(0)), static_cast<long>(number(page, tag::height).value_or(0))};
+    if (channels < 1 || channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1))
+        return std::nullopt;
+    const PictureSize size{static_cast<long>(number(page, tag::width).value_or(0)),
+                           static_cast<long>(number(page, tag::height).value_or(0))};
     const auto bits = number(page, tag::bits).value_or(1);
     const auto type = sample_type(bits, number(page, tag::sample_format).value_or(1));
     if (!type) return std::nullopt;
-    auto pixels = pixels_in(strips, {.type = *type, .big_endian = big_endian_, .size = size}, static_cast<int>(channels));
+    auto pixels =
+        pixels_in(strips, {.type = *type, .big_endian = big_endian_, .size = size}, static_cast<int>(channels));
     if (!pixels)
-        return FrameRead{{}, fmt::format("truncated: {} of {} bytes of pixels", strips.size(), static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * channels * bits / 8)};
+        return FrameRead{{},
+                         fmt::format("truncated: {} of {} bytes of pixels", strips.size(),
+                                     static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                                         channels * bits / 8)};
     FrameRead frame{std::move(*pixels), {}};
     if (photometric == 0) frame.pixels = frame.pixels.maxCoeff() - frame.pixels;  // white is 0
     return frame;
@@ -261,10 +293,12 @@ std::optional<FrameRead> TiffStack::plain(const TiffPage& page, const std::strin
 /// The page as a TIFF of its own, for the decoder; its strips follow the directory.
 std::string TiffStack::single_page(const TiffPage& page, const std::string& strips) const {
     const bool tiled = page.entries.contains(tag::tile_offsets);
-    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets, counts = tiled ? tag::tile_bytes : tag::strip_bytes;
+    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets,
+              counts = tiled ? tag::tile_bytes : tag::strip_bytes;
     std::string file = big_endian_ ? std::string("MM\0*", 4) : std::string("II*\0", 4), directory, values;
     const auto put = [&](std::string& text, std::uint64_t value, std::size_t bytes) {
-        for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>((value >> (8 * (big_endian_ ? bytes - 1 - i : i))) & 0xFF);
+        for (std::size_t i = 0; i < bytes; ++i)
+            text += static_cast<char>((value >> (8 * (big_endian_ ? bytes - 1 - i : i))) & 0xFF);
     };
     put(file, 8, 4);
     std::map<int, TiffEntry> kept;
@@ -276,7 +310,8 @@ std::string TiffStack::single_page(const TiffPage& page, const std::string& stri
     for (std::uint64_t i = 0; i < parts; ++i) put(kept[counts].value, number(page, counts, i).value_or(0), 4);
     const auto values_at = 8 + 2 + 12 * kept.size() + 4;
     std::uint64_t length = 0;
-    for (const auto& [tag, entry] : kept) length += entry.value.size() > 4 ? entry.value.size() + entry.value.size() % 2 : 0;
+    for (const auto& [tag, entry] : kept)
+        length += entry.value.size() > 4 ? entry.value.size() + entry.value.size() % 2 : 0;
     auto strip_at = values_at + length;
     kept[offsets].value.clear();
     for (std::uint64_t i = 0; i < parts; ++i) {
@@ -302,13 +337,16 @@ std::string TiffStack::single_page(const TiffPage& page, const std::string& stri
 FrameRead TiffStack::read(std::size_t index) const {
     const auto& page = pages_[index];
     if (!page.fault.empty()) return {{}, page.fault};
-    if (const auto size = size_of(index); size.width <= 0 || size.height <= 0) return {{}, "damaged: its directory states no size"};
+    if (const auto size = size_of(index); size.width <= 0 || size.height <= 0)
+        return {{}, "damaged: its directory states no size"};
     std::string fault;
     const auto pixels = strips(page, fault);
     if (!fault.empty()) return {{}, fault};
     if (auto frame = plain(page, pixels)) return std::move(*frame);
-    const auto tile = number(page, tag::tile_width).value_or(1), tile_height = number(page, tag::tile_height).value_or(1);
-    if (tile > most_tile_pixels || tile_height > most_tile_pixels / std::max<std::uint64_t>(1, tile)) return {{}, fmt::format("damaged: tiles of {} × {} pixels", tile, tile_height)};
+    const auto tile = number(page, tag::tile_width).value_or(1),
+               tile_height = number(page, tag::tile_height).value_or(1);
+    if (tile > most_tile_pixels || tile_height > most_tile_pixels / std::max<std::uint64_t>(1, tile))
+        return {{}, fmt::format("damaged: tiles of {} × {} pixels", tile, tile_height)};
     return decoded_picture(single_page(page, pixels));
 }
 

@@ -21,10 +21,11 @@ struct TiffEntry {
 /// A directory: one page.
 struct TiffPage {
     std::map<int, TiffEntry> entries;
-    std::string fault;                    ///< where the directory could not be read
-    std::string lost;                     ///< an entry whose value lies beyond the end of the file
-    std::uint64_t directory = 0;          ///< its place in the file
-    std::optional<std::uint64_t> offset;  ///< of the pixels of a page without directory of its own (ImageJ beyond 4 GiB)
+    std::string fault;            ///< where the directory could not be read
+    std::string lost;             ///< an entry whose value lies beyond the end of the file
+    std::uint64_t directory = 0;  ///< its place in the file
+    std::optional<std::uint64_t>
+        offset;  ///< of the pixels of a page without directory of its own (ImageJ beyond 4 GiB)
 };
 
 /// A TIFF or BigTIFF of any number of pages; directories are read at once, pixels page by page.

@@ -48,7 +48,9 @@ public:
 private:
     [[nodiscard]] double at(int y, int x) const { return static_cast<double>(levels_(y, x)); }
     /// How much darker (for bright bars) a pixel is than the bar, in contrasts.
-    [[nodiscard]] double apart(const BarCandidate& bar, int y, int x) const { return (bar.level - at(y, x)) / bar.contrast; }
+    [[nodiscard]] double apart(const BarCandidate& bar, int y, int x) const {
+        return (bar.level - at(y, x)) / bar.contrast;
+    }
 
     [[nodiscard]] bool rows(BarCandidate& bar, const cv::Rect& box, double height) const {
         const int margin = box.width / 10;
@@ -68,27 +70,36 @@ private:
         };
         bar.top = bar.bottom = best;
         while (bar.top > 0 && best - bar.top <= thickest_bar && belongs(bar.top - 1)) --bar.top;
-        while (bar.bottom < levels_.rows - 1 && bar.bottom - best <= thickest_bar && belongs(bar.bottom + 1)) ++bar.bottom;
+        while (bar.bottom < levels_.rows - 1 && bar.bottom - best <= thickest_bar && belongs(bar.bottom + 1))
+            ++bar.bottom;
         return bar.top >= 2 && bar.bottom < levels_.rows - 2 && bar.thickness() <= thickest_bar;
     }
 
     [[nodiscard]] bool columns(BarCandidate& bar, const cv::Rect& box, double height, double sign) const {
-        const auto belongs = [&](int x) { return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <= 0.25 * height; };
+        const auto belongs = [&](int x) {
+            return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <= 0.25 * height;
+        };
         bar.left = bar.right = box.x + box.width / 2;
         while (bar.left > 0 && belongs(bar.left - 1)) --bar.left;
         while (bar.right < levels_.cols - 1 && belongs(bar.right + 1)) ++bar.right;
-        if (bar.left < 2 || bar.right > levels_.cols - 3 || bar.length() < least_length_ || bar.length() < least_aspect * bar.thickness()) return false;
+        if (bar.left < 2 || bar.right > levels_.cols - 3 || bar.length() < least_length_ ||
+            bar.length() < least_aspect * bar.thickness())
+            return false;
         std::vector<double> differences;
         for (int x = bar.left; x <= bar.right; ++x)
             for (const int way : {-1, 1}) {  // the row beside it may be blurred
                 const int edge = way < 0 ? bar.top : bar.bottom;
-                differences.push_back(std::max(sign * (bar.level - at(edge + way, x)), sign * (bar.level - at(edge + 2 * way, x))));
+                differences.push_back(
+                    std::max(sign * (bar.level - at(edge + way, x)), sign * (bar.level - at(edge + 2 * way, x))));
             }
         bar.contrast = sign * median(std::move(differences));
         const auto core = moments_of(levels_, {bar.left + 1, bar.top, bar.length() - 2, bar.thickness()});
         bar.deviation = core.deviation;
         // ends that are blurred belong to the bar as far as they are like it by its contrast
-        const auto nearly = [&](int x) { return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <= 0.2 * std::abs(bar.contrast); };
+        const auto nearly = [&](int x) {
+            return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <=
+                   0.2 * std::abs(bar.contrast);
+        };
         while (bar.left > 2 && nearly(bar.left - 1)) --bar.left;
         while (bar.right < levels_.cols - 3 && nearly(bar.right + 1)) ++bar.right;
         return sign * bar.contrast > 0.5 * height && bar.deviation <= 0.12 * std::abs(bar.contrast);
@@ -97,7 +108,8 @@ private:
     [[nodiscard]] bool stands_apart(const BarCandidate& bar) const {
         const auto share = [&](int first, int second) {
             int count = 0;
-            for (int x = bar.left; x <= bar.right; ++x) count += std::max(apart(bar, first, x), apart(bar, second, x)) > 0.3;
+            for (int x = bar.left; x <= bar.right; ++x)
+                count += std::max(apart(bar, first, x), apart(bar, second, x)) > 0.3;
             return static_cast<double>(count) / bar.length();
         };
         return share(bar.top - 1, bar.top - 2) >= 0.85 && share(bar.bottom + 1, bar.bottom + 2) >= 0.85;
@@ -110,7 +122,8 @@ private:
             const int end = way < 0 ? bar.left : bar.right;
             int straight = 0, apart_beyond = 0;
             for (int y = bar.top; y <= bar.bottom; ++y)
-                straight += apart(bar, y, end - way) < 0.35 && std::max(apart(bar, y, end + way), apart(bar, y, end + 2 * way)) > 0.3;
+                straight += apart(bar, y, end - way) < 0.35 &&
+                            std::max(apart(bar, y, end + way), apart(bar, y, end + 2 * way)) > 0.3;
             for (int y = bar.top - 2; y <= bar.bottom + 2; ++y) {
                 double sum = 0;
                 int count = 0;
@@ -137,7 +150,8 @@ private:
                 sum += difference * difference;
             }
         if (squares.empty()) return 0;
-        return std::sqrt(robust ? median(std::move(squares)) / 0.4549 / 2 : sum / static_cast<double>(squares.size()) / 2);  // 0.4549: median of χ² with 1
+        return std::sqrt(robust ? median(std::move(squares)) / 0.4549 / 2
+                                : sum / static_cast<double>(squares.size()) / 2);  // 0.4549: median of χ² with 1
     }
 
     [[nodiscard]] bool looks_drawn(const BarCandidate& bar) const {
@@ -149,14 +163,16 @@ private:
             for (int k = 1; k <= 5; ++k) {
                 const int y = edge + k * way;
                 if (y < 0 || y >= levels_.rows) break;
-                const double mean = (bar.level - moments_of(levels_, {bar.left, y, bar.length(), 1}).mean) / bar.contrast;
+                const double mean =
+                    (bar.level - moments_of(levels_, {bar.left, y, bar.length(), 1}).mean) / bar.contrast;
                 if (k <= 2) near = std::max(near, mean);
                 far = std::max(far, mean);
             }
             if (near < 0.7 * far) return false;
         }
         const double inside = noise(bar.top, bar.bottom, bar.left + 1, bar.right - 1, false);
-        const double around = std::max(noise(bar.top - 14, bar.top - 4, bar.left, bar.right, true), noise(bar.bottom + 4, bar.bottom + 14, bar.left, bar.right, true));
+        const double around = std::max(noise(bar.top - 14, bar.top - 4, bar.left, bar.right, true),
+                                       noise(bar.bottom + 4, bar.bottom + 14, bar.left, bar.right, true));
         const bool at_the_end = bar.level <= 0.1 || bar.level >= 0.9;  // of the picture's levels
         const bool cleaner = inside <= 0.5 * around && bar.deviation <= 0.1 * contrast;
         const bool clean = bar.deviation <= 0.03 * contrast && around <= 0.02 * contrast;
@@ -174,7 +190,8 @@ private:
             double farthest = 0;  // towards the outline's level, in its difference from the bar's
             for (int k = 1; k <= outline + 1; ++k) {
                 const int x = std::clamp(end + k * way, 0, levels_.cols - 1);
-                farthest = std::max(farthest, (moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) / (level - bar.level));
+                farthest = std::max(farthest, (moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) /
+                                                  (level - bar.level));
             }
             const int beyond = std::clamp(end + (outline + 2) * way, 0, levels_.cols - 1);
             const auto ground = moments_of(levels_, {beyond, bar.top, 1, bar.thickness()});
@@ -186,7 +203,8 @@ private:
 
     void find_outline(BarCandidate& bar) const {
         // as noisy as the bar itself
-        const double tolerance = std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
+        const double tolerance =
+            std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
         double first = 0;
         for (int k = 1; k <= most_outline + 1; ++k) {
             const int left = bar.left - k, right = bar.right + k, top = bar.top - k, bottom = bar.bottom + k;
@@ -197,9 +215,11 @@ private:
                 ring.push_back(at(bottom, x));
             }
             const double level = median(ring);
-            const auto off = std::count_if(ring.begin(), ring.end(), [&](double value) { return std::abs(value - level) > tolerance; });
+            const auto off = std::count_if(ring.begin(), ring.end(),
+                                           [&](double value) { return std::abs(value - level) > tolerance; });
             const bool one_level = static_cast<double>(off) <= 0.1 * static_cast<double>(ring.size());
-            const bool mixed = static_cast<double>(off) > 0.3 * static_cast<double>(ring.size());  // a texture, not some letters
+            const bool mixed =
+                static_cast<double>(off) > 0.3 * static_cast<double>(ring.size());  // a texture, not some letters
             if (k == 1) {
                 // a ring in between the levels of bar and ground is blur
                 if (!one_level || std::abs(level - bar.level) < 0.6 * std::abs(bar.contrast)) return;
@@ -220,7 +240,9 @@ private:
         const int most = std::min(bar.length() / 4, bar.thickness() + 6);
         const auto reach = [&](int x, int row, int way) {
             int count = 0;
-            for (int y = row + way; y >= 0 && y < levels_.rows && count <= 2 * thickest_bar && std::abs(apart(bar, y, x)) < 0.3; y += way) ++count;
+            for (int y = row + way;
+                 y >= 0 && y < levels_.rows && count <= 2 * thickest_bar && std::abs(apart(bar, y, x)) < 0.3; y += way)
+                ++count;
             return count;
         };
         int first = -1, last = -1, up = 0, down = 0;
@@ -266,6 +288,8 @@ private:
 
 }  // namespace
 
-std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length) { return Measurement(levels, least_length)(run.box, run.height, run.sign); }
+std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length) {
+    return Measurement(levels, least_length)(run.box, run.height, run.sign);
+}
 
 }  // namespace setae::imaging

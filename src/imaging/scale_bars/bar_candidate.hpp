@@ -36,8 +36,8 @@ struct LongRun {
     double sign = 0;    ///< 1 where it is brighter, −1 where it is darker
 };
 
-/// The bar within a run: of one level, with straight ends and nothing beyond, apart from what is above and below; nothing where
-/// it is none, touches the picture's border or is shorter than least_length [px].
+/// The bar within a run: of one level, with straight ends and nothing beyond, apart from what is above and below;
+/// nothing where it is none, touches the picture's border or is shorter than least_length [px].
 [[nodiscard]] std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length);
 
 }  // namespace setae::imaging

@@ -9,9 +9,9 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double step = 0.05;                                     // px
-constexpr double farthest = 1.5;                                  // px
-constexpr std::array<double, 5> blurs{0.0, 0.4, 0.7, 1.0, 1.4};   // px
+constexpr double step = 0.05;                                    // px
+constexpr double farthest = 1.5;                                 // px
+constexpr std::array<double, 5> blurs{0.0, 0.4, 0.7, 1.0, 1.4};  // px
 const double whole_pixel_prior = std::log(50.0);
 
 /// Share of a pixel, centred at x, left of an edge that is blurred.
@@ -31,13 +31,15 @@ struct ColumnMoments {
 
 }  // namespace
 
-BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation, const std::optional<double>& outline) {
+BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation,
+               const std::optional<double>& outline) {
     const int columns = rows.cols;
     std::vector<ColumnMoments> moments(static_cast<std::size_t>(columns));
     for (int x = 0; x < columns; ++x) {
         auto& column = moments[static_cast<std::size_t>(x)];
         for (int y = 0; y < rows.rows; ++y) column.mean += static_cast<double>(rows(y, x)) / rows.rows;
-        for (int y = 0; y < rows.rows; ++y) column.variance += std::pow(static_cast<double>(rows(y, x)) - column.mean, 2) / rows.rows;
+        for (int y = 0; y < rows.rows; ++y)
+            column.variance += std::pow(static_cast<double>(rows(y, x)) - column.mean, 2) / rows.rows;
     }
     // what surrounds the bar: pixels that no blur of this edge reaches, where there are any
     const int first_outside = std::min(inside + 2, columns - 1);
@@ -71,7 +73,8 @@ BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation
                 const double expected = share * level + (1 - share) * outside;
                 const double variance = floor * floor + (1 - share) * (1 - share) * texture;
                 const auto& column = moments[static_cast<std::size_t>(x)];
-                sum -= 0.5 * independent * ((std::pow(column.mean - expected, 2) + column.variance) / variance + std::log(variance));
+                sum -= 0.5 * independent *
+                       ((std::pow(column.mean - expected, 2) + column.variance) / variance + std::log(variance));
             }
             const bool whole = blur <= 0 && std::abs(place - std::round(place)) < 0.1 * step;
             if (whole) sum += whole_pixel_prior;

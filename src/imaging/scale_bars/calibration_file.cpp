@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "setae/core/errors.hpp"
-#include "setae/core/text.hpp"
 #include "setae/bytes/digest.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -25,7 +25,8 @@ constexpr int version = 1;
 /// An object of a JSON file that knows which keys were asked for; errors name file and key.
 class ObjectReader {
 public:
-    ObjectReader(const Json& object, std::string path, std::string where) : object_(object), path_(std::move(path)), where_(std::move(where)) {
+    ObjectReader(const Json& object, std::string path, std::string where)
+        : object_(object), path_(std::move(path)), where_(std::move(where)) {
         if (!object.is_object()) fail("", fmt::format("{}, expected an object", object.type_name()));
     }
     [[nodiscard]] double number(const char* key) {
@@ -40,7 +41,8 @@ public:
     }
     [[nodiscard]] double not_negative(const char* key) {
         const double value = number(key);
-        if (!(value >= 0 && std::isfinite(value))) fail(key, fmt::format("{:g}, expected a number of at least 0", value));
+        if (!(value >= 0 && std::isfinite(value)))
+            fail(key, fmt::format("{:g}, expected a number of at least 0", value));
         return value;
     }
     [[nodiscard]] std::string text(const char* key) {
@@ -59,15 +61,20 @@ public:
         return *value;
     }
     [[nodiscard]] ObjectReader object(const char* key) { return {required(key), path_, where_ + key + "."}; }
-    [[nodiscard]] ObjectReader element(const Json& value, const char* key, std::size_t index) const { return {value, path_, fmt::format("{}{}[{}].", where_, key, index)}; }
+    [[nodiscard]] ObjectReader element(const Json& value, const char* key, std::size_t index) const {
+        return {value, path_, fmt::format("{}{}[{}].", where_, key, index)};
+    }
     void finish() const {
         for (const auto& [key, value] : object_.items())
             if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
                 const auto nearest = nearest_match(key, asked_);
-                fail(key, "unknown key" + (nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest)));
+                fail(key,
+                     "unknown key" + (nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest)));
             }
     }
-    [[noreturn]] void fail(const std::string& key, const std::string& what) const { throw FormatError(path_, {}, fmt::format("'{}{}': {}", where_, key, what)); }
+    [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+        throw FormatError(path_, {}, fmt::format("'{}{}': {}", where_, key, what));
+    }
 
 private:
     const Json& object_;
@@ -100,7 +107,9 @@ ScaleBar scale_bar(ObjectReader reader) {
     bar.label = reader.text("label");
     if (reader.optional("labelled_length_m")) bar.labelled_length = reader.positive("labelled_length_m");
     const auto& region = reader.required("annotation_px");
-    const bool whole = region.is_array() && region.size() == 4 && std::all_of(region.begin(), region.end(), [](const Json& value) { return value.is_number_integer(); });
+    const bool whole =
+        region.is_array() && region.size() == 4 &&
+        std::all_of(region.begin(), region.end(), [](const Json& value) { return value.is_number_integer(); });
     if (!whole) reader.fail("annotation_px", "expected x, y, width, height as whole numbers");
     bar.annotation = {region[0].get<long>(), region[1].get<long>(), region[2].get<long>(), region[3].get<long>()};
     bar.confidence = reader.not_negative("confidence");
@@ -120,7 +129,8 @@ Json parsed(const std::string& path) {
 }  // namespace
 
 KeptCalibration kept_calibration(const Calibration& calibration, const std::string& picture_path) {
-    return {calibration, std::filesystem::path(picture_path).filename().string(), bytes::sha256(bytes::file_source(picture_path))};
+    return {calibration, std::filesystem::path(picture_path).filename().string(),
+            bytes::sha256(bytes::file_source(picture_path))};
 }
 
 void write_calibration(const std::string& path, const KeptCalibration& kept) {
@@ -133,7 +143,9 @@ void write_calibration(const std::string& path, const KeptCalibration& kept) {
               {"picture", {{"name", kept.picture}, {"sha256", kept.picture_sha256}}}};
     if (calibration.scale_bar) json["scale_bar"] = as_json(*calibration.scale_bar);
     json["alerts"] = Json::array();
-    for (const auto& alert : calibration.alerts) json["alerts"].push_back({{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
+    for (const auto& alert : calibration.alerts)
+        json["alerts"].push_back(
+            {{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
     // names of files need not be UTF-8
     bytes::write_whole_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -142,7 +154,8 @@ KeptCalibration read_calibration(const std::string& path) {
     const auto json = parsed(path);
     ObjectReader reader(json, path, "");
     const auto& stated = reader.required(version_key);
-    if (!stated.is_number_integer() || stated.get<std::int64_t>() != version) reader.fail(version_key, fmt::format("version {}, expected {}", stated.dump(), version));
+    if (!stated.is_number_integer() || stated.get<std::int64_t>() != version)
+        reader.fail(version_key, fmt::format("version {}, expected {}", stated.dump(), version));
     KeptCalibration kept;
     auto& calibration = kept.calibration;
     calibration.pixel_size = {reader.positive("pixel_size_x_m"), reader.positive("pixel_size_y_m")};
@@ -151,14 +164,17 @@ KeptCalibration read_calibration(const std::string& path) {
     auto picture = reader.object("picture");
     kept.picture = picture.text("name");
     kept.picture_sha256 = picture.text("sha256");
-    if (kept.picture_sha256.size() != 64 || kept.picture_sha256.find_first_not_of("0123456789abcdef") != std::string::npos) picture.fail("sha256", "expected 64 hexadecimal digits");
+    if (kept.picture_sha256.size() != 64 ||
+        kept.picture_sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
+        picture.fail("sha256", "expected 64 hexadecimal digits");
     picture.finish();
     if (reader.optional("scale_bar")) calibration.scale_bar = scale_bar(reader.object("scale_bar"));
     const auto& alerts = reader.required("alerts");
     if (!alerts.is_array()) reader.fail("alerts", "expected a list");
     for (std::size_t k = 0; k < alerts.size(); ++k) {
         auto alert = reader.element(alerts[k], "alerts", k);
-        calibration.alerts.push_back({alert.text("code"), alert.text("subject"), alert.text("message"), alert.text("action")});
+        calibration.alerts.push_back(
+            {alert.text("code"), alert.text("subject"), alert.text("message"), alert.text("action")});
         alert.finish();
     }
     reader.finish();

@@ -11,10 +11,10 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double shortest_share = 0.03;   // of the picture's width
+constexpr double shortest_share = 0.03;  // of the picture's width
 constexpr double least_quality = 0.5;
-constexpr int shortest = 12;              // px
-constexpr double rounding = 0.3;          // px: standard error of a length that a program rounded to whole pixels
+constexpr int shortest = 12;      // px
+constexpr double rounding = 0.3;  // px: standard error of a length that a program rounded to whole pixels
 
 double length_overlap(const BarCandidate& first, const BarCandidate& second) {
     const int common = std::min(first.right, second.right) - std::max(first.left, second.left) + 1;
@@ -44,7 +44,8 @@ cv::Mat1b extreme_of_stretches(cv::Mat1b picture, const cv::Size& size, bool lea
 cv::Mat1b opened(const cv::Mat1b& picture, const cv::Size& line) {
     if (picture.cols < line.width || picture.rows < line.height) return cv::Mat1b(picture.size(), 0);
     cv::Mat1b padded;
-    cv::copyMakeBorder(extreme_of_stretches(picture, line, true), padded, line.height - 1, line.height - 1, line.width - 1, line.width - 1, cv::BORDER_CONSTANT, 0);
+    cv::copyMakeBorder(extreme_of_stretches(picture, line, true), padded, line.height - 1, line.height - 1,
+                       line.width - 1, line.width - 1, cv::BORDER_CONSTANT, 0);
     return extreme_of_stretches(std::move(padded), line, false);
 }
 
@@ -96,7 +97,8 @@ bool has_two_levels(const cv::Mat1f& levels) {
     double least = 0, most = 0;
     cv::minMaxLoc(levels, &least, &most);
     const float low = static_cast<float>(least), high = static_cast<float>(most);
-    return std::all_of(levels.begin(), levels.end(), [low, high](float level) { return level <= low || level >= high; });
+    return std::all_of(levels.begin(), levels.end(),
+                       [low, high](float level) { return level <= low || level >= high; });
 }
 
 struct Search {
@@ -118,7 +120,10 @@ void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& sear
         for (const auto& where : boxes_above(raised, threshold)) {
             if (where.height > thickest_bar + 3 || where.width < least_length) continue;
             const auto bar = bar_within(levels, {where, threshold * search.byte, search.sign}, least_length);
-            const auto same = [&](const BarCandidate& other) { return other.left == bar->left && other.right == bar->right && other.top == bar->top && other.bottom == bar->bottom; };
+            const auto same = [&](const BarCandidate& other) {
+                return other.left == bar->left && other.right == bar->right && other.top == bar->top &&
+                       other.bottom == bar->bottom;
+            };
             if (bar && std::none_of(found.begin(), found.end(), same)) found.push_back(*bar);
         }
     }
@@ -128,8 +133,10 @@ void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& sear
 bool repeats(const BarCandidate& bar, const std::vector<BarCandidate>& all) {
     int count = 0;
     for (const auto& other : all) {
-        if (&other == &bar || other.contrast * bar.contrast < 0 || (other.top <= bar.bottom && other.bottom >= bar.top)) continue;
-        const bool alike = std::abs(other.length() - bar.length()) <= 0.2 * bar.length() + 2 && std::abs(other.thickness() - bar.thickness()) <= 1 + bar.thickness() / 2;
+        if (&other == &bar || other.contrast * bar.contrast < 0 || (other.top <= bar.bottom && other.bottom >= bar.top))
+            continue;
+        const bool alike = std::abs(other.length() - bar.length()) <= 0.2 * bar.length() + 2 &&
+                           std::abs(other.thickness() - bar.thickness()) <= 1 + bar.thickness() / 2;
         count += alike && length_overlap(bar, other) > 0.5;
     }
     return count >= 2;
@@ -139,7 +146,9 @@ bool repeats(const BarCandidate& bar, const std::vector<BarCandidate>& all) {
 void settle_ticks(DrawnBar& bar) {
     const auto &left = bar.left_tick, &right = bar.right_tick;
     const double asymmetry = left && right ? (left->middle - bar.begin_x) - (bar.end_x - right->middle) : 0;
-    if (!left || !right || std::abs(asymmetry) > 1.5 || std::abs(left->width - right->width) > 1 || std::abs(left->reach - right->reach) > 2) return;
+    if (!left || !right || std::abs(asymmetry) > 1.5 || std::abs(left->width - right->width) > 1 ||
+        std::abs(left->reach - right->reach) > 2)
+        return;
     bar.begin_x = left->middle;
     bar.end_x = right->middle;
     bar.length_standard_error = std::hypot(bar.length_standard_error, left->width / std::sqrt(12.0));
@@ -155,13 +164,16 @@ DrawnBar measured(const cv::Mat1f& levels, const BarCandidate& bar) {
     const int before = std::min(bar.left, outside), after = std::min(levels.cols - 1 - bar.right, outside);
     cv::Mat1f left, right = levels(cv::Rect(bar.right + 1 - inside, bar.top, inside + after, bar.thickness()));
     cv::flip(levels(cv::Rect(bar.left - before, bar.top, inside + before, bar.thickness())), left, 1);
-    const auto begin = bar_end(left, inside, bar.level, bar.deviation, drawn.outline_level), end = bar_end(right, inside, bar.level, bar.deviation, drawn.outline_level);
+    const auto begin = bar_end(left, inside, bar.level, bar.deviation, drawn.outline_level),
+               end = bar_end(right, inside, bar.level, bar.deviation, drawn.outline_level);
     // programs place corners of an outlined bar in the middle of the outline
     const double half_outline = 0.5 * bar.outline;
     drawn.begin_x = bar.left - 0.5 - begin.place - half_outline;
     drawn.end_x = bar.right + 0.5 + end.place + half_outline;
     const double outline_error = bar.outline / std::sqrt(3.0);
-    drawn.length_standard_error = std::sqrt(rounding * rounding + outline_error * outline_error + begin.standard_error * begin.standard_error + end.standard_error * end.standard_error);
+    drawn.length_standard_error =
+        std::sqrt(rounding * rounding + outline_error * outline_error + begin.standard_error * begin.standard_error +
+                  end.standard_error * end.standard_error);
     drawn.y = 0.5 * (bar.top + bar.bottom);
     drawn.thickness = bar.thickness() + 2 * half_outline;
     drawn.box = bar.box();
@@ -180,18 +192,26 @@ std::vector<DrawnBar> joined(const cv::Mat1f& levels, std::vector<DrawnBar> bars
         for (std::size_t k = 0; k < bars.size(); ++k) {
             auto &first = bars[i], &second = bars[k];
             const double length = first.end_x - first.begin_x, gap = second.begin_x - first.end_x;
-            if (i == k || first.gap || second.gap || gap < 4 || gap > 2 * length || std::abs(first.y - second.y) > 0.6 || std::abs(first.thickness - second.thickness) > 0.6) continue;
-            if (std::abs(second.end_x - second.begin_x - length) > 0.1 * length + 2 || std::abs(first.level - second.level) > 0.1 * first.contrast) continue;
+            if (i == k || first.gap || second.gap || gap < 4 || gap > 2 * length ||
+                std::abs(first.y - second.y) > 0.6 || std::abs(first.thickness - second.thickness) > 0.6)
+                continue;
+            if (std::abs(second.end_x - second.begin_x - length) > 0.1 * length + 2 ||
+                std::abs(first.level - second.level) > 0.1 * first.contrast)
+                continue;
             const cv::Rect united = first.box | second.box;
             const int reach = std::max(2 * united.height, 8);
-            const cv::Rect between = cv::Rect(first.box.x + first.box.width, united.y - reach, second.box.x - first.box.x - first.box.width, united.height + 2 * reach) & cv::Rect(0, 0, levels.cols, levels.rows);
+            const cv::Rect between = cv::Rect(first.box.x + first.box.width, united.y - reach,
+                                              second.box.x - first.box.x - first.box.width, united.height + 2 * reach) &
+                                     cv::Rect(0, 0, levels.cols, levels.rows);
             int ink = 0;
             for (int y = between.y; y < between.y + between.height; ++y)
-                for (int x = between.x; x < between.x + between.width; ++x) ink += std::abs(static_cast<double>(levels(y, x)) - first.level) < 0.3 * first.contrast;
+                for (int x = between.x; x < between.x + between.width; ++x)
+                    ink += std::abs(static_cast<double>(levels(y, x)) - first.level) < 0.3 * first.contrast;
             if (ink < 0.03 * between.area() || ink > 0.6 * between.area()) continue;
             first.end_x = second.end_x;
             first.right_tick = second.right_tick;
-            first.length_standard_error = std::hypot(first.length_standard_error, second.length_standard_error) / std::sqrt(2.0);
+            first.length_standard_error =
+                std::hypot(first.length_standard_error, second.length_standard_error) / std::sqrt(2.0);
             first.box = united;
             first.gap = between;
             bars.erase(bars.begin() + static_cast<long>(k));
@@ -232,7 +252,9 @@ cv::Mat1f scaled_levels(const FramePixels& pixels) {
         }
     }
     for (long i = 0; i < pixels.size(); ++i)
-        if (const float value = pixels.data()[i]; std::isfinite(value)) levels(static_cast<int>(i / pixels.cols()), static_cast<int>(i % pixels.cols())) = static_cast<float>((static_cast<double>(value) - low) / (high - low));
+        if (const float value = pixels.data()[i]; std::isfinite(value))
+            levels(static_cast<int>(i / pixels.cols()), static_cast<int>(i % pixels.cols())) =
+                static_cast<float>((static_cast<double>(value) - low) / (high - low));
     return levels;
 }
 
@@ -266,12 +288,15 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     for (const auto& bar : chosen) {
         const auto box = bar.box();
         const cv::Rect near(box.x - 2, box.y - 2, box.width + 4, box.height + 4);
-        if (std::none_of(bars.begin(), bars.end(), [&](const DrawnBar& other) { return (other.box & near).area() > 0; })) bars.push_back(measured(levels, bar));
+        if (std::none_of(bars.begin(), bars.end(),
+                         [&](const DrawnBar& other) { return (other.box & near).area() > 0; }))
+            bars.push_back(measured(levels, bar));
     }
     std::erase_if(bars, [](const DrawnBar& bar) { return bar.quality < least_quality; });
     bars = joined(levels, std::move(bars));
     for (auto& bar : bars) settle_ticks(bar);
-    std::stable_sort(bars.begin(), bars.end(), [](const DrawnBar& a, const DrawnBar& b) { return a.quality > b.quality; });
+    std::stable_sort(bars.begin(), bars.end(),
+                     [](const DrawnBar& a, const DrawnBar& b) { return a.quality > b.quality; });
     return bars;
 }
 

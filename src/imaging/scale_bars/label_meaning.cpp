@@ -32,7 +32,8 @@ constexpr std::array<LengthUnit, 10> units{{{"pm", "pm", "pm", -12},
 bool usual(double number) {
     const double mantissa = number / std::pow(10.0, std::floor(std::log10(number) + 1e-9));
     constexpr std::array<double, 4> mantissas{1.0, 2.0, 2.5, 5.0};
-    return std::any_of(mantissas.begin(), mantissas.end(), [&](double value) { return std::abs(mantissa - value) < 1e-6; });
+    return std::any_of(mantissas.begin(), mantissas.end(),
+                       [&](double value) { return std::abs(mantissa - value) < 1e-6; });
 }
 
 }  // namespace
@@ -47,13 +48,16 @@ LabelMeaning meaning_of_label(std::string_view reading) {
     const auto number_text = text.substr(0, digits);
     const auto unit_text = digits == std::string::npos ? std::string() : text.substr(digits);
     if (unit_text.find('/') != std::string::npos || unit_text.ends_with("-1") || unit_text.ends_with("\u207b\u00b9")) {
-        meaning.fault = fmt::format("label '{}' is a reciprocal length, of a diffraction pattern and not of an image", text);
+        meaning.fault =
+            fmt::format("label '{}' is a reciprocal length, of a diffraction pattern and not of an image", text);
         return meaning;
     }
-    const auto* unit = std::find_if(units.begin(), units.end(), [&](const LengthUnit& known) { return known.spelling == unit_text; });
+    const auto* unit =
+        std::find_if(units.begin(), units.end(), [&](const LengthUnit& known) { return known.spelling == unit_text; });
     double number = 0;
     const auto [end, error] = std::from_chars(number_text.data(), number_text.data() + number_text.size(), number);
-    const bool is_number = error == std::errc{} && end == number_text.data() + number_text.size() && number > 0 && number_text.front() != '.';
+    const bool is_number = error == std::errc{} && end == number_text.data() + number_text.size() && number > 0 &&
+                           number_text.front() != '.';
     const bool leading_zero = number_text.size() > 1 && number_text[0] == '0' && number_text[1] != '.';
     if (!is_number || unit == units.end()) {
         meaning.fault = fmt::format("label read as '{}', which is no number with a unit of length", text);

@@ -17,8 +17,8 @@ struct LabelMeaning {
 
 /// Number and unit of a length in a label read without blanks; a comma counts as a point.
 ///
-/// Lengths that bars have are 1, 2, 2.5 or 5 times a power of ten: another number was read wrong, or must be confirmed by a user.
-/// A reciprocal length ("5 1/nm") belongs to a diffraction pattern and is none.
+/// Lengths that bars have are 1, 2, 2.5 or 5 times a power of ten: another number was read wrong, or must be confirmed
+/// by a user. A reciprocal length ("5 1/nm") belongs to a diffraction pattern and is none.
 [[nodiscard]] LabelMeaning meaning_of_label(std::string_view reading);
 
 }  // namespace setae::imaging

@@ -35,8 +35,10 @@ bool beside(const cv::Rect& first, const cv::Rect& second) {
 }
 
 bool is_point(const cv::Rect& part, int area, const cv::Rect& line, int baseline) {
-    const double height = line.height, least = std::min(part.width, part.height), most = std::max(part.width, part.height);
-    return most <= 0.3 * height && least >= 0.06 * height && most <= 2 * least && area >= 0.6 * part.area() && std::abs(part.br().y - baseline) <= 0.12 * height + 1;
+    const double height = line.height, least = std::min(part.width, part.height),
+                 most = std::max(part.width, part.height);
+    return most <= 0.3 * height && least >= 0.06 * height && most <= 2 * least && area >= 0.6 * part.area() &&
+           std::abs(part.br().y - baseline) <= 0.12 * height + 1;
 }
 
 /// Parts of the background that a letter encloses.
@@ -64,10 +66,16 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
     std::vector<Part> parts, letters;
     for (int k = 1; k < count; ++k) {
         const int* row = statistics.ptr<int>(k);
-        Part part{{row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT]}, k, row[cv::CC_STAT_AREA], {}};
-        if (std::any_of(not_letters.begin(), not_letters.end(), [&](const cv::Rect& other) { return (other & part.box).area() > 0; })) continue;
+        Part part{{row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH], row[cv::CC_STAT_HEIGHT]},
+                  k,
+                  row[cv::CC_STAT_AREA],
+                  {}};
+        if (std::any_of(not_letters.begin(), not_letters.end(),
+                        [&](const cv::Rect& other) { return (other & part.box).area() > 0; }))
+            continue;
         parts.push_back(part);
-        const bool letter = part.box.height >= least_height && part.box.width <= 2 * part.box.height && part.box.height <= 0.8 * mask.rows;
+        const bool letter = part.box.height >= least_height && part.box.width <= 2 * part.box.height &&
+                            part.box.height <= 0.8 * mask.rows;
         if (letter) letters.push_back(part);
     }
     for (auto& letter : letters) {
@@ -78,7 +86,8 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
                 letter.box |= part.box;
             }
     }
-    std::sort(letters.begin(), letters.end(), [](const Part& a, const Part& b) { return std::pair(a.box.x, a.label) < std::pair(b.box.x, b.label); });
+    std::sort(letters.begin(), letters.end(),
+              [](const Part& a, const Part& b) { return std::pair(a.box.x, a.label) < std::pair(b.box.x, b.label); });
     // lines: letters joined by what stands beside them
     std::vector<std::size_t> line_of(letters.size());
     std::iota(line_of.begin(), line_of.end(), 0U);
@@ -106,8 +115,10 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
         if (line.letters.size() < 2) continue;
         const int baseline = order_statistic(bottoms, 0.5);
         for (const auto& part : parts) {
-            if (std::find(kept.begin(), kept.end(), part.label) != kept.end() || (part.box & line.box).empty()) continue;
-            const bool between = part.box.x > line.letters.front().br().x - 1 && part.box.br().x < line.letters.back().x + 1;
+            if (std::find(kept.begin(), kept.end(), part.label) != kept.end() || (part.box & line.box).empty())
+                continue;
+            const bool between =
+                part.box.x > line.letters.front().br().x - 1 && part.box.br().x < line.letters.back().x + 1;
             if (between && is_point(part.box, part.area, line.box, baseline)) {
                 line.points.push_back(part.box);
                 kept.push_back(part.label);
@@ -118,7 +129,8 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
         line.ink = cv::Mat1b(line.box.size(), 0);
         for (int y = 0; y < line.box.height; ++y)
             for (int x = 0; x < line.box.width; ++x)
-                if (std::find(kept.begin(), kept.end(), labels.at<int>(line.box.y + y, line.box.x + x)) != kept.end()) line.ink(y, x) = 255;
+                if (std::find(kept.begin(), kept.end(), labels.at<int>(line.box.y + y, line.box.x + x)) != kept.end())
+                    line.ink(y, x) = 255;
         lines.push_back(std::move(line));
     }
     return lines;
@@ -138,9 +150,12 @@ char prefix_by_shape(const LetterLine& line) {
     if (upright == 3) return 'm';
     if (upright != 2) return 0;
     const int band = std::max(1, static_cast<int>(0.3 * (bottom - top)));
-    const int left = static_cast<int>(0.4 * prefix.width), right = std::max(left + 1, static_cast<int>(0.6 * prefix.width + 0.5));
+    const int left = static_cast<int>(0.4 * prefix.width),
+              right = std::max(left + 1, static_cast<int>(0.6 * prefix.width + 0.5));
     if (right > prefix.width) return 0;
-    const auto ink = [&](int from, int to) { return cv::countNonZero(letter(cv::Range(from, to), cv::Range(left, right))); };
+    const auto ink = [&](int from, int to) {
+        return cv::countNonZero(letter(cv::Range(from, to), cv::Range(left, right)));
+    };
     const int above = ink(top, top + band), below = ink(bottom - band, bottom);
     const int sure = (right - left + 1) / 2;
     if (above >= sure && below == 0) return 'n';
@@ -148,6 +163,8 @@ char prefix_by_shape(const LetterLine& line) {
     return 0;
 }
 
-bool last_letter_closed(const LetterLine& line) { return !line.letters.empty() && holes(line.ink(line.letters.back() - line.box.tl())) > 0; }
+bool last_letter_closed(const LetterLine& line) {
+    return !line.letters.empty() && holes(line.ink(line.letters.back() - line.box.tl())) > 0;
+}
 
 }  // namespace setae::imaging

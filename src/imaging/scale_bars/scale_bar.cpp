@@ -14,7 +14,8 @@ constexpr std::size_t most_bars = 4;  // that are reported
 constexpr int margin = 3;             // px around bar and label: blur, and shadows of letters
 
 Region region_of(const cv::Rect& box, const cv::Mat1f& levels) {
-    const auto inside = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) & cv::Rect(0, 0, levels.cols, levels.rows);
+    const auto inside = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+                        cv::Rect(0, 0, levels.cols, levels.rows);
     return {inside.x, inside.y, inside.width, inside.height};
 }
 
@@ -37,11 +38,14 @@ std::vector<FoundBar> found_bars(const cv::Mat1f& levels) {
                       .label = label.text,
                       .labelled_length = label.length,
                       .annotation = region_of(label.box ? bar.box | *label.box : bar.box, levels),
-                      .confidence = bar.quality * (label.length ? 1.0 : label.text.empty() ? 0.5 : 0.6)};
+                      .confidence = bar.quality * (label.length         ? 1.0
+                                                   : label.text.empty() ? 0.5
+                                                                        : 0.6)};
         result.label_fault = label.fault;
         found.push_back(std::move(result));
     }
-    std::stable_sort(found.begin(), found.end(), [](const FoundBar& a, const FoundBar& b) { return a.bar.confidence > b.bar.confidence; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const FoundBar& a, const FoundBar& b) { return a.bar.confidence > b.bar.confidence; });
     return found;
 }
 

@@ -34,7 +34,8 @@ struct Reading {
 };
 
 double distance_between(const cv::Rect& first, const cv::Rect& second) {
-    const double dx = std::max({first.x - second.br().x, second.x - first.br().x, 0}), dy = std::max({first.y - second.br().y, second.y - first.br().y, 0});
+    const double dx = std::max({first.x - second.br().x, second.x - first.br().x, 0}),
+                 dy = std::max({first.y - second.br().y, second.y - first.br().y, 0});
     return std::hypot(dx, dy);
 }
 
@@ -50,8 +51,8 @@ cv::Mat1b enlarged(const LetterLine& line, int height) {
     return framed;
 }
 
-/// Unit that the shapes of the last two letters spell, where the reader took them for that or for what looks like it: Tesseract
-/// has no µ and confuses m with n.
+/// Unit that the shapes of the last two letters spell, where the reader took them for that or for what looks like it:
+/// Tesseract has no µ and confuses m with n.
 std::string with_unit_by_shape(const std::string& text, const LetterLine& line, char shape) {
     if (shape == 0 || text.size() < 3) return text;
     const std::string_view last = "mn";
@@ -59,17 +60,24 @@ std::string with_unit_by_shape(const std::string& text, const LetterLine& line, 
     const char prefix = micro ? 'u' : text[text.size() - 2];
     const auto& letter = line.letters[line.letters.size() - 2];
     const bool descends = letter.br().y > line.letters.back().br().y + line.letters.back().height / 10;
-    const std::string_view looks_like = shape == 'n' ? "nm" : shape == 'm' ? "mn" : shape == 'p' ? "p" : descends ? "up" : "u";
-    if (last.find(text.back()) == std::string_view::npos || looks_like.find(prefix) == std::string_view::npos) return text;
+    const std::string_view looks_like = shape == 'n'   ? "nm"
+                                        : shape == 'm' ? "mn"
+                                        : shape == 'p' ? "p"
+                                        : descends     ? "up"
+                                                       : "u";
+    if (last.find(text.back()) == std::string_view::npos || looks_like.find(prefix) == std::string_view::npos)
+        return text;
     return text.substr(0, text.size() - (micro ? 3 : 2)) + shape + 'm';
 }
 
-/// Whether there is a letter for each digit that was read, all higher than an m: a digit with a piece broken off is another one.
+/// Whether there is a letter for each digit that was read, all higher than an m: a digit with a piece broken off is
+/// another one.
 bool digits_whole(const LetterLine& line, long digits, const std::string& unit) {
     const std::size_t of_unit = unit == "A" ? 1 : 2;
     if (static_cast<long>(line.letters.size() - of_unit) != digits) return false;
     const double least = (unit == "A" ? 0.6 : 1.15) * line.letters.back().height;
-    return std::all_of(line.letters.begin(), line.letters.begin() + digits, [least](const cv::Rect& letter) { return letter.height >= least; });
+    return std::all_of(line.letters.begin(), line.letters.begin() + digits,
+                       [least](const cv::Rect& letter) { return letter.height >= least; });
 }
 
 /// What the reader says, where the letters have the shapes for it.
@@ -82,10 +90,14 @@ LabelMeaning checked(const LetterLine& line, const std::string& reading) {
         meaning.fault = fmt::format("label read as '{}', but {}", meaning.text, why);
     };
     if (!meaning.length) return meaning;
-    const auto points = std::count_if(text.begin(), text.end(), [](char letter) { return letter == '.' || letter == ','; });
-    const auto digits = std::count_if(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
-    if (meaning.unit == "A" ? !last_letter_closed(line) : shape != meaning.unit.front()) unsure("the letters of the unit do not have that shape");
-    else if (!digits_whole(line, digits, meaning.unit)) unsure("the letters of the number are not whole, or not as many");
+    const auto points =
+        std::count_if(text.begin(), text.end(), [](char letter) { return letter == '.' || letter == ','; });
+    const auto digits =
+        std::count_if(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
+    if (meaning.unit == "A" ? !last_letter_closed(line) : shape != meaning.unit.front())
+        unsure("the letters of the unit do not have that shape");
+    else if (!digits_whole(line, digits, meaning.unit))
+        unsure("the letters of the number are not whole, or not as many");
     else if (points != static_cast<long>(line.points.size())) unsure("its points are not those of the picture");
     else if (points > 0 && line.specks > 0) unsure("the point may be a speck");
     return meaning;
@@ -93,19 +105,21 @@ LabelMeaning checked(const LetterLine& line, const std::string& reading) {
 
 double median_level(const cv::Mat1f& patch) {
     std::vector<float> values;
-    for (int y = 0; y < patch.rows; ++y) values.insert(values.end(), patch.ptr<float>(y), patch.ptr<float>(y) + patch.cols);
+    for (int y = 0; y < patch.rows; ++y)
+        values.insert(values.end(), patch.ptr<float>(y), patch.ptr<float>(y) + patch.cols);
     return static_cast<double>(order_statistic(std::move(values), 0.5));
 }
 
 cv::Mat1b mask_near(const cv::Mat1f& patch, double level, double tolerance) {
     cv::Mat1b mask(patch.size());
     for (int y = 0; y < patch.rows; ++y)
-        for (int x = 0; x < patch.cols; ++x) mask(y, x) = std::abs(static_cast<double>(patch(y, x)) - level) <= tolerance ? 255 : 0;
+        for (int x = 0; x < patch.cols; ++x)
+            mask(y, x) = std::abs(static_cast<double>(patch(y, x)) - level) <= tolerance ? 255 : 0;
     return mask;
 }
 
-/// Pixels of the ink's level. Thin upright strokes that are blurred break: where they are nearly of that level, gaps of up to
-/// four rows are closed.
+/// Pixels of the ink's level. Thin upright strokes that are blurred break: where they are nearly of that level, gaps of
+/// up to four rows are closed.
 cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
     const auto strict = mask_near(patch, ink.level, ink.tolerance);
     if (ink.tolerance >= ink.bridge) return strict;
@@ -133,7 +147,8 @@ std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
     }
     BarLabel label{.text = best->meaning.text, .box = best->box};
     if (other > 0) label.fault = fmt::format("label read as '{}' and as something else", label.text);
-    else if (agreeing < 3 || masks.size() < 2) label.fault = fmt::format("label read as '{}' in some ways and not in others", label.text);
+    else if (agreeing < 3 || masks.size() < 2)
+        label.fault = fmt::format("label read as '{}' in some ways and not in others", label.text);
     else label.length = best->meaning.length;
     return label;
 }
@@ -142,19 +157,25 @@ std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
 
 BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader) {
     const int pad_x = std::max(100, levels.cols / 5), pad_y = std::max(40, levels.rows / 14);
-    const cv::Rect patch = cv::Rect(bar.box.x - pad_x, bar.box.y - pad_y, bar.box.width + 2 * pad_x, bar.box.height + 2 * pad_y) & cv::Rect(0, 0, levels.cols, levels.rows);
+    const cv::Rect patch =
+        cv::Rect(bar.box.x - pad_x, bar.box.y - pad_y, bar.box.width + 2 * pad_x, bar.box.height + 2 * pad_y) &
+        cv::Rect(0, 0, levels.cols, levels.rows);
     std::vector<cv::Rect> own{bar.box - patch.tl()};
     cv::Rect near = own.front();
     if (bar.gap) {
         near = *bar.gap - patch.tl();
-        own = {{own[0].x, own[0].y, near.x - own[0].x, own[0].height}, {near.br().x, own[0].y, own[0].br().x - near.br().x, own[0].height}};
+        own = {{own[0].x, own[0].y, near.x - own[0].x, own[0].height},
+               {near.br().x, own[0].y, own[0].br().x - near.br().x, own[0].height}};
     }
     // letters in the level of the bar: exactly, and with edges that are blurred; in that of the outline
     const double ground = median_level(levels(patch));
     std::vector<Ink> inks;
-    for (const double share : {0.06, 0.12, 0.2, 0.3, 0.4, 0.5}) inks.push_back({bar.level, share * std::abs(bar.level - ground), 0.5 * std::abs(bar.level - ground)});
+    for (const double share : {0.06, 0.12, 0.2, 0.3, 0.4, 0.5})
+        inks.push_back({bar.level, share * std::abs(bar.level - ground), 0.5 * std::abs(bar.level - ground)});
     if (bar.outline_level)
-        for (const double share : {0.06, 0.12}) inks.push_back({*bar.outline_level, share * std::abs(*bar.outline_level - ground), 0.5 * std::abs(*bar.outline_level - ground)});
+        for (const double share : {0.06, 0.12})
+            inks.push_back({*bar.outline_level, share * std::abs(*bar.outline_level - ground),
+                            0.5 * std::abs(*bar.outline_level - ground)});
 
     std::vector<Reading> readings;
     std::vector<LetterLine> seen;
@@ -162,17 +183,25 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
     BarLabel label;
     for (std::size_t k = 0; k < inks.size(); ++k) {
         auto lines = letter_lines(mask_of(levels(patch), inks[k]), own);
-        std::erase_if(lines, [&](const LetterLine& line) { return line.letters.size() > 24 || distance_between(line.box, near) > 3.0 * line.box.height + 0.5 * bar.box.width; });
-        std::stable_sort(lines.begin(), lines.end(), [&](const LetterLine& a, const LetterLine& b) { return distance_between(a.box, near) < distance_between(b.box, near); });
+        std::erase_if(lines, [&](const LetterLine& line) {
+            return line.letters.size() > 24 ||
+                   distance_between(line.box, near) > 3.0 * line.box.height + 0.5 * bar.box.width;
+        });
+        std::stable_sort(lines.begin(), lines.end(), [&](const LetterLine& a, const LetterLine& b) {
+            return distance_between(a.box, near) < distance_between(b.box, near);
+        });
         if (lines.size() > most_lines) lines.resize(most_lines);
         for (const auto& line : lines) {
-            const auto same = std::find_if(seen.begin(), seen.end(), [&](const LetterLine& other) { return other.box == line.box && cv::countNonZero(other.ink != line.ink) == 0; });
+            const auto same = std::find_if(seen.begin(), seen.end(), [&](const LetterLine& other) {
+                return other.box == line.box && cv::countNonZero(other.ink != line.ink) == 0;
+            });
             const auto index = static_cast<std::size_t>(same - seen.begin());
             if (same == seen.end()) {
                 seen.push_back(line);
                 auto& of_line = readings_of_seen.emplace_back();
                 for (const int height : magnified)
-                    if (const auto read = reader.read(enlarged(line, height))) of_line.push_back({checked(line, *read), line.box, distance_between(line.box, near)});
+                    if (const auto read = reader.read(enlarged(line, height)))
+                        of_line.push_back({checked(line, *read), line.box, distance_between(line.box, near)});
             }
             for (auto reading : readings_of_seen[index]) {
                 reading.ink = k;
@@ -192,7 +221,8 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& re
         return label;
     }
     for (const auto& reading : readings) {
-        const bool better = !label.box || (label.fault.find("no number") != std::string::npos && reading.meaning.fault.find("no number") == std::string::npos);
+        const bool better = !label.box || (label.fault.find("no number") != std::string::npos &&
+                                           reading.meaning.fault.find("no number") == std::string::npos);
         if (!better) continue;
         label.text = reading.meaning.text;
         label.box = reading.box + patch.tl();

@@ -21,9 +21,9 @@ struct BarLabel {
 
 /// Reads the label of a bar: a line of letters drawn in the level of the bar or of its outline, the nearest first.
 ///
-/// A length is given where three readings agree, in two masks and at two magnifications, no other contradicts them, the first
-/// letter of the unit has the shape read (µ, n, p and m differ by what is open and closed) and a point, where there is one, is
-/// a dot on the baseline and the only speck there.
+/// A length is given where three readings agree, in two masks and at two magnifications, no other contradicts them, the
+/// first letter of the unit has the shape read (µ, n, p and m differ by what is open and closed) and a point, where
+/// there is one, is a dot on the baseline and the only speck there.
 [[nodiscard]] BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader);
 
 }  // namespace setae::imaging

@@ -39,7 +39,8 @@ std::optional<std::string> TextReader::read(const cv::Mat1b& line) {
         engine.started = true;
         engine.api.SetVariable("debug_file", "/dev/null");
         if (engine.api.Init(nullptr, "eng", tesseract::OEM_LSTM_ONLY) != 0) {
-            engine.fault = "no data of Tesseract for English; install tesseract-ocr-eng, or set TESSDATA_PREFIX to the folder of eng.traineddata";
+            engine.fault =
+                "no data of Tesseract for English; install tesseract-ocr-eng, or set TESSDATA_PREFIX to the folder of eng.traineddata";
         } else {
             engine.api.SetVariable("debug_file", "/dev/null");
             engine.api.SetVariable("tessedit_char_whitelist", "0123456789.,/-nmu\u00b5pkA\u00c5");

@@ -12,7 +12,7 @@ namespace setae::imaging::tests {
 struct MrcFile {
     bool big_endian = false;
     int mode = 2;
-    std::string pixels;               ///< of all sections, in the file's order of bytes
+    std::string pixels;  ///< of all sections, in the file's order of bytes
     std::uint64_t sections = 1;
     float cell_x = 1.5f, cell_y = 0.5f;  ///< [Å]
     std::string extended, extended_kind = std::string(4, '\0');
@@ -20,7 +20,8 @@ struct MrcFile {
     [[nodiscard]] Bytes order() const { return {big_endian}; }
     [[nodiscard]] std::string bytes() const {
         const auto whole = [&](std::uint64_t value) { return order().whole(value, 4); };
-        std::string header = whole(columns) + whole(rows) + whole(sections) + whole(static_cast<std::uint64_t>(mode)) + std::string(12, '\0') + whole(columns) + whole(rows) + whole(sections) +
+        std::string header = whole(columns) + whole(rows) + whole(sections) + whole(static_cast<std::uint64_t>(mode)) +
+                             std::string(12, '\0') + whole(columns) + whole(rows) + whole(sections) +
                              order().real32(cell_x) + order().real32(cell_y) + order().real32(1);
         header.resize(92, '\0');
         header += whole(extended.size()) + std::string(8, '\0') + extended_kind;
@@ -40,21 +41,23 @@ inline MrcFile mrc_file(bool big_endian = false) {
 /// A series of TIA with images of the common picture, whose rows it stores from the bottom up.
 struct SerFile {
     int version = 0x0210;
-    int type = 7;          ///< of the numbers: float32
-    int kind = 0x4122;     ///< of the data: pictures
-    std::string pixels;    ///< of one image
+    int type = 7;        ///< of the numbers: float32
+    int kind = 0x4122;   ///< of the data: pictures
+    std::string pixels;  ///< of one image
     std::uint64_t images = 1;
     double step_x = 0.5e-9, step_y = 0.25e-9;  ///< [m]
 
     [[nodiscard]] std::string bytes() const {
         const Bytes little;
         const int word = version == 0x0210 ? 4 : 8;
-        std::string head = "II" + little.whole(0x0197, 2) + little.whole(static_cast<std::uint64_t>(version), 2) + little.whole(static_cast<std::uint64_t>(kind), 4) + little.whole(0x4152, 4) +
+        std::string head = "II" + little.whole(0x0197, 2) + little.whole(static_cast<std::uint64_t>(version), 2) +
+                           little.whole(static_cast<std::uint64_t>(kind), 4) + little.whole(0x4152, 4) +
                            little.whole(images, 4) + little.whole(images, 4);
         const auto list_at = head.size() + static_cast<std::size_t>(word) + 4;
         head += little.whole(list_at, word) + little.whole(0, 4);
         const auto axis = [&](double step) { return little.real64(0) + little.real64(step) + little.whole(0, 4); };
-        const auto image = axis(step_x) + axis(step_y) + little.whole(static_cast<std::uint64_t>(type), 2) + little.whole(columns, 4) + little.whole(rows, 4) + pixels;
+        const auto image = axis(step_x) + axis(step_y) + little.whole(static_cast<std::uint64_t>(type), 2) +
+                           little.whole(columns, 4) + little.whole(rows, 4) + pixels;
         std::string list, body;
         for (std::uint64_t i = 0; i < images; ++i) {
             list += little.whole(list_at + 2 * images * static_cast<std::uint64_t>(word) + body.size(), word);

@@ -15,9 +15,9 @@ namespace setae::imaging::tests {
 /// An EMD made by the HDF5 library in memory.
 struct EmdFile {
     bool velox = false;
-    hid_t type = H5T_STD_I16LE;      ///< of the numbers in the file
-    std::vector<hsize_t> sides;      ///< empty: the common picture
-    bool packed = false;             ///< in pieces, deflated; NCEM's layout alone
+    hid_t type = H5T_STD_I16LE;                      ///< of the numbers in the file
+    std::vector<hsize_t> sides;                      ///< empty: the common picture
+    bool packed = false;                             ///< in pieces, deflated; NCEM's layout alone
     std::string unit_x = "[n_m]", unit_y = "[n_m]";  ///< as fixed text; Velox takes the pixel's unit from the first
     double step_x = 0.5, step_y = 0.25;
     bool pixels_written = true;
@@ -40,7 +40,8 @@ struct EmdFile {
 private:
     /// A dataset whose numbers are 1, 2, 3 …, each `repeats` times.
     hid_t dataset(hid_t group, const char* name, const std::vector<hsize_t>& shape, std::size_t repeats) const {
-        const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), properties = H5Pcreate(H5P_DATASET_CREATE);
+        const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                    properties = H5Pcreate(H5P_DATASET_CREATE);
         if (packed || !pixels_written) {
             auto chunk = shape;
             for (auto& side : chunk) side = std::clamp<hsize_t>(side, 1, 16);
@@ -50,14 +51,18 @@ private:
         const hid_t data = H5Dcreate2(group, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
         if (pixels_written) {
             std::vector<double> values;
-            for (std::size_t i = 0; i < std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()); ++i) values.push_back(1.0 + static_cast<double>(i / repeats));
+            for (std::size_t i = 0;
+                 i < std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()); ++i)
+                values.push_back(1.0 + static_cast<double>(i / repeats));
             H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
         }
         H5Sclose(space);
         H5Pclose(properties);
         return data;
     }
-    static hid_t group_in(hid_t place, const char* name) { return H5Gcreate2(place, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT); }
+    static hid_t group_in(hid_t place, const char* name) {
+        return H5Gcreate2(place, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    }
     static void text(hid_t object, const char* name, const std::string& value) {
         const hid_t kind = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
         H5Tset_size(kind, value.size() + 1);
@@ -67,7 +72,9 @@ private:
     }
     static void dimension(hid_t group, const std::string& name, double step, const std::string& unit) {
         const hsize_t count = 2;
-        const hid_t space = H5Screate_simple(1, &count, nullptr), data = H5Dcreate2(group, name.c_str(), H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t space = H5Screate_simple(1, &count, nullptr),
+                    data =
+                        H5Dcreate2(group, name.c_str(), H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         const double positions[] = {10, 10 + step};
         H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, positions);
         text(data, "units", unit);
@@ -85,13 +92,16 @@ private:
         H5Aclose(attribute), H5Sclose(space), H5Gclose(group), H5Gclose(outer);
     }
     void write_velox(hid_t file) const {
-        const hid_t outer = group_in(file, "Data"), images = group_in(outer, "Image"), image = group_in(images, "0123abcd");
+        const hid_t outer = group_in(file, "Data"), images = group_in(outer, "Image"),
+                    image = group_in(images, "0123abcd");
         H5Dclose(dataset(image, "Data", sides.empty() ? std::vector<hsize_t>{rows, columns, 2} : sides, 2));
-        const std::string json = metadata.value_or(R"({"BinaryResult": {"PixelSize": {"width": ")" + std::to_string(step_x) + R"(", "height": ")" + std::to_string(step_y) +
-                                                   R"("}, "PixelUnitX": ")" + unit_x + R"(", "PixelUnitY": ")" + unit_x +
-                                                   R"("}, "Instrument": {"InstrumentClass": "Titan"}, "Optics": {"AccelerationVoltage": "300000"}})");
+        const std::string json = metadata.value_or(
+            R"({"BinaryResult": {"PixelSize": {"width": ")" + std::to_string(step_x) + R"(", "height": ")" +
+            std::to_string(step_y) + R"("}, "PixelUnitX": ")" + unit_x + R"(", "PixelUnitY": ")" + unit_x +
+            R"("}, "Instrument": {"InstrumentClass": "Titan"}, "Optics": {"AccelerationVoltage": "300000"}})");
         const hsize_t shape[] = {json.size() + 5, 1};
-        const hid_t space = H5Screate_simple(2, shape, nullptr), data = H5Dcreate2(image, "Metadata", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t space = H5Screate_simple(2, shape, nullptr),
+                    data = H5Dcreate2(image, "Metadata", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         const std::string padded = json + std::string(5, '\0');
         H5Dwrite(data, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data());
         H5Dclose(data), H5Sclose(space), H5Gclose(image), H5Gclose(images), H5Gclose(outer);

@@ -13,12 +13,15 @@
 namespace setae::imaging::tests {
 
 /// A micrograph from bytes in memory, as read_micrograph reads it from a file.
-inline Micrograph read_bytes(const std::string& bytes, const MicrographOptions& options = {}) { return read_micrograph_file(RandomAccess("sample", bytes), options); }
+inline Micrograph read_bytes(const std::string& bytes, const MicrographOptions& options = {}) {
+    return read_micrograph_file(RandomAccess("sample", bytes), options);
+}
 
 inline void expect_common_picture(const Micrograph& micrograph, float tolerance = 0) {
     ASSERT_EQ(micrograph.pixels.cols(), columns);
     ASSERT_EQ(micrograph.pixels.rows(), rows);
-    for (long i = 0; i < columns * rows; ++i) EXPECT_NEAR(micrograph.pixels.data()[i], static_cast<float>(i + 1), tolerance) << i;
+    for (long i = 0; i < columns * rows; ++i)
+        EXPECT_NEAR(micrograph.pixels.data()[i], static_cast<float>(i + 1), tolerance) << i;
 }
 
 inline void expect_pixel_size(const Micrograph& micrograph, double x, double y) {
@@ -28,7 +31,8 @@ inline void expect_pixel_size(const Micrograph& micrograph, double x, double y) 
 }
 
 inline bool has_alert(const Micrograph& micrograph, const std::string& code) {
-    return std::any_of(micrograph.alerts.begin(), micrograph.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+    return std::any_of(micrograph.alerts.begin(), micrograph.alerts.end(),
+                       [&](const Alert& alert) { return alert.code == code; });
 }
 
 /// What reading bytes is refused with; empty where they are read.

@@ -7,9 +7,9 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "files/png_chunks.hpp"
 #include "electron_files.hpp"
 #include "emd_files.hpp"
+#include "files/png_chunks.hpp"
 #include "micrograph_files.hpp"
 
 namespace setae::imaging::tests {
@@ -18,10 +18,12 @@ namespace setae::imaging::tests {
 using Sample = std::pair<std::string, std::string>;
 
 /// A smooth picture as OpenCV writes it.
-inline std::string encoded_picture(const std::string& ending, int side_x = 24, int side_y = 16, int type = CV_8U, const std::vector<int>& parameters = {}) {
+inline std::string encoded_picture(const std::string& ending, int side_x = 24, int side_y = 16, int type = CV_8U,
+                                   const std::vector<int>& parameters = {}) {
     cv::Mat image(side_y, side_x, type == CV_8UC3 ? CV_8UC3 : CV_8U);
     for (int i = 0; i < side_y; ++i)
-        for (int j = 0; j < side_x * image.channels(); ++j) image.ptr(i)[j] = static_cast<unsigned char>(40 + 5 * i + 3 * j);
+        for (int j = 0; j < side_x * image.channels(); ++j)
+            image.ptr(i)[j] = static_cast<unsigned char>(40 + 5 * i + 3 * j);
     if (type == CV_16U || type == CV_32F) image.convertTo(image, type, 7.0);
     std::vector<unsigned char> bytes;
     cv::imencode(ending, image, bytes, parameters);
@@ -40,27 +42,32 @@ inline std::string with_pixels_a_metre(std::string png, std::uint64_t x, std::ui
 /// One small file of every format and variant.
 inline std::vector<Sample> micrograph_samples() {
     const TiffFile tiff, big_endian{.big_endian = true}, big_tiff{.big_tiff = true};
-    std::vector<Sample> samples{{"dm3", dm_file(3).bytes()},
-                                {"dm3 big endian", dm_file(3, true).bytes()},
-                                {"dm4", dm_file(4).bytes()},
-                                {"tiff", tiff.bytes()},
-                                {"tiff big endian", big_endian.bytes({{big_endian.text(34682, "[Scan]\nPixelWidth=1e-9\nPixelHeight=1e-9\n")}})},
-                                {"tiff BigTIFF", big_tiff.bytes({{big_tiff.text(65003, "nm"), big_tiff.text(65004, "nm"), big_tiff.real(65009, 0.5), big_tiff.real(65010, 0.5)}})},
-                                {"mrc", mrc_file().bytes()},
-                                {"mrc big endian", mrc_file(true).bytes()},
-                                {"ser", ser_file().bytes()},
-                                {"ser 64 bit", ser_file(0x0220).bytes()},
-                                {"emd", EmdFile{}.bytes()},
-                                {"emd packed", EmdFile{.packed = true}.bytes()},
-                                {"emd Velox", EmdFile{.velox = true, .unit_x = "m"}.bytes()},
-                                {"png", png_picture()},
-                                {"png colour 16 bit", encoded_picture(".png", 24, 16, CV_16U)},
-                                {"png of a known scale", with_pixels_a_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
-                                {"jpeg", encoded_picture(".jpg")},
-                                {"jpeg colour", encoded_picture(".jpg", 24, 16, CV_8UC3)},
-                                {"bmp", encoded_picture(".bmp")}};
+    std::vector<Sample> samples{
+        {"dm3", dm_file(3).bytes()},
+        {"dm3 big endian", dm_file(3, true).bytes()},
+        {"dm4", dm_file(4).bytes()},
+        {"tiff", tiff.bytes()},
+        {"tiff big endian",
+         big_endian.bytes({{big_endian.text(34682, "[Scan]\nPixelWidth=1e-9\nPixelHeight=1e-9\n")}})},
+        {"tiff BigTIFF", big_tiff.bytes({{big_tiff.text(65003, "nm"), big_tiff.text(65004, "nm"),
+                                          big_tiff.real(65009, 0.5), big_tiff.real(65010, 0.5)}})},
+        {"mrc", mrc_file().bytes()},
+        {"mrc big endian", mrc_file(true).bytes()},
+        {"ser", ser_file().bytes()},
+        {"ser 64 bit", ser_file(0x0220).bytes()},
+        {"emd", EmdFile{}.bytes()},
+        {"emd packed", EmdFile{.packed = true}.bytes()},
+        {"emd Velox", EmdFile{.velox = true, .unit_x = "m"}.bytes()},
+        {"png", png_picture()},
+        {"png colour 16 bit", encoded_picture(".png", 24, 16, CV_16U)},
+        {"png of a known scale", with_pixels_a_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
+        {"jpeg", encoded_picture(".jpg")},
+        {"jpeg colour", encoded_picture(".jpg", 24, 16, CV_8UC3)},
+        {"bmp", encoded_picture(".bmp")}};
     // 1 none, 5 LZW, 8 deflate, 32773 PackBits
-    for (const int compression : {5, 8, 32773}) samples.emplace_back("tiff compression " + std::to_string(compression), encoded_picture(".tif", 24, 16, CV_16U, {cv::IMWRITE_TIFF_COMPRESSION, compression}));
+    for (const int compression : {5, 8, 32773})
+        samples.emplace_back("tiff compression " + std::to_string(compression),
+                             encoded_picture(".tif", 24, 16, CV_16U, {cv::IMWRITE_TIFF_COMPRESSION, compression}));
     return samples;
 }
 
@@ -71,9 +78,12 @@ inline std::vector<Sample> micrographs_of(std::uint64_t side) {
     auto dm = dm_file(4);
     auto cut = dm.bytes();
     const auto replace_all = [&](const std::string& from, const std::string& to) {
-        for (auto at = cut.find(from); at != std::string::npos; at = cut.find(from, at + to.size())) cut.replace(at, from.size(), to);
+        for (auto at = cut.find(from); at != std::string::npos; at = cut.find(from, at + to.size()))
+            cut.replace(at, from.size(), to);
     };
-    const auto dimension = [&](std::uint64_t length) { return std::string("%%%%") + big.whole(1, 8) + big.whole(5, 8) + little.whole(length, 4); };
+    const auto dimension = [&](std::uint64_t length) {
+        return std::string("%%%%") + big.whole(1, 8) + big.whole(5, 8) + little.whole(length, 4);
+    };
     replace_all(dimension(columns), dimension(side));
     replace_all(dimension(rows), dimension(side));
     auto png = png_picture();
@@ -86,8 +96,14 @@ inline std::vector<Sample> micrographs_of(std::uint64_t side) {
     mrc.replace(0, 8, little.whole(side, 4) + little.whole(side, 4));
     auto ser = ser_file().bytes();
     ser.replace(ser.size() - 24 - 8, 8, little.whole(side, 4) + little.whole(side, 4));
-    return {{"dm4", cut}, {"mrc", mrc}, {"ser", ser}, {"tiff", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side)}})},
-            {"tiff LZW", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side), tiff.shorts(259, 5)}})}, {"png", png}, {"jpeg", jpeg}, {"bmp", bmp}};
+    return {{"dm4", cut},
+            {"mrc", mrc},
+            {"ser", ser},
+            {"tiff", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side)}})},
+            {"tiff LZW", tiff.bytes({{tiff.longs(256, side), tiff.longs(257, side), tiff.shorts(259, 5)}})},
+            {"png", png},
+            {"jpeg", jpeg},
+            {"bmp", bmp}};
 }
 
 }  // namespace setae::imaging::tests

@@ -18,7 +18,9 @@ namespace setae::imaging::tests {
 /// A folder of a test's own, removed with it.
 class Folder {
 public:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("setae_imaging_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    Folder()
+        : path_(std::filesystem::temp_directory_path() /
+                ("setae_imaging_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
@@ -32,7 +34,9 @@ private:
     std::filesystem::path path_;
 };
 
-inline void write_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+inline void write_bytes(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
 
 inline std::string number_bytes(std::uint64_t value, int bytes) {
     std::string text;
@@ -49,10 +53,10 @@ inline cv::Mat as_bytes(const FramePixels& pixels) {
 
 /// An uncompressed stack of 8 bits, directories before pixels as ImageJ writes them.
 struct PlainTiff {
-    std::string description;                              ///< "ImageJ=1.53\nunit=micron\n"
-    std::uint32_t resolution = 0, resolution_below = 1;   ///< pixels a unit; 0: no tags
+    std::string description;                             ///< "ImageJ=1.53\nunit=micron\n"
+    std::uint32_t resolution = 0, resolution_below = 1;  ///< pixels a unit; 0: no tags
     std::uint32_t resolution_unit = 1;
-    bool first_directory_only = false;                    ///< ImageJ beyond 4 GiB
+    bool first_directory_only = false;  ///< ImageJ beyond 4 GiB
 
     [[nodiscard]] std::string bytes(const std::vector<FramePixels>& frames) const {
         const std::size_t entries = 8 + (resolution ? 3 : 0) + (description.empty() ? 0 : 1);
@@ -65,7 +69,11 @@ struct PlainTiff {
             if (k < directories) {
                 const std::size_t extra_at = text.size() + head;
                 text += number_bytes(entries, 2);
-                const auto entry = [&](int tag, int type, std::uint64_t count, std::uint64_t value) { text += number_bytes(static_cast<std::uint64_t>(tag), 2) + number_bytes(static_cast<std::uint64_t>(type), 2) + number_bytes(count, 4) + number_bytes(value, 4); };
+                const auto entry = [&](int tag, int type, std::uint64_t count, std::uint64_t value) {
+                    text += number_bytes(static_cast<std::uint64_t>(tag), 2) +
+                            number_bytes(static_cast<std::uint64_t>(type), 2) + number_bytes(count, 4) +
+                            number_bytes(value, 4);
+                };
                 entry(256, 4, 1, static_cast<std::uint64_t>(frame.cols()));
                 entry(257, 4, 1, static_cast<std::uint64_t>(frame.rows()));
                 entry(258, 3, 1, 8);
@@ -75,34 +83,47 @@ struct PlainTiff {
                 entry(273, 4, 1, pixels_at + pixels.size());
                 entry(278, 4, 1, static_cast<std::uint64_t>(frame.rows()));
                 entry(279, 4, 1, static_cast<std::uint64_t>(frame.size()));
-                if (resolution) entry(282, 5, 1, extra_at), entry(283, 5, 1, extra_at + 8), entry(296, 3, 1, resolution_unit);
+                if (resolution)
+                    entry(282, 5, 1, extra_at), entry(283, 5, 1, extra_at + 8), entry(296, 3, 1, resolution_unit);
                 text += number_bytes(k + 1 < directories ? text.size() + 4 + extra : 0, 4);
                 for (int i = 0; i < 2; ++i) text += number_bytes(resolution, 4) + number_bytes(resolution_below, 4);
                 text += description + '\0';
             }
-            for (long i = 0; i < frame.size(); ++i) pixels += static_cast<char>(static_cast<std::uint8_t>(frame.data()[i]));
+            for (long i = 0; i < frame.size(); ++i)
+                pixels += static_cast<char>(static_cast<std::uint8_t>(frame.data()[i]));
         }
         return text + pixels;
     }
 };
 
 /// An AVI of one video; frames are the bytes of their chunks.
-inline std::string avi(const std::vector<std::string>& frames, long width, long height, int bits, const std::string& codec, double rate, const std::string& palette = {}) {
-    const auto chunk = [](const std::string& id, const std::string& body) { return id + number_bytes(body.size(), 4) + body + std::string(body.size() % 2, '\0'); };
+inline std::string avi(const std::vector<std::string>& frames, long width, long height, int bits,
+                       const std::string& codec, double rate, const std::string& palette = {}) {
+    const auto chunk = [](const std::string& id, const std::string& body) {
+        return id + number_bytes(body.size(), 4) + body + std::string(body.size() % 2, '\0');
+    };
     const auto list = [&](const std::string& kind, const std::string& body) { return chunk("LIST", kind + body); };
     const std::string avih = number_bytes(static_cast<std::uint64_t>(1e6 / rate), 4) + std::string(52, '\0');
-    const std::string strh = "vids" + codec + std::string(12, '\0') + number_bytes(1000, 4) + number_bytes(static_cast<std::uint64_t>(1000 * rate), 4) + std::string(28, '\0');
-    const std::string strf = number_bytes(40, 4) + number_bytes(static_cast<std::uint64_t>(width), 4) + number_bytes(static_cast<std::uint64_t>(height), 4) + number_bytes(1, 2) + number_bytes(static_cast<std::uint64_t>(bits), 2) + codec + std::string(20, '\0') + palette;
+    const std::string strh = "vids" + codec + std::string(12, '\0') + number_bytes(1000, 4) +
+                             number_bytes(static_cast<std::uint64_t>(1000 * rate), 4) + std::string(28, '\0');
+    const std::string strf = number_bytes(40, 4) + number_bytes(static_cast<std::uint64_t>(width), 4) +
+                             number_bytes(static_cast<std::uint64_t>(height), 4) + number_bytes(1, 2) +
+                             number_bytes(static_cast<std::uint64_t>(bits), 2) + codec + std::string(20, '\0') +
+                             palette;
     std::string movi;
     for (const auto& frame : frames) movi += chunk("00dc", frame);
-    return chunk("RIFF", "AVI " + list("hdrl", chunk("avih", avih) + list("strl", chunk("strh", strh) + chunk("strf", strf))) + list("movi", movi));
+    return chunk("RIFF",
+                 "AVI " + list("hdrl", chunk("avih", avih) + list("strl", chunk("strh", strh) + chunk("strf", strf))) +
+                     list("movi", movi));
 }
 
 /// Rows from the bottom up, padded to 4 bytes, each pixel as so many equal bytes.
 inline std::string bitmap_rows(const FramePixels& pixels, int bytes_a_pixel) {
     std::string text;
     for (long row = pixels.rows() - 1; row >= 0; --row) {
-        for (long column = 0; column < pixels.cols(); ++column) text += std::string(static_cast<std::size_t>(bytes_a_pixel), static_cast<char>(static_cast<std::uint8_t>(pixels(row, column))));
+        for (long column = 0; column < pixels.cols(); ++column)
+            text += std::string(static_cast<std::size_t>(bytes_a_pixel),
+                                static_cast<char>(static_cast<std::uint8_t>(pixels(row, column))));
         while (text.size() % 4 != 0) text += '\0';
     }
     return text;

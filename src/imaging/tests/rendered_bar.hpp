@@ -31,8 +31,11 @@ struct RenderedGround {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const double edge = 0.4 * height + 25 * std::sin(x / 37.0) + 12 * std::sin(x / 11.0 + 1);
-                const double phase = 2 * CV_PI * (0.16 * y + 0.03 * x + 0.9 * std::sin(x / 53.0) + 0.7 * std::sin(y / 41.0));
-                const double level = y < edge ? vacuum : sample + layers * std::sin(phase) + 0.5 * layers * std::sin(1.7 * phase + x / 19.0);
+                const double phase =
+                    2 * CV_PI * (0.16 * y + 0.03 * x + 0.9 * std::sin(x / 53.0) + 0.7 * std::sin(y / 41.0));
+                const double level =
+                    y < edge ? vacuum
+                             : sample + layers * std::sin(phase) + 0.5 * layers * std::sin(1.7 * phase + x / 19.0);
                 picture(y, x) = static_cast<float>(level + noise * static_cast<double>(normal(generator)));
             }
         return picture;
@@ -44,13 +47,13 @@ struct RenderedBar {
     double begin_x = 60.5, length = 120;  ///< begin between two pixels: whole pixels where length is whole
     int top = 440, thickness = 6;
     double level = 0;
-    int outline = 0;                      ///< px around it
+    int outline = 0;  ///< px around it
     double outline_level = 255;
-    int tick_width = 0, tick_reach = 0;   ///< at the ends, the bar's length between their middles
+    int tick_width = 0, tick_reach = 0;  ///< at the ends, the bar's length between their middles
     std::u32string label = U"20 nm";
-    double letters = 1.0;                 ///< magnification of 22 px
+    double letters = 1.0;  ///< magnification of 22 px
     int label_x = 70, label_y = 408;
-    int data_bar = 0;                     ///< rows at the bottom of one level
+    int data_bar = 0;  ///< rows at the bottom of one level
     double data_bar_level = 255;
 
     static void blend(cv::Mat1f& picture, int y, int x, double share, double level) {
@@ -69,21 +72,28 @@ struct RenderedBar {
             const auto& rows = drawn_letters().at(letter);
             cv::Mat1f mask(static_cast<int>(rows.size()), static_cast<int>(rows.front().size()));
             for (int r = 0; r < mask.rows; ++r)
-                for (int c = 0; c < mask.cols; ++c) mask(r, c) = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] == '#' ? 1.0f : 0.0f;
+                for (int c = 0; c < mask.cols; ++c)
+                    mask(r, c) = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] == '#' ? 1.0f : 0.0f;
             const double advance = factor * mask.cols;
-            if (factor != 1.0) cv::resize(mask, mask, {}, factor, factor, factor > 1 ? cv::INTER_LINEAR : cv::INTER_AREA);
+            if (factor != 1.0)
+                cv::resize(mask, mask, {}, factor, factor, factor > 1 ? cv::INTER_LINEAR : cv::INTER_AREA);
             for (int r = 0; r < mask.rows; ++r)
-                for (int c = 0; c < mask.cols; ++c) blend(picture, top + r, static_cast<int>(x) + c, std::clamp(static_cast<double>(mask(r, c)), 0.0, 1.0), level);
+                for (int c = 0; c < mask.cols; ++c)
+                    blend(picture, top + r, static_cast<int>(x) + c,
+                          std::clamp(static_cast<double>(mask(r, c)), 0.0, 1.0), level);
             x += std::ceil(advance);
         }
     }
     void draw(cv::Mat1f& picture) const {
-        if (data_bar > 0) picture.rowRange(picture.rows - data_bar, picture.rows).setTo(static_cast<float>(data_bar_level));
+        if (data_bar > 0)
+            picture.rowRange(picture.rows - data_bar, picture.rows).setTo(static_cast<float>(data_bar_level));
         const double half = 0.5 * outline, tick = 0.5 * tick_width, end = begin_x + length;
-        if (outline > 0) rectangle(picture, begin_x - half, end + half, top - outline, thickness + 2 * outline, outline_level);
+        if (outline > 0)
+            rectangle(picture, begin_x - half, end + half, top - outline, thickness + 2 * outline, outline_level);
         rectangle(picture, begin_x + half - tick, end - half + tick, top, thickness, level);
         if (tick_width > 0)
-            for (const double middle : {begin_x, end}) rectangle(picture, middle - tick, middle + tick, top - tick_reach, thickness + 2 * tick_reach, level);
+            for (const double middle : {begin_x, end})
+                rectangle(picture, middle - tick, middle + tick, top - tick_reach, thickness + 2 * tick_reach, level);
         write(picture, label, label_x, label_y, letters, level);
     }
 };

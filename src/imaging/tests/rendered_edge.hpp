@@ -24,8 +24,10 @@ inline FramePixels rendered(const EdgePicture& p, const std::function<double(dou
     for (long row = 0; row < p.height; ++row)
         for (long column = 0; column < p.width; ++column) {
             const double d = distance(static_cast<double>(column), static_cast<double>(row)), v = d / p.fringe_width;
-            const double share = 0.5 * (1 + std::erf(d / (p.blur * std::sqrt(2.0)))) + p.fringe * v * std::exp(0.5 - 0.5 * v * v);
-            pixels(row, column) = static_cast<float>(p.sample + (p.vacuum - p.sample) * share + p.noise * normal(engine));
+            const double share =
+                0.5 * (1 + std::erf(d / (p.blur * std::sqrt(2.0)))) + p.fringe * v * std::exp(0.5 - 0.5 * v * v);
+            pixels(row, column) =
+                static_cast<float>(p.sample + (p.vacuum - p.sample) * share + p.noise * normal(engine));
         }
     return pixels;
 }
@@ -33,7 +35,9 @@ inline FramePixels rendered(const EdgePicture& p, const std::function<double(dou
 /// Vacuum above the wave y = level + amplitude sin(2πx/length); the distance is right to second order in its slope.
 struct Wave {
     double level = 100, amplitude = 6, length = 60;
-    [[nodiscard]] double height(double x) const { return level + amplitude * std::sin(2 * 3.14159265358979 * x / length); }
+    [[nodiscard]] double height(double x) const {
+        return level + amplitude * std::sin(2 * 3.14159265358979 * x / length);
+    }
     [[nodiscard]] double operator()(double x, double y) const {
         const double slope = amplitude * 2 * 3.14159265358979 / length * std::cos(2 * 3.14159265358979 * x / length);
         return (height(x) - y) / std::sqrt(1 + slope * slope);

@@ -38,7 +38,9 @@ BENCHMARK(ledger);
 void course(benchmark::State& state) {
     Prepared prepared;
     if (state.range(0) == 0) prepared.loop.contact_radius = Array1D();
-    for (auto _ : state) benchmark::DoNotOptimize(energy_course(prepared.loop, prepared.segments.contacts[0], {.contact = shape.approach}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            energy_course(prepared.loop, prepared.segments.contacts[0], {.contact = shape.approach}));
     per_sample(state, prepared);
 }
 BENCHMARK(course)->ArgName("radius_measured")->Arg(1)->Arg(0);
@@ -48,7 +50,9 @@ void dot_product(benchmark::State& state) {
     const Index n = prepared.loop.force.size();
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            (prepared.loop.force.head(n - 1) + prepared.loop.force.tail(n - 1)).matrix().dot((prepared.loop.displacement.tail(n - 1) - prepared.loop.displacement.head(n - 1)).matrix()));
+            (prepared.loop.force.head(n - 1) + prepared.loop.force.tail(n - 1))
+                .matrix()
+                .dot((prepared.loop.displacement.tail(n - 1) - prepared.loop.displacement.head(n - 1)).matrix()));
     per_sample(state, prepared);
 }
 BENCHMARK(dot_product);

@@ -10,13 +10,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "synthetic_loop.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "setae/loops/loop_energy.hpp"
 #include "setae/loops/segments.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/parallel/memory.hpp"
+#include "synthetic_loop.hpp"
 
 namespace {
 
@@ -62,16 +62,20 @@ void over_all(benchmark::State& state, const std::function<double(const BranchDa
     }
     // seconds of two cores over points, read as ns where the counter says n
     constexpr double points_a_core = static_cast<double>(loops) * static_cast<double>(samples) / 2.0;
-    state.counters["time_per_point_and_core"] = benchmark::Counter(points_a_core, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["time_per_point_and_core"] =
+        benchmark::Counter(points_a_core, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 double least_squares(const BranchData& data) { return fit_radius_force(data, bodies).work_of_adhesion.value; }
-double effective_variance(const BranchData& data) { return fit_radius_force(data, bodies, RadiusErrors::effective_variance).work_of_adhesion.value; }
+double effective_variance(const BranchData& data) {
+    return fit_radius_force(data, bodies, RadiusErrors::effective_variance).work_of_adhesion.value;
+}
 double linear_form(const BranchData& data) { return fit_linear_form(data, bodies).work_of_adhesion.value; }
 double depth(const BranchData& data) { return fit_force_displacement(data, bodies).work_of_adhesion.value; }
 double joint(const BranchData& data) { return fit_joint(data, bodies).work_of_adhesion.value; }
 double rates(const BranchData& data) {
-    const EnergyReleaseRate found = energy_release_rates(data, bodies.radius, {.value = 0.92e6, .standard_error = 1e3}, {.value = 0.0});
+    const EnergyReleaseRate found =
+        energy_release_rates(data, bodies.radius, {.value = 0.92e6, .standard_error = 1e3}, {.value = 0.0});
     return found.energy_release_rate.sum() + found.standard_error.sum();
 }
 
@@ -87,26 +91,45 @@ double ledger(const BranchData&) {
 }
 
 void memory_pass(benchmark::State& state) {
-    over_all(state, [](const BranchData& data) { return data.force.sum() + data.displacement.sum() + data.contact_radius.sum(); });
+    over_all(state, [](const BranchData& data) {
+        return data.force.sum() + data.displacement.sum() + data.contact_radius.sum();
+    });
 }
 void model_pass(benchmark::State& state) {
-    over_all(state, [](const BranchData& data) { return contact::jkr::contact_radius_at_force(data.force, lens).sum(); });
+    over_all(state,
+             [](const BranchData& data) { return contact::jkr::contact_radius_at_force(data.force, lens).sum(); });
 }
 void route(benchmark::State& state, double (*fit)(const BranchData&)) { over_all(state, fit); }
 void all_routes(benchmark::State& state) {
     over_all(state, [](const BranchData& data) {
-        return least_squares(data) + effective_variance(data) + linear_form(data) + depth(data) + joint(data) + rates(data) + ledger(data);
+        return least_squares(data) + effective_variance(data) + linear_form(data) + depth(data) + joint(data) +
+               rates(data) + ledger(data);
     });
 }
 
 BENCHMARK(memory_pass)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(model_pass)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(route, least_squares, least_squares)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(route, effective_variance, effective_variance)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(route, linear_form, linear_form)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(route, force_displacement, depth)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, least_squares, least_squares)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(route, effective_variance, effective_variance)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(route, linear_form, linear_form)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(route, force_displacement, depth)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(route, joint, joint)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK_CAPTURE(route, energy_release_rates, rates)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(route, energy_release_rates, rates)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(route, loop_energy, ledger)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(all_routes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 

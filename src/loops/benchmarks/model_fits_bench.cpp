@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every model fitted to a loading branch of 2000 samples with noise of 1 % of each channel, beside bare calls of the model's own
-// inverse (one displacement of every sample) in the same program.
+// Every model fitted to a loading branch of 2000 samples with noise of 1 % of each channel, beside bare calls of the
+// model's own inverse (one displacement of every sample) in the same program.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -26,7 +26,8 @@ LensAndCounterBody bodies() {
 }
 
 contact::maugis_dugdale::Contact zone() {
-    return {lens.radius, lens.contact_modulus, lens.work_of_adhesion, contact::maugis_dugdale::cohesive_stress(0.7, lens)};
+    return {lens.radius, lens.contact_modulus, lens.work_of_adhesion,
+            contact::maugis_dugdale::cohesive_stress(0.7, lens)};
 }
 
 BranchData branch() {
@@ -34,8 +35,9 @@ BranchData branch() {
     std::normal_distribution<double> normal;
     const auto contact = zone();
     BranchData data;
-    data.contact_radius = Array1D::LinSpaced(samples, 1.1 * contact::maugis_dugdale::pull_off_at_fixed_load(contact).contact_radius,
-                                             contact::maugis_dugdale::contact_radius_at_force(1e-3, contact));
+    data.contact_radius =
+        Array1D::LinSpaced(samples, 1.1 * contact::maugis_dugdale::pull_off_at_fixed_load(contact).contact_radius,
+                           contact::maugis_dugdale::contact_radius_at_force(1e-3, contact));
     data.force = contact::maugis_dugdale::force(data.contact_radius, contact);
     data.displacement = contact::maugis_dugdale::displacement(data.contact_radius, contact);
     for (Array1D* series : {&data.force, &data.displacement, &data.contact_radius}) {
@@ -47,20 +49,22 @@ BranchData branch() {
 
 void fit(benchmark::State& state, ContactModel model, Channels channels, FitErrors errors) {
     const BranchData data = branch();
-    for (auto _ : state) benchmark::DoNotOptimize(fit_model(data, bodies(), {.model = model, .channels = channels, .errors = errors}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(fit_model(data, bodies(), {.model = model, .channels = channels, .errors = errors}));
 }
 
-#define SETAE_MODEL(model)                                                                                                  \
-    BENCHMARK_CAPTURE(fit, model##_force_radius, ContactModel::model, Channels::force_radius, FitErrors::orthogonal_distance) \
-        ->Unit(benchmark::kMillisecond);                                                                                    \
-    BENCHMARK_CAPTURE(fit, model##_force_displacement, ContactModel::model, Channels::force_displacement,                    \
-                      FitErrors::orthogonal_distance)                                                                       \
-        ->Unit(benchmark::kMillisecond);                                                                                    \
-    BENCHMARK_CAPTURE(fit, model##_all, ContactModel::model, Channels::force_displacement_radius,                            \
-                      FitErrors::orthogonal_distance)                                                                       \
-        ->Unit(benchmark::kMillisecond);                                                                                    \
-    BENCHMARK_CAPTURE(fit, model##_all_effective_variance, ContactModel::model, Channels::force_displacement_radius,         \
-                      FitErrors::effective_variance)                                                                        \
+#define SETAE_MODEL(model)                                                                                           \
+    BENCHMARK_CAPTURE(fit, model##_force_radius, ContactModel::model, Channels::force_radius,                        \
+                      FitErrors::orthogonal_distance)                                                                \
+        ->Unit(benchmark::kMillisecond);                                                                             \
+    BENCHMARK_CAPTURE(fit, model##_force_displacement, ContactModel::model, Channels::force_displacement,            \
+                      FitErrors::orthogonal_distance)                                                                \
+        ->Unit(benchmark::kMillisecond);                                                                             \
+    BENCHMARK_CAPTURE(fit, model##_all, ContactModel::model, Channels::force_displacement_radius,                    \
+                      FitErrors::orthogonal_distance)                                                                \
+        ->Unit(benchmark::kMillisecond);                                                                             \
+    BENCHMARK_CAPTURE(fit, model##_all_effective_variance, ContactModel::model, Channels::force_displacement_radius, \
+                      FitErrors::effective_variance)                                                                 \
         ->Unit(benchmark::kMillisecond)
 
 SETAE_MODEL(hertz);
@@ -69,7 +73,8 @@ SETAE_MODEL(jkr);
 SETAE_MODEL(maugis_dugdale);
 SETAE_MODEL(layer);
 SETAE_MODEL(large_strain);
-BENCHMARK_CAPTURE(fit, transition_force_radius, ContactModel::transition, Channels::force_radius, FitErrors::orthogonal_distance)
+BENCHMARK_CAPTURE(fit, transition_force_radius, ContactModel::transition, Channels::force_radius,
+                  FitErrors::orthogonal_distance)
     ->Unit(benchmark::kMillisecond);
 
 void jkr_inverse(benchmark::State& state) {

@@ -39,10 +39,13 @@ void add_spread(ContactPoints& points) {
 }
 
 /// The method that decides. @throws UndefinedDataError where the one asked for says nothing.
-std::optional<ContactPointMethod> decided(const ContactPoints& points, const ContactPointChoice& choice, double penetration) {
+std::optional<ContactPointMethod> decided(const ContactPoints& points, const ContactPointChoice& choice,
+                                          double penetration) {
     const auto must = [&](ContactPointMethod method) {
         const auto& found = points.of(method).contact_point;
-        if (!found) throw UndefinedDataError(fmt::format("no contact point by {}: {}", contact_point_name(method), found.reason));
+        if (!found)
+            throw UndefinedDataError(
+                fmt::format("no contact point by {}: {}", contact_point_name(method), found.reason));
         return method;
     };
     if (choice.mode == Mode::value) return std::nullopt;
@@ -63,15 +66,19 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
 }
 
 JkrFit held_fit(const ContactPointInputs& inputs, const LensAndCounterBody& bodies, double contact_point) {
-    if (inputs.force_displacement) return fit_with_contact_point(inputs.loading, bodies, contact_point, *inputs.force_displacement);
+    if (inputs.force_displacement)
+        return fit_with_contact_point(inputs.loading, bodies, contact_point, *inputs.force_displacement);
     return fit_with_contact_point(inputs.loading, bodies, contact_point);
 }
 
-void add_sensitivity(ContactPoints& points, const ContactPointInputs& inputs, const LensAndCounterBody& bodies, double penetration) {
+void add_sensitivity(ContactPoints& points, const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
+                     double penetration) {
     constexpr double least_share = 1e-3;
     const double error = points.contact_point.uncertain() ? points.contact_point.standard_error : 0.0;
     const double step = std::clamp(error, least_share * penetration, 10.0 * least_share * penetration);
-    const auto held = [&](double sign) { return attempt([&] { return held_fit(inputs, bodies, points.contact_point.value + sign * step); }); };
+    const auto held = [&](double sign) {
+        return attempt([&] { return held_fit(inputs, bodies, points.contact_point.value + sign * step); });
+    };
     const auto above = held(1.0), below = held(-1.0);
     if (!above || !below) {
         points.work_by_contact_point = points.modulus_by_contact_point = undefined;
@@ -85,7 +92,8 @@ void add_sensitivity(ContactPoints& points, const ContactPointInputs& inputs, co
 
 const std::vector<ContactPointMethod>& contact_point_methods() {
     using enum ContactPointMethod;
-    static const std::vector<ContactPointMethod> methods{force_departure, broken_line, jump_in, force_displacement, pointwise, zero_force, pull_off};
+    static const std::vector<ContactPointMethod> methods{force_departure, broken_line, jump_in, force_displacement,
+                                                         pointwise,       zero_force,  pull_off};
     return methods;
 }
 
@@ -113,7 +121,8 @@ ContactPointChoice parse_contact_point(std::string_view text) {
     } catch (const InvalidArgument& error) {
         std::string names;
         for (const ContactPointMethod method : contact_point_methods()) names += ", " + contact_point_name(method);
-        throw InvalidArgument(fmt::format("contact point '{}' is none of auto, fit{}, and no length: {}", text, names, error.what()));
+        throw InvalidArgument(
+            fmt::format("contact point '{}' is none of auto, fit{}, and no length: {}", text, names, error.what()));
     }
 }
 
@@ -123,25 +132,33 @@ const ContactPointEstimate& ContactPoints::of(ContactPointMethod method) const {
     throw InternalError("no estimate by " + contact_point_name(method));
 }
 
-ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies, const ContactPointChoice& choice) {
-    if (inputs.loop.displacement.size() == 0) throw UndefinedDataError("a contact point needs the displacement, which was not measured");
+ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
+                             const ContactPointChoice& choice) {
+    if (inputs.loop.displacement.size() == 0)
+        throw UndefinedDataError("a contact point needs the displacement, which was not measured");
     ContactPoints points;
     for (const ContactPointMethod method : contact_point_methods())
-        points.estimates.push_back({.method = method, .contact_point = attempt([&] {
-                                        Estimate found = estimated_contact_point(method, inputs, bodies);
-                                        if (!std::isfinite(found.value)) throw UndefinedDataError("the method does not determine it");
-                                        return found;
-                                    })});
+        points.estimates.push_back(
+            {.method = method, .contact_point = attempt([&] {
+                                   Estimate found = estimated_contact_point(method, inputs, bodies);
+                                   if (!std::isfinite(found.value))
+                                       throw UndefinedDataError("the method does not determine it");
+                                   return found;
+                               })});
     const double deepest = inputs.loading.displacement.maxCoeff();
     const double reach = deepest - inputs.loading.displacement.minCoeff();
     points.chosen = decided(points, choice, reach);
-    points.contact_point = points.chosen ? *points.of(*points.chosen).contact_point : Estimate{.value = choice.value, .standard_error = 0.0, .method = "given"};
+    points.contact_point = points.chosen ? *points.of(*points.chosen).contact_point
+                                         : Estimate{.value = choice.value, .standard_error = 0.0, .method = "given"};
     const double penetration = deepest - points.contact_point.value;
     if (!(penetration > 0.0))
-        throw UndefinedDataError(fmt::format("the contact point {:.4g} m lies beyond the largest displacement of the loading, {:.4g} m", points.contact_point.value, deepest));
+        throw UndefinedDataError(
+            fmt::format("the contact point {:.4g} m lies beyond the largest displacement of the loading, {:.4g} m",
+                        points.contact_point.value, deepest));
     for (ContactPointEstimate& estimate : points.estimates)
-        estimate.fit = estimate.contact_point ? attempt([&] { return held_fit(inputs, bodies, estimate.contact_point->value); })
-                                              : Outcome<JkrFit>::missing(estimate.contact_point.reason);
+        estimate.fit = estimate.contact_point
+                           ? attempt([&] { return held_fit(inputs, bodies, estimate.contact_point->value); })
+                           : Outcome<JkrFit>::missing(estimate.contact_point.reason);
     add_spread(points);
     points.spread_share = points.spread / penetration;
     add_sensitivity(points, inputs, bodies, penetration);

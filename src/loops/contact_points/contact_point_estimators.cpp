@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
+#include "fits/least_squares.hpp"
 #include "records/baseline.hpp"
 #include "records/jump.hpp"
-#include "fits/least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/spring_jumps.hpp"
@@ -20,7 +20,9 @@ namespace {
 
 using contact::jkr::Contact;
 
-Estimate measured(double value, double standard_error, const char* method) { return {.value = value, .standard_error = standard_error, .method = method}; }
+Estimate measured(double value, double standard_error, const char* method) {
+    return {.value = value, .standard_error = standard_error, .method = method};
+}
 
 double hypotenuse(std::initializer_list<double> parts) {
     double sum = 0.0;
@@ -32,7 +34,9 @@ double hypotenuse(std::initializer_list<double> parts) {
 class Touch {
 public:
     explicit Touch(const ContactPointInputs& inputs)
-        : in(inputs), contact(inputs.segments.contacts[static_cast<std::size_t>(inputs.contact)]), noise(inputs.segments.before) {}
+        : in(inputs),
+          contact(inputs.segments.contacts[static_cast<std::size_t>(inputs.contact)]),
+          noise(inputs.segments.before) {}
 
     const ContactPointInputs& in;
     const ContactSegments& contact;
@@ -46,15 +50,18 @@ public:
         constexpr Index most = 40, fewest = 3;
         const auto next = static_cast<std::size_t>(in.contact) + 1;
         const auto& contacts = in.segments.contacts;
-        const Index last = next < contacts.size() ? (contacts[next].jump_in ? contacts[next].jump_in->first : contacts[next].loading.first) : in.loop.force.size() - 1;
+        const Index last = next < contacts.size()
+                               ? (contacts[next].jump_in ? contacts[next].jump_in->first : contacts[next].loading.first)
+                               : in.loop.force.size() - 1;
         const Index end = direction < 0 ? std::max(at - most, contact.extent.first) : std::min(at + most, last);
         const Index n = std::abs(end - at);
-        if (n < fewest) throw UndefinedDataError("too little free flight beside the jump to know the motion from sample to sample");
+        if (n < fewest)
+            throw UndefinedDataError("too little free flight beside the jump to know the motion from sample to sample");
         return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
     }
 
-    /// The sample before a jump that lies in the stretch given: between two frames where the camera sees each sample, else the largest
-    /// step of the force. @throws UndefinedDataError for one that does not stand out from the noise.
+    /// The sample before a jump that lies in the stretch given: between two frames where the camera sees each sample,
+    /// else the largest step of the force. @throws UndefinedDataError for one that does not stand out from the noise.
     [[nodiscard]] Index before_jump(const IndexRange& stretch, bool into_contact) const {
         const Array1D& radius = in.loop.contact_radius;
         const auto touching = [&](Index i) { return radius[i] > 0.0; };
@@ -65,63 +72,79 @@ public:
         constexpr double clear = 8.0;  // many steps are looked at
         const Index at = largest_step(in.loop.force, stretch);
         if (at < stretch.last && std::abs(force(at + 1) - force(at)) > clear * noise.force_noise) return at;
-        throw UndefinedDataError(fmt::format("the jump {} contact does not stand out from the noise", into_contact ? "into" : "out of"));
+        throw UndefinedDataError(
+            fmt::format("the jump {} contact does not stand out from the noise", into_contact ? "into" : "out of"));
     }
     [[nodiscard]] Index before_jump_in() const {
         if (!contact.jump_in && in.loop.contact_radius.size() == 0) throw UndefinedDataError("no jump into contact");
         // the trough of noisy forces may lie behind the jump
-        return before_jump({contact.extent.first, contact.jump_in ? contact.jump_in->last : contact.loading.first}, true);
+        return before_jump({contact.extent.first, contact.jump_in ? contact.jump_in->last : contact.loading.first},
+                           true);
     }
     [[nodiscard]] Index before_jump_out() const {
         if (!contact.pull_off) throw UndefinedDataError("the record does not show the pull-off");
         return before_jump(*contact.pull_off, false);
     }
 
-    /// Compliance 1/k of what holds the bodies [m/N]: given, else from the jump out, in which the stage moves on as in free flight.
+    /// Compliance 1/k of what holds the bodies [m/N]: given, else from the jump out, in which the stage moves on as in
+    /// free flight.
     [[nodiscard]] Estimate compliance() const {
         if (in.machine_stiffness) return measured(1.0 / *in.machine_stiffness, 0.0, "given");
         const Index at = before_jump_out();
         const double rise = force(at + 1) - force(at), moved = displacement(at + 1) - displacement(at);
         constexpr double clear = 3.0;
-        if (!(rise > clear * noise.force_noise)) throw UndefinedDataError("the jump out of contact is too small to show the machine's stiffness");
+        if (!(rise > clear * noise.force_noise))
+            throw UndefinedDataError("the jump out of contact is too small to show the machine's stiffness");
         const double value = (free_step(at + 1, 1) - moved) / rise;
         // softer than the noise of the jump's ends tells is as good as rigid
-        return measured(std::max(value, 0.0), std::sqrt(2.0) * std::hypot(noise.displacement_noise, value * noise.force_noise) / rise, "jump out");
+        return measured(std::max(value, 0.0),
+                        std::sqrt(2.0) * std::hypot(noise.displacement_noise, value * noise.force_noise) / rise,
+                        "jump out");
     }
 };
 
-/// @throws UndefinedDataError where adhesion pulls by more than the noise hides: no power law begins at the contact point then.
+/// @throws UndefinedDataError where adhesion pulls by more than the noise hides: no power law begins at the contact
+/// point then.
 void require_repulsion(const Touch& touch, double radius) {
-    if (touch.contact.jump_in) throw UndefinedDataError("the approach jumps into contact: no power law begins at the contact point");
+    if (touch.contact.jump_in)
+        throw UndefinedDataError("the approach jumps into contact: no power law begins at the contact point");
     const double largest = touch.force(touch.contact.loading.last);
     if (touch.in.loop.contact_radius.size() > 0) {
         // the camera sees contact in samples that the force cannot tell from free flight: do they pull?
         constexpr double clear = 3.0, sure = 2.0;
         double sum = 0.0, n = 0.0;
-        for (Index i = touch.contact.loading.first; i < touch.contact.loading.last && touch.force(i) <= clear * touch.noise.force_noise; ++i, ++n) sum += touch.force(i);
+        for (Index i = touch.contact.loading.first;
+             i < touch.contact.loading.last && touch.force(i) <= clear * touch.noise.force_noise; ++i, ++n)
+            sum += touch.force(i);
         if (n > 0.0 && sum < -sure * touch.noise.force_noise * std::sqrt(n))
-            throw UndefinedDataError("the force is below its zero at the beginning of contact: no power law begins at the contact point");
+            throw UndefinedDataError(
+                "the force is below its zero at the beginning of contact: no power law begins at the contact point");
     }
     if (!touch.in.force_displacement) return;
     const double attraction = 1.5 * pi * radius * touch.in.force_displacement->work_of_adhesion.value;
     constexpr double rounding = 1e-4;
     if (attraction > std::max(touch.noise.force_noise, rounding * largest))
-        throw UndefinedDataError(fmt::format("adhesion pulls by {:.2g} N, more than noise hides: no power law begins at the contact point", attraction));
+        throw UndefinedDataError(fmt::format(
+            "adhesion pulls by {:.2g} N, more than noise hides: no power law begins at the contact point", attraction));
 }
 
-/// Straight line through F^(2/3), which Hertz's force makes of the depth, from where the force stands out from its noise.
+/// Straight line through F^(2/3), which Hertz's force makes of the depth, from where the force stands out from its
+/// noise.
 Estimate first_touch(const Touch& touch, double radius) {
     require_repulsion(touch, radius);
     const double largest = touch.force(touch.contact.loading.last);
     constexpr double clear = 5.0, share_least = 1e-3, share_most = 0.25;
-    const double least = std::max(clear * touch.noise.force_noise, share_least * largest), most = std::max(share_most * largest, 4.0 * least);
+    const double least = std::max(clear * touch.noise.force_noise, share_least * largest),
+                 most = std::max(share_most * largest, 4.0 * least);
     std::vector<Index> samples;
     Index first = touch.contact.loading.last;
     while (first > touch.contact.extent.first && touch.force(first - 1) > least) --first;
     for (Index i = first; i <= touch.contact.loading.last && touch.force(i) < most; ++i) samples.push_back(i);
     const auto n = static_cast<Index>(samples.size());
     constexpr Index fewest = 5;
-    if (n < fewest) throw UndefinedDataError(fmt::format("{} samples between first touch and {:.2g} N, a departure needs at least {}", n, most, fewest));
+    if (n < fewest)
+        throw UndefinedDataError(
+            fmt::format("{} samples between first touch and {:.2g} N, a departure needs at least {}", n, most, fewest));
     const double origin = touch.displacement(first);
     Eigen::MatrixXd design(n, 2);
     Eigen::VectorXd values(n);
@@ -138,16 +161,20 @@ Estimate first_touch(const Touch& touch, double radius) {
     const Eigen::Vector2d by(level / (slope * slope), -1.0 / slope);
     // a zero of force wrong by its error moves F^(2/3) of the samples by 2/3 F^(−1/3) of it
     const double zero = touch.noise.force_standard_error * 2.0 / 3.0 / (std::cbrt(least) * slope);
-    return measured(origin - level / slope, std::hypot(std::sqrt(by.dot(line.uncertainty.covariance * by)), zero), "F^(2/3) extrapolated to 0");
+    return measured(origin - level / slope, std::hypot(std::sqrt(by.dot(line.uncertainty.covariance * by)), zero),
+                    "F^(2/3) extrapolated to 0");
 }
 
 Estimate force_departure(const Touch& touch, double radius) {
     if (!touch.contact.jump_in) return first_touch(touch, radius);
     constexpr double clear = 3.0;
     Index last_free = touch.before_jump(*touch.contact.jump_in, true);
-    while (last_free > touch.contact.extent.first && touch.force(last_free) < -clear * touch.noise.force_noise) --last_free;
+    while (last_free > touch.contact.extent.first && touch.force(last_free) < -clear * touch.noise.force_noise)
+        --last_free;
     const double step = touch.free_step(last_free, -1);
-    return measured(touch.displacement(last_free) + 0.5 * step, std::hypot(step / std::sqrt(12.0), touch.noise.displacement_noise), "middle of the step of the jump");
+    return measured(touch.displacement(last_free) + 0.5 * step,
+                    std::hypot(step / std::sqrt(12.0), touch.noise.displacement_noise),
+                    "middle of the step of the jump");
 }
 
 Estimate broken_line(const Touch& touch, double radius) {
@@ -157,23 +184,27 @@ Estimate broken_line(const Touch& touch, double radius) {
     const double depth_unit = touch.displacement(last) - start.value, force_unit = touch.force(last);
     const Array1D depth = (touch.in.loop.displacement.segment(first, n) - start.value) / depth_unit;
     const Array1D force = (touch.in.loop.force.segment(first, n) - touch.noise.force) / force_unit;
-    const double force_noise = touch.noise.force_noise / force_unit, depth_noise = touch.noise.displacement_noise / depth_unit;
+    const double force_noise = touch.noise.force_noise / force_unit,
+                 depth_noise = touch.noise.displacement_noise / depth_unit;
     Array1D weight = Array1D::Ones(n);
-    if (force_noise > 0.0) weight = force_noise / (force_noise * force_noise + 2.25 * depth.max(0.0) * depth_noise * depth_noise).sqrt();
-    const LeastSquaresSolution solution = minimise(
-        {.residuals = n,
-         .parameters = 3,
-         .evaluate =
-             [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                 for (Index i = 0; i < n; ++i) {
-                     const double d = std::max(depth[i] - at[2], 0.0), root = std::sqrt(d);
-                     residuals[i] = weight[i] * (force[i] - at[0] - at[1] * d * root);
-                     if (jacobian) jacobian->row(i) << -weight[i], -weight[i] * d * root, weight[i] * 1.5 * at[1] * root;
-                 }
-             }},
-        Eigen::Vector3d(0.0, 1.0, 0.0));
+    if (force_noise > 0.0)
+        weight = force_noise / (force_noise * force_noise + 2.25 * depth.max(0.0) * depth_noise * depth_noise).sqrt();
+    const LeastSquaresSolution solution =
+        minimise({.residuals = n,
+                  .parameters = 3,
+                  .evaluate =
+                      [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                          for (Index i = 0; i < n; ++i) {
+                              const double d = std::max(depth[i] - at[2], 0.0), root = std::sqrt(d);
+                              residuals[i] = weight[i] * (force[i] - at[0] - at[1] * d * root);
+                              if (jacobian)
+                                  jacobian->row(i) << -weight[i], -weight[i] * d * root, weight[i] * 1.5 * at[1] * root;
+                          }
+                      }},
+                 Eigen::Vector3d(0.0, 1.0, 0.0));
     if (!solution.converged) throw UndefinedDataError("the broken line did not converge");
-    return measured(start.value + depth_unit * solution.parameters[2], depth_unit * std::sqrt(solution.uncertainty.covariance(2, 2)), "least squares");
+    return measured(start.value + depth_unit * solution.parameters[2],
+                    depth_unit * std::sqrt(solution.uncertainty.covariance(2, 2)), "least squares");
 }
 
 Estimate behind_jump_in(const Touch& touch) {
@@ -181,8 +212,9 @@ Estimate behind_jump_in(const Touch& touch) {
     const double step = touch.free_step(last_free, -1);
     const Estimate compliance = touch.compliance();
     const double stage = touch.displacement(behind) + compliance.value * touch.force(behind);
-    const double error = hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
-                                     touch.force(behind) * compliance.standard_error});
+    const double error =
+        hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
+                    touch.force(behind) * compliance.standard_error});
     return measured(stage - 0.5 * step, error, "machine's line through the first sample behind the jump");
 }
 
@@ -202,8 +234,12 @@ struct Parabola {
         return {1.0, u, u * u};
     }
     [[nodiscard]] double at(double x) const { return row(x).dot(solution.parameters.head<3>()); }
-    [[nodiscard]] double slope(double x) const { return (solution.parameters[1] + 2.0 * solution.parameters[2] * (x - origin) / unit) / unit; }
-    [[nodiscard]] double error(double x) const { return std::sqrt(row(x).dot(solution.uncertainty.covariance * row(x))); }
+    [[nodiscard]] double slope(double x) const {
+        return (solution.parameters[1] + 2.0 * solution.parameters[2] * (x - origin) / unit) / unit;
+    }
+    [[nodiscard]] double error(double x) const {
+        return std::sqrt(row(x).dot(solution.uncertainty.covariance * row(x)));
+    }
 };
 
 /// Samples of the branch around where its force passes zero.
@@ -215,8 +251,10 @@ IndexRange around_zero(const BranchData& data, double noise) {
     while (range.first < range.last && data.force[range.first] < -window) ++range.first;
     while (range.last > range.first && data.force[range.last] > window) --range.last;
     constexpr Index ends = 3;
-    const bool passes = range.count() >= fewest && data.force.segment(range.first, ends).mean() < 0.0 && data.force.segment(range.last - ends + 1, ends).mean() > 0.0;
-    if (!passes) throw UndefinedDataError("the force of the loading fit does not pass through zero, or in too few samples");
+    const bool passes = range.count() >= fewest && data.force.segment(range.first, ends).mean() < 0.0 &&
+                        data.force.segment(range.last - ends + 1, ends).mean() > 0.0;
+    if (!passes)
+        throw UndefinedDataError("the force of the loading fit does not pass through zero, or in too few samples");
     return range;
 }
 
@@ -225,7 +263,8 @@ Estimate zero_load_depth(const JkrFit& fit, double radius) {
     const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
     if (!(W > 0.0)) throw UndefinedDataError("the loading fit has no adhesion, so that F = 0 is first touch itself");
     const double a = std::cbrt(4.5 * pi * W * radius * radius / E), depth = a * a / (3.0 * radius);
-    const double relative = fit.covariance(1, 1) / (W * W) + fit.covariance(0, 0) / (E * E) - 2.0 * fit.covariance(0, 1) / (W * E);
+    const double relative =
+        fit.covariance(1, 1) / (W * W) + fit.covariance(0, 0) / (E * E) - 2.0 * fit.covariance(0, 1) / (W * E);
     return measured(depth, 2.0 / 3.0 * depth * std::sqrt(std::max(relative, 0.0)), "jkr");
 }
 
@@ -244,7 +283,9 @@ Estimate from_zero_force(const Touch& touch, double radius) {
         const Parabola radii(depth, data.contact_radius.segment(range.first, range.count()));
         const double a = radii.at(at), by_radius = 2.0 * a / (3.0 * radius);
         // a zero found too deep has a larger radius, too: 0.6 of its error is left in a jkr contact
-        return measured(at - a * a / (3.0 * radius), std::hypot(zero_error * (1.0 - by_radius * radii.slope(at)), by_radius * radii.error(at)), "measured radius at F = 0");
+        return measured(at - a * a / (3.0 * radius),
+                        std::hypot(zero_error * (1.0 - by_radius * radii.slope(at)), by_radius * radii.error(at)),
+                        "measured radius at F = 0");
     }
     if (!touch.in.force_displacement) throw UndefinedDataError("neither a contact radius nor a fit tells a at F = 0");
     const Estimate below = zero_load_depth(*touch.in.force_displacement, radius);
@@ -253,7 +294,8 @@ Estimate from_zero_force(const Touch& touch, double radius) {
 
 /// Stage position δ + F/k of a contact at its instability, against first touch.
 double stage_at_instability(double modulus, double work, double radius, double compliance) {
-    const auto state = spring_jumps({radius, modulus, work}, compliance > 0.0 ? 1.0 / compliance : INFINITY).before_jump_out;
+    const auto state =
+        spring_jumps({radius, modulus, work}, compliance > 0.0 ? 1.0 / compliance : INFINITY).before_jump_out;
     return state.displacement + compliance * state.force;
 }
 
@@ -267,18 +309,23 @@ Estimate from_pull_off(const Touch& touch, double radius) {
     // free of force, the displacement is the stage's
     const double step = touch.free_step(free, 1), stage = touch.displacement(free) - 0.5 * step;
     constexpr double small = 1e-3;
-    const auto parting = [&](double modulus, double work, double soft) { return stage_at_instability(modulus, work, radius, soft); };
+    const auto parting = [&](double modulus, double work, double soft) {
+        return stage_at_instability(modulus, work, radius, soft);
+    };
     const double here = parting(E, W, compliance.value);
     const double by_modulus = (parting((1.0 + small) * E, W, compliance.value) - here) / (small * E);
     const double by_work = (parting(E, (1.0 + small) * W, compliance.value) - here) / (small * W);
     const double by_compliance = parting(E, W, compliance.value + compliance.standard_error) - here;
-    const double fitted = by_modulus * by_modulus * fit.covariance(0, 0) + by_work * by_work * fit.covariance(1, 1) + 2.0 * by_modulus * by_work * fit.covariance(0, 1);
-    return measured(stage - here, hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, by_compliance, std::sqrt(std::max(fitted, 0.0))}),
+    const double fitted = by_modulus * by_modulus * fit.covariance(0, 0) + by_work * by_work * fit.covariance(1, 1) +
+                          2.0 * by_modulus * by_work * fit.covariance(0, 1);
+    return measured(stage - here,
+                    hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, by_compliance,
+                                std::sqrt(std::max(fitted, 0.0))}),
                     "instability of the retraction's fit");
 }
 
-/// F = 2aE* (δ − a²/(3R)) − 2aE* δ0 in force, where noise of the force is the same everywhere; weighed by the noise of displacement and
-/// contact radius, too.
+/// F = 2aE* (δ − a²/(3R)) − 2aE* δ0 in force, where noise of the force is the same everywhere; weighed by the noise of
+/// displacement and contact radius, too.
 Estimate without_work(const Touch& touch, double radius) {
     if (!touch.in.pointwise) throw UndefinedDataError(touch.in.pointwise.reason);
     const BranchData& data = touch.in.loading;
@@ -292,24 +339,29 @@ Estimate without_work(const Touch& touch, double radius) {
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round) {
         const Array1D by_depth = 2.0 * modulus * a, by_radius = 2.0 * modulus * (depth - zero - a.square() / radius);
-        const Array1D variance = (by_depth * data.displacement_noise).square() + (by_radius * data.contact_radius_noise).square() +
-                                 data.force_noise * data.force_noise - 2.0 * by_depth * data.force_displacement_covariance;
+        const Array1D variance =
+            (by_depth * data.displacement_noise).square() + (by_radius * data.contact_radius_noise).square() +
+            data.force_noise * data.force_noise - 2.0 * by_depth * data.force_displacement_covariance;
         if (variance.minCoeff() > 0.0) weight = (variance.mean() / variance).sqrt();
         Eigen::MatrixXd design(a.size(), 2);
         design << 2.0 * weight * a * (depth - a.square() / (3.0 * radius)), -2.0 * weight * a;
         solution = solve_linear(design, weight * data.force);
         modulus = solution.parameters[0];
         zero = solution.parameters[1] / modulus;
-        const Eigen::Vector2d shift = design.colPivHouseholderQr().solve(Eigen::VectorXd(weight * data.force_zero_standard_error));
+        const Eigen::Vector2d shift =
+            design.colPivHouseholderQr().solve(Eigen::VectorXd(weight * data.force_zero_standard_error));
         by_zero_of_force = (shift[1] - zero * shift[0]) / modulus;
     }
     const Eigen::Vector2d by(-zero / modulus, 1.0 / modulus);
-    return measured(origin + zero, std::hypot(std::sqrt(by.dot(solution.uncertainty.covariance * by)), by_zero_of_force), "weighted least squares in force");
+    return measured(origin + zero,
+                    std::hypot(std::sqrt(by.dot(solution.uncertainty.covariance * by)), by_zero_of_force),
+                    "weighted least squares in force");
 }
 
 }  // namespace
 
-Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs, const LensAndCounterBody& bodies) {
+Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs,
+                                 const LensAndCounterBody& bodies) {
     const Touch touch(inputs);
     switch (method) {
         case ContactPointMethod::force_departure: return force_departure(touch, bodies.radius);

@@ -6,6 +6,7 @@
 namespace setae::loops {
 
 /// What one method says of the contact point [m]. @throws UndefinedDataError with the reason where it says nothing.
-[[nodiscard]] Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs, const LensAndCounterBody& bodies);
+[[nodiscard]] Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs,
+                                               const LensAndCounterBody& bodies);
 
 }  // namespace setae::loops

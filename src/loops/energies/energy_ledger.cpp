@@ -16,7 +16,8 @@ namespace {
 
 class Bookkeeper {
 public:
-    Bookkeeper(const LevelRecord& record, const std::optional<Estimate>& stiffness) : record_(record), stiffness_(stiffness) {}
+    Bookkeeper(const LevelRecord& record, const std::optional<Estimate>& stiffness)
+        : record_(record), stiffness_(stiffness) {}
 
     [[nodiscard]] WorkEntry smooth(const IndexRange& range) const {
         WorkEntry entry = counted(range);
@@ -40,7 +41,8 @@ private:
     static WorkEntry with_total(WorkEntry entry) {
         LoopErrorBudget& budget = entry.standard_error;
         const double drift = std::isnan(budget.drift) ? 0.0 : budget.drift;
-        budget.total = std::hypot(std::hypot(budget.noise, drift, budget.compliance), budget.sampling, budget.discretisation);
+        budget.total =
+            std::hypot(std::hypot(budget.noise, drift, budget.compliance), budget.sampling, budget.discretisation);
         return entry;
     }
 
@@ -49,8 +51,10 @@ private:
 };
 
 void require_valid(const LedgerInputs& inputs) {
-    if (!(inputs.true_area_ratio >= 1.0)) throw InvalidArgument(fmt::format("true area ratio must be >= 1, got {}", inputs.true_area_ratio));
-    if (!(inputs.largest_contact_area > 0.0)) throw InvalidArgument(fmt::format("largest contact area must be > 0 m2, got {}", inputs.largest_contact_area));
+    if (!(inputs.true_area_ratio >= 1.0))
+        throw InvalidArgument(fmt::format("true area ratio must be >= 1, got {}", inputs.true_area_ratio));
+    if (!(inputs.largest_contact_area > 0.0))
+        throw InvalidArgument(fmt::format("largest contact area must be > 0 m2, got {}", inputs.largest_contact_area));
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact
     if (contact < 0 || contact >= static_cast<Index>(segments.contacts.size()))
         throw InvalidArgument(fmt::format("contact {} of {}", contact, segments.contacts.size()));
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
-    if (loop.displacement.size() == 0) throw UndefinedDataError("a loop energy needs the displacement, which was not measured");
+    if (loop.displacement.size() == 0)
+        throw UndefinedDataError("a loop energy needs the displacement, which was not measured");
     if (!touch.unloading || (!touch.pull_off && touch.unloading->last >= touch.extent.last))
         throw UndefinedDataError("the record ends in contact: no closed loop");
 
@@ -42,7 +43,8 @@ LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact
     LoopEnergy result{.energy = work(record.force, loop.displacement, touch.extent),
                       .opening = loop.displacement[touch.extent.last] - loop.displacement[touch.extent.first]};
     result.without_drift = result.energy;
-    if (!record.zero.constant()) result.without_drift += record.zero.change * work(record.zero.share, loop.displacement, touch.extent);
+    if (!record.zero.constant())
+        result.without_drift += record.zero.change * work(record.zero.share, loop.displacement, touch.extent);
     LoopErrorBudget& budget = result.standard_error;
     budget.noise = noise_error(record, touch.extent);
     budget.drift = drift_error(record, touch.extent);
@@ -78,7 +80,8 @@ std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& se
     const IndexRange whole{.first = peak, .last = reached - 1};
     const double drift = drift_error(record, whole);
     return Estimate{.value = work(force, displacement, whole) + 0.5 * (force[reached - 1] + force_there) * share * step,
-                    .standard_error = std::hypot(noise_error(record, whole), std::isnan(drift) ? 0.0 : drift, discretisation_error(record, whole)),
+                    .standard_error = std::hypot(noise_error(record, whole), std::isnan(drift) ? 0.0 : drift,
+                                                 discretisation_error(record, whole)),
                     .method = "error budget"};
 }
 

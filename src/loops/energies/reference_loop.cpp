@@ -35,13 +35,15 @@ Array1D loss_ratios(const ArrayView1D& rough_losses, const std::vector<Reference
     double mean = 0.0;
     for (const ReferenceLoop& reference : references) mean += reference.excess_energy.value;
     mean /= static_cast<double>(references.size());
-    if (!(mean > 0.0)) throw InvalidArgument(fmt::format("mean excess energy of the references must be > 0 J, got {}", mean));
+    if (!(mean > 0.0))
+        throw InvalidArgument(fmt::format("mean excess energy of the references must be > 0 J, got {}", mean));
     return rough_losses / mean;
 }
 
 ReferenceChange change(const ReferenceLoop& before, const ReferenceLoop& after) {
     return {.work_of_adhesion_loading = difference(after.work_of_adhesion_loading, before.work_of_adhesion_loading),
-            .work_of_adhesion_retraction = difference(after.work_of_adhesion_retraction, before.work_of_adhesion_retraction),
+            .work_of_adhesion_retraction =
+                difference(after.work_of_adhesion_retraction, before.work_of_adhesion_retraction),
             .excess_energy = difference(after.excess_energy, before.excess_energy)};
 }
 

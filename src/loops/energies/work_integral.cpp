@@ -23,14 +23,18 @@ double probability_within(double x, double deviation, const std::array<double, 2
     const auto term = [&](double sign_1, double sign_2) {
         return sign_1 * sign_2 * twice_integrated_normal(x + sign_1 * limits[0] + sign_2 * limits[1], deviation);
     };
-    const double below = (term(1.0, 1.0) + term(1.0, -1.0) + term(-1.0, 1.0) + term(-1.0, -1.0)) / (4.0 * limits[0] * limits[1]);
+    const double below =
+        (term(1.0, 1.0) + term(1.0, -1.0) + term(-1.0, 1.0) + term(-1.0, -1.0)) / (4.0 * limits[0] * limits[1]);
     return 2.0 * below - 1.0;
 }
 
 }  // namespace
 
 LevelRecord::LevelRecord(const Loop& loop, const Segments& segments, DriftModel drift)
-    : force(loop.force - segments.before.force), displacement(loop.displacement), noise(segments.before), zero(force_zero(loop, segments, drift)) {
+    : force(loop.force - segments.before.force),
+      displacement(loop.displacement),
+      noise(segments.before),
+      zero(force_zero(loop, segments, drift)) {
     if (!zero.constant()) force -= zero.share * zero.change;
 }
 
@@ -47,13 +51,15 @@ double work(const Array1D& force, const Array1D& displacement, const IndexRange&
 
 double noise_error(const LevelRecord& record, const IndexRange& range) {
     const Array1D &force = record.force, &displacement = record.displacement;
-    const double force_variance = std::pow(record.noise.force_noise, 2), displacement_variance = std::pow(record.noise.displacement_noise, 2);
+    const double force_variance = std::pow(record.noise.force_noise, 2),
+                 displacement_variance = std::pow(record.noise.displacement_noise, 2);
     double variance = 0.0;
     for (Index i = range.first; i <= range.last; ++i) {
         const Index before = std::max(i - 1, range.first), next = std::min(i + 1, range.last);
         const double by_force = 0.5 * (displacement[next] - displacement[before]);
         // the ends of a stretch bound its area: their motion counts with the whole force
-        const double by_displacement = 0.5 * (force[before] - force[next]) - (i == range.first ? force[i] : 0.0) + (i == range.last ? force[i] : 0.0);
+        const double by_displacement = 0.5 * (force[before] - force[next]) - (i == range.first ? force[i] : 0.0) +
+                                       (i == range.last ? force[i] : 0.0);
         variance += by_force * by_force * force_variance + by_displacement * by_displacement * displacement_variance +
                     2.0 * by_force * by_displacement * record.noise.force_displacement_covariance;
     }
@@ -64,7 +70,8 @@ double drift_error(const LevelRecord& record, const IndexRange& range) {
     if (record.zero.constant()) return undefined;
     const double by_change = work(record.zero.share, record.displacement, range);
     const double opening = record.displacement[range.last] - record.displacement[range.first];
-    return std::hypot((opening - record.zero.weight_lost * by_change) * record.noise.force_standard_error, by_change * record.zero.change_standard_error);
+    return std::hypot((opening - record.zero.weight_lost * by_change) * record.noise.force_standard_error,
+                      by_change * record.zero.change_standard_error);
 }
 
 double compliance_error(const LevelRecord& record, const IndexRange& range, const Estimate& stiffness) {

@@ -51,8 +51,8 @@ Autoregression autoregression(const VectorXd& covariances, Index samples) {
     return best;
 }
 
-/// Ω x of every column: Σ_(j <= i) ρ_(i−j) x_j as a recursive filter from both ends, ρ following the process's own recursion
-/// beyond its order. All columns and both directions run side by side: each waits for its last value.
+/// Ω x of every column: Σ_(j <= i) ρ_(i−j) x_j as a recursive filter from both ends, ρ following the process's own
+/// recursion beyond its order. All columns and both directions run side by side: each waits for its last value.
 template <int columns>
 MatrixXd correlated(const Autoregression& process, const MatrixXd& values) {
     const Index order = process.coefficients.size(), n = values.rows();
@@ -111,7 +111,8 @@ MatrixXd turned(const MatrixXd& columns, const MatrixXd& by) {
 VectorXd autocovariances(const VectorXd& residuals, Index most) {
     const Index n = residuals.size();
     VectorXd result(most + 1);
-    for (Index k = 0; k <= most; ++k) result[k] = residuals.head(n - k).dot(residuals.tail(n - k)) / static_cast<double>(n);
+    for (Index k = 0; k <= most; ++k)
+        result[k] = residuals.head(n - k).dot(residuals.tail(n - k)) / static_cast<double>(n);
     return result;
 }
 
@@ -129,7 +130,8 @@ VectorXd correlations(const Autoregression& process, Index most) {
 double correlated_samples(const Autoregression& process, Index samples) {
     const VectorXd correlation = correlations(process, samples - 1);
     double sum = 1.0;
-    for (Index k = 1; k < samples; ++k) sum += 2.0 * (1.0 - static_cast<double>(k) / static_cast<double>(samples)) * correlation[k];
+    for (Index k = 1; k < samples; ++k)
+        sum += 2.0 * (1.0 - static_cast<double>(k) / static_cast<double>(samples)) * correlation[k];
     return std::max(1.0, sum);
 }
 
@@ -137,7 +139,7 @@ double correlated_samples(const Autoregression& process, Index samples) {
 struct Series {
     const VectorXd* residuals = nullptr;
     MatrixXd basis;
-    VectorXd found;      ///< autocovariances
+    VectorXd found;  ///< autocovariances
     Autoregression process;
     MatrixXd spread;     ///< ΩB
     MatrixXd projected;  ///< BᵀΩB
@@ -149,8 +151,8 @@ struct Series {
         projected = gram(basis, spread);
     }
 
-    /// Autocovariances that residuals of a process of unit variance have on average, (1 − H)Ω(1 − H) along its diagonals;
-    /// `all` is BᵀΩB of all series.
+    /// Autocovariances that residuals of a process of unit variance have on average, (1 − H)Ω(1 − H) along its
+    /// diagonals; `all` is BᵀΩB of all series.
     [[nodiscard]] VectorXd expected(const VectorXd& correlation, const MatrixXd& all) const {
         const Index n = basis.rows(), p = basis.cols();
         const MatrixXd left = spread - turned(basis, all);
@@ -158,7 +160,8 @@ struct Series {
         for (Index k = 0; k < result.size(); ++k) {
             double taken = 0.0;
             for (Index c = 0; c < p; ++c)
-                taken += basis.col(c).head(n - k).dot(spread.col(c).tail(n - k)) + left.col(c).head(n - k).dot(basis.col(c).tail(n - k));
+                taken += basis.col(c).head(n - k).dot(spread.col(c).tail(n - k)) +
+                         left.col(c).head(n - k).dot(basis.col(c).tail(n - k));
             result[k] = (static_cast<double>(n - k) * correlation[k] - taken) / static_cast<double>(n);
         }
         return result;
@@ -179,7 +182,8 @@ MatrixXd sum_of(const std::vector<Series>& series, MatrixXd Series::*part) {
 /// Finds the processes behind the residuals, corrected for what the fit takes from them.
 void find_processes(std::vector<Series>& series) {
     const Index n = series.front().basis.rows(), most = std::min<Index>(10, n / 8);
-    const VectorXd shares = VectorXd::LinSpaced(most + 1, static_cast<double>(n), static_cast<double>(n - most)) / static_cast<double>(n);
+    const VectorXd shares =
+        VectorXd::LinSpaced(most + 1, static_cast<double>(n), static_cast<double>(n - most)) / static_cast<double>(n);
     for (Series& one : series) {
         one.found = autocovariances(*one.residuals, most);
         if (one.found[0] > 0.0) one.process = autoregression(one.found, n);
@@ -244,14 +248,17 @@ FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::sp
         if (!(left > 0.0)) return result;
         one.variance = one.residuals->squaredNorm() / left;
         middle += one.variance * one.projected;
-        independent += static_cast<double>(n) / (one.process.coefficients.size() > 0 ? correlated_samples(one.process, n) : 1.0);
+        independent +=
+            static_cast<double>(n) / (one.process.coefficients.size() > 0 ? correlated_samples(one.process, n) : 1.0);
     }
     for (std::size_t s = 0; s < series.size(); ++s)
         for (std::size_t t = 0; t < s; ++t) {
             const double lengths = residuals[s].norm() * residuals[t].norm();
             if (!(lengths > 0.0)) continue;
-            const double shared = residuals[s].dot(residuals[t]) / lengths * std::sqrt(series[s].variance * series[t].variance);
-            const MatrixXd mean = 0.5 * (gram(series[s].basis, series[t].spread) + gram(series[s].spread, series[t].basis));
+            const double shared =
+                residuals[s].dot(residuals[t]) / lengths * std::sqrt(series[s].variance * series[t].variance);
+            const MatrixXd mean =
+                0.5 * (gram(series[s].basis, series[t].spread) + gram(series[s].spread, series[t].basis));
             middle += shared * (mean + mean.transpose());
         }
     result.correlated_samples = static_cast<double>(count * n) / independent;

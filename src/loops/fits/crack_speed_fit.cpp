@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "least_squares.hpp"
 #include "setae/core/constants.hpp"
@@ -22,7 +22,7 @@ namespace law = contact::crack_speed;
 struct LawProblem {
     Array1D log_speed;  ///< ln(v/v_ref), v_ref the geometric mean
     Array1D rate;
-    Array1D weight;     ///< 1/σ of each rate
+    Array1D weight;  ///< 1/σ of each rate
     double reference = 0.0;
     bool exponent_free = true;
 
@@ -48,16 +48,19 @@ struct LawProblem {
         }
         if (best.allFinite()) return best;
         if (!(steepest > 0.0))
-            throw UndefinedDataError("the energy release rate does not rise with the speed of the edge: it holds no crack-speed law; check "
-                                     "the sign of the speed and that E* is that of the branch");
-        throw UndefinedDataError("the energy release rate goes to zero with the speed of the edge: its threshold G0 is not above 0 within "
-                                 "these data; take slower samples into the fit");
+            throw UndefinedDataError(
+                "the energy release rate does not rise with the speed of the edge: it holds no crack-speed law; check "
+                "the sign of the speed and that E* is that of the branch");
+        throw UndefinedDataError(
+            "the energy release rate goes to zero with the speed of the edge: its threshold G0 is not above 0 within "
+            "these data; take slower samples into the fit");
     }
 
     [[nodiscard]] ResidualFunction function(double log_exponent) const {
         return {.residuals = rate.size(),
                 .parameters = unknowns(),
-                .evaluate = [this, log_exponent](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                .evaluate = [this, log_exponent](const Eigen::VectorXd& at, Eigen::VectorXd& residuals,
+                                                 Eigen::MatrixXd* jacobian) {
                     const double exponent = std::exp(exponent_free ? at[2] : log_exponent);
                     const Array1D rise = (at[1] + exponent * log_speed).exp();
                     residuals = weight * (rate - std::exp(at[0]) - rise);
@@ -79,7 +82,8 @@ struct LawProblem {
 void require_points(const CrackSpeedPoints& points, const CrackSpeedOptions& options) {
     const auto same = [&](const Array1D& series, const char* name, bool needed) {
         if ((needed || series.size() > 0) && series.size() != points.speed.size())
-            throw InvalidArgument(fmt::format("{} has {} points, speed has {}", name, series.size(), points.speed.size()));
+            throw InvalidArgument(
+                fmt::format("{} has {} points, speed has {}", name, series.size(), points.speed.size()));
     };
     same(points.energy_release_rate, "energy release rate", true);
     same(points.speed_standard_error, "standard error of speed", false);
@@ -91,7 +95,8 @@ void require_points(const CrackSpeedPoints& points, const CrackSpeedOptions& opt
 std::vector<Index> receding(const CrackSpeedPoints& points) {
     std::vector<Index> kept;
     for (Index i = 0; i < points.speed.size(); ++i)
-        if (points.speed[i] > 0.0 && points.energy_release_rate[i] > 0.0 && std::isfinite(points.speed[i] + points.energy_release_rate[i]))
+        if (points.speed[i] > 0.0 && points.energy_release_rate[i] > 0.0 &&
+            std::isfinite(points.speed[i] + points.energy_release_rate[i]))
             kept.push_back(i);
     return kept;
 }
@@ -100,13 +105,17 @@ std::vector<Index> receding(const CrackSpeedPoints& points) {
 
 EdgeSpeeds speeds_of_edge(const ArrayView1D& time, const ArrayView1D& contact_radius, Index window) {
     const Index n = time.size();
-    if (contact_radius.size() != n) throw InvalidArgument(fmt::format("contact radius has {} samples, time has {}", contact_radius.size(), n));
-    if (window < 5 || window % 2 == 0) throw InvalidArgument(fmt::format("window must be odd and >= 5 samples, got {}", window));
+    if (contact_radius.size() != n)
+        throw InvalidArgument(fmt::format("contact radius has {} samples, time has {}", contact_radius.size(), n));
+    if (window < 5 || window % 2 == 0)
+        throw InvalidArgument(fmt::format("window must be odd and >= 5 samples, got {}", window));
     if (n < window) throw UndefinedDataError(fmt::format("{} samples are fewer than the window of {}", n, window));
     for (Index i = 1; i < n; ++i)
         if (!(time[i] > time[i - 1]))
-            throw InvalidArgument(fmt::format("time must rise: sample {} at {} s follows {} s", i, time[i], time[i - 1]));
-    if (!contact_radius.allFinite()) throw InvalidArgument("contact radii must be defined; leave samples without one out");
+            throw InvalidArgument(
+                fmt::format("time must rise: sample {} at {} s follows {} s", i, time[i], time[i - 1]));
+    if (!contact_radius.allFinite())
+        throw InvalidArgument("contact radii must be defined; leave samples without one out");
     EdgeSpeeds edge{.speed = Array1D(n), .standard_error = Array1D(n), .window = window};
     double scatter = 0.0;
     for (Index i = 0; i < n; ++i) {
@@ -134,14 +143,16 @@ CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOp
     CrackSpeedFit fit{.n = n, .left_out = points.speed.size() - n};
     const Index fewest = options.exponent ? 3 : 4;
     if (n < fewest)
-        throw UndefinedDataError(fmt::format("the contact edge recedes at {} of {} points; a crack-speed law needs at least {}", n,
-                                             points.speed.size(), fewest));
+        throw UndefinedDataError(
+            fmt::format("the contact edge recedes at {} of {} points; a crack-speed law needs at least {}", n,
+                        points.speed.size(), fewest));
     const Array1D speed = points.speed(kept), rate = points.energy_release_rate(kept);
     fit.speed_ratio = speed.maxCoeff() / speed.minCoeff();
     if (!(fit.speed_ratio >= options.least_speed_ratio))
-        throw UndefinedDataError(fmt::format("speeds of the edge run from {:.3g} to {:.3g} m/s, a factor {:.2g}; a crack-speed law needs {:.2g} or "
-                                             "more: unload at several speeds",
-                                             speed.minCoeff(), speed.maxCoeff(), fit.speed_ratio, options.least_speed_ratio));
+        throw UndefinedDataError(fmt::format(
+            "speeds of the edge run from {:.3g} to {:.3g} m/s, a factor {:.2g}; a crack-speed law needs {:.2g} or "
+            "more: unload at several speeds",
+            speed.minCoeff(), speed.maxCoeff(), fit.speed_ratio, options.least_speed_ratio));
     LawProblem problem{.rate = rate, .reference = std::exp(speed.log().mean()), .exponent_free = !options.exponent};
     problem.log_speed = (speed / problem.reference).log();
     const bool known = points.energy_release_rate_standard_error.size() > 0;
@@ -164,8 +175,9 @@ CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOp
         for (Index i = 0; i < n; ++i) {
             const double slope = law::energy_release_rate_derivative(speed[i], now);
             const double scale = known ? 1.0 : solution.residuals.norm() / std::sqrt(static_cast<double>(n));
-            problem.weight[i] = 1.0 / std::hypot(rate_error[i] * (scale > 0.0 ? scale : 1.0),
-                                                 slope * points.speed_standard_error[kept[static_cast<std::size_t>(i)]]);
+            problem.weight[i] =
+                1.0 / std::hypot(rate_error[i] * (scale > 0.0 ? scale : 1.0),
+                                 slope * points.speed_standard_error[kept[static_cast<std::size_t>(i)]]);
         }
     }
 
@@ -173,20 +185,23 @@ CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOp
     // ln v0 = ln v_ref + (ln G0 − ln c)/n
     const double exponent = fit.law.exponent;
     Eigen::Matrix3d slopes;
-    slopes << fit.law.threshold, 0.0, 0.0,
-        fit.law.reference_speed / exponent, -fit.law.reference_speed / exponent, -fit.law.reference_speed * (at[0] - at[1]) / exponent,
-        0.0, 0.0, exponent;
+    slopes << fit.law.threshold, 0.0, 0.0, fit.law.reference_speed / exponent, -fit.law.reference_speed / exponent,
+        -fit.law.reference_speed * (at[0] - at[1]) / exponent, 0.0, 0.0, exponent;
     const Index p = problem.unknowns();
     fit.covariance = slopes.leftCols(p) * solution.uncertainty.covariance * slopes.leftCols(p).transpose();
-    const auto estimate = [&](double value, Index k) { return solution.estimate(value, std::sqrt(fit.covariance(k, k))); };
+    const auto estimate = [&](double value, Index k) {
+        return solution.estimate(value, std::sqrt(fit.covariance(k, k)));
+    };
     fit.threshold = estimate(fit.law.threshold, 0);
     fit.reference_speed = estimate(fit.law.reference_speed, 1);
-    fit.exponent = options.exponent ? Estimate{.value = exponent, .standard_error = 0.0, .method = "given"} : estimate(exponent, 2);
+    fit.exponent = options.exponent ? Estimate{.value = exponent, .standard_error = 0.0, .method = "given"}
+                                    : estimate(exponent, 2);
     fit.converged = solution.converged && fit.covariance.allFinite();
     if (!(solution.uncertainty.covariance(0, 0) <= 1.0) || fit.law.threshold < 1e-6 * rate.minCoeff())
-        throw UndefinedDataError(fmt::format("the threshold G0 = {:.2g} J/m² is known to no better than its own size: all samples are fast "
-                                             "against v0; take slower samples into the fit or give the exponent",
-                                             fit.law.threshold));
+        throw UndefinedDataError(
+            fmt::format("the threshold G0 = {:.2g} J/m² is known to no better than its own size: all samples are fast "
+                        "against v0; take slower samples into the fit or give the exponent",
+                        fit.law.threshold));
     fit.residuals = rate - law::energy_release_rate(speed, fit.law);
     fit.relative_residual = std::sqrt((fit.residuals / rate).square().mean());
     fit.chi2_reduced = known && n > p ? solution.residuals.squaredNorm() / static_cast<double>(n - p) : undefined;
@@ -196,7 +211,8 @@ CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOp
 CrackSpeedPoints crack_speed_points(const ArrayView1D& time, const ArrayView1D& contact_radius,
                                     const ArrayView1D& energy_release_rate, Index window) {
     if (energy_release_rate.size() != time.size())
-        throw InvalidArgument(fmt::format("energy release rate has {} samples, time has {}", energy_release_rate.size(), time.size()));
+        throw InvalidArgument(
+            fmt::format("energy release rate has {} samples, time has {}", energy_release_rate.size(), time.size()));
     EdgeSpeeds edge = speeds_of_edge(time, contact_radius, window);
     return {.speed = std::move(edge.speed),
             .energy_release_rate = energy_release_rate,

@@ -14,7 +14,8 @@ struct Slopes {
 };
 
 Slopes slopes_at(double a, double force, double radius, double modulus) {
-    const double cubed = a * a * a, excess = 4.0 * modulus * cubed / (3.0 * radius) - force, area = 8.0 * pi * modulus * cubed;
+    const double cubed = a * a * a, excess = 4.0 * modulus * cubed / (3.0 * radius) - force,
+                 area = 8.0 * pi * modulus * cubed;
     const double value = excess * excess / area, by_excess = 2.0 * excess / area;
     return {.value = value,
             .by_radius = by_excess * 4.0 * modulus * a * a / radius - 3.0 * value / a,
@@ -38,7 +39,8 @@ double known(double noise) { return noise > 0.0 ? noise * noise : undefined; }
 
 }  // namespace
 
-EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus, double contact_point) {
+EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
+                                       double contact_point) {
     return energy_release_rates(data, radius, Estimate{.value = contact_modulus}, Estimate{.value = contact_point});
 }
 
@@ -58,14 +60,17 @@ EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, co
     for (Index i = 0; i < n; ++i) {
         double& a = result.contact_radius[i];
         const double force = data.force[i];
-        if (!result.radius_measured) a = contact::jkr::contact_radius_at(force, data.displacement[i] - contact_point.value, sphere);
+        if (!result.radius_measured)
+            a = contact::jkr::contact_radius_at(force, data.displacement[i] - contact_point.value, sphere);
         if (!(a > 0.0)) continue;
         Slopes rate = slopes_at(a, force, radius, modulus);
         double variance = 0.0, by_contact_point = 0.0;
         if (result.radius_measured) {
-            variance = rate.by_force * rate.by_force * force_variance + rate.by_radius * rate.by_radius * radius_variance;
+            variance =
+                rate.by_force * rate.by_force * force_variance + rate.by_radius * rate.by_radius * radius_variance;
         } else {
-            const Implied implied = implied_slopes(a, force, data.displacement[i] - contact_point.value, radius, modulus);
+            const Implied implied =
+                implied_slopes(a, force, data.displacement[i] - contact_point.value, radius, modulus);
             rate.by_force += rate.by_radius * implied.by_force;
             rate.by_modulus += rate.by_radius * implied.by_modulus;
             const double by_depth = rate.by_radius * implied.by_depth;
@@ -75,8 +80,9 @@ EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, co
         }
         result.energy_release_rate[i] = rate.value;
         result.standard_error[i] = variance < 0.0 ? 0.0 : std::sqrt(variance);  // a rounded-off covariance leaves none
-        result.systematic[i] = std::hypot(rate.by_modulus * contact_modulus.standard_error,
-                                          by_contact_point == 0.0 ? 0.0 : by_contact_point * contact_point.standard_error);
+        result.systematic[i] =
+            std::hypot(rate.by_modulus * contact_modulus.standard_error,
+                       by_contact_point == 0.0 ? 0.0 : by_contact_point * contact_point.standard_error);
     }
     return result;
 }

@@ -19,12 +19,14 @@ void require_data(const BranchData& data, const LensAndCounterBody& bodies, cons
         if (series.size() == 0 && needed && data.force.size() > 0)
             throw UndefinedDataError(fmt::format("this fit needs the {}, which was not measured", name));
         if (series.size() != 0 && series.size() != data.force.size())
-            throw InvalidArgument(fmt::format("{} has {} samples, force has {}", name, series.size(), data.force.size()));
+            throw InvalidArgument(
+                fmt::format("{} has {} samples, force has {}", name, series.size(), data.force.size()));
     };
     check(data.contact_radius, "contact radius", wanted.contact_radius);
     check(data.displacement, "displacement", wanted.displacement);
     if (data.force.size() < wanted.fewest)
-        throw UndefinedDataError(fmt::format("{} samples, this fit needs at least {}", data.force.size(), wanted.fewest));
+        throw UndefinedDataError(
+            fmt::format("{} samples, this fit needs at least {}", data.force.size(), wanted.fewest));
 }
 
 double force_scale(const BranchData& data) {
@@ -35,8 +37,9 @@ double force_scale(const BranchData& data) {
 
 void require_modulus(double contact_modulus) {
     if (contact_modulus > 0.0 && std::isfinite(contact_modulus)) return;
-    throw UndefinedDataError("the contact shrinks as the force rises along the branch, or does not change: this is no elastic "
-                             "contact; check the segments and the signs of the columns");
+    throw UndefinedDataError(
+        "the contact shrinks as the force rises along the branch, or does not change: this is no elastic "
+        "contact; check the segments and the signs of the columns");
 }
 
 double square_standard_error(double root, double root_standard_error, double factor) {

@@ -7,8 +7,8 @@
 /// What the routes to E* and W share.
 namespace setae::loops {
 
-/// @throws InvalidArgument for R <= 0 or series of different length; UndefinedDataError for fewer than `fewest` samples,
-/// or where contact radius or displacement is wanted and missing.
+/// @throws InvalidArgument for R <= 0 or series of different length; UndefinedDataError for fewer than `fewest`
+/// samples, or where contact radius or displacement is wanted and missing.
 struct Wanted {
     bool contact_radius = false;
     bool displacement = false;
@@ -28,8 +28,9 @@ void require_modulus(double contact_modulus);
 /// Fills E, correlation, runs, rms and relative residual from covariance, residuals and E*, W.
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
 
-/// Adds to the covariance of a fit what the zero of force leaves open: the square of the change to `shifted`, the same fit
-/// of the same data with all forces one standard error of their zero higher. An unusable shifted fit changes nothing.
+/// Adds to the covariance of a fit what the zero of force leaves open: the square of the change to `shifted`, the same
+/// fit of the same data with all forces one standard error of their zero higher. An unusable shifted fit changes
+/// nothing.
 void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCounterBody& bodies);
 
 /// Means of so many neighbours each; a shorter rest at the end is left out.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fit_support.hpp"
 #include "contact_points/held_contact_point.hpp"
+#include "fit_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "small_least_squares.hpp"
@@ -23,12 +23,16 @@ struct Point {
 class Curve {
 public:
     Curve(double shape, double radius)
-        : shape_(shape), radius_(radius), fold_(shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0), by_shape_(shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0) {}
+        : shape_(shape),
+          radius_(radius),
+          fold_(shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0),
+          by_shape_(shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0) {}
 
     [[nodiscard]] Point at(double depth) const {
         const double s = root(depth), cubed = s * s * s;
         Point point{.value = cubed * (4.0 / 3.0 * cubed / radius_ - 2.0 * shape_), .by_shape = -2.0 * cubed};
-        const double slope = 4.0 * cubed / radius_ - shape_;  // 0 at the fold, where the contact parts and the force stays
+        const double slope =
+            4.0 * cubed / radius_ - shape_;  // 0 at the fold, where the contact parts and the force stays
         constexpr double off_fold = 1e-9;
         if (!(slope > off_fold * std::abs(shape_)) || slope == 0.0) return point;
         const double by_root = s * s * (8.0 * cubed / radius_ - 6.0 * shape_);
@@ -60,8 +64,8 @@ private:
 };
 
 struct HeldProblem {
-    Array1D depth;   ///< δ − δ0 [m]
-    Array1D force;   ///< [N]
+    Array1D depth;  ///< δ − δ0 [m]
+    Array1D force;  ///< [N]
     Array1D weight;
     double radius;
     double shape_unit;    ///< λ of a contact whose adhesion is as deep as its penetration
@@ -102,7 +106,8 @@ struct HeldProblem {
             NormalEquations<2> sums;
             for (Index i = 0; i < force.size(); ++i) {
                 const Point point = curve.at(depth[i]);
-                const Eigen::Vector2d row = weight[i] * modulus_unit * Eigen::Vector2d(point.value, at[0] * shape_unit * point.by_shape);
+                const Eigen::Vector2d row =
+                    weight[i] * modulus_unit * Eigen::Vector2d(point.value, at[0] * shape_unit * point.by_shape);
                 const double residual = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
                 sums.normal += row * row.transpose();
                 sums.gradient += row * residual;
@@ -115,14 +120,16 @@ struct HeldProblem {
 
     /// The minimum with its covariance; residuals without their weights.
     [[nodiscard]] LeastSquaresSolution completed(const SmallMinimum<2>& found) const {
-        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        LeastSquaresSolution solution{
+            .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
         const Eigen::Vector2d& at = found.parameters_found;
         const Curve curve(shape_of(at), radius);
         Eigen::MatrixXd jacobian(force.size(), 2);
         solution.residuals.resize(force.size());
         for (Index i = 0; i < force.size(); ++i) {
             const Point point = curve.at(depth[i]);
-            jacobian.row(i) << -weight[i] * modulus_unit * point.value, -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
+            jacobian.row(i) << -weight[i] * modulus_unit * point.value,
+                -weight[i] * at[0] * modulus_unit * shape_unit * point.by_shape;
             solution.residuals[i] = weight[i] * (force[i] - at[0] * modulus_unit * point.value);
         }
         solution.uncertainty = correlated_covariance(jacobian, solution.residuals);
@@ -136,7 +143,8 @@ struct HeldProblem {
         Array1D result(force.size());
         for (Index i = 0; i < result.size(); ++i) {
             const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_depth;
-            result[i] = data.force_noise * data.force_noise + slope * slope * data.displacement_noise * data.displacement_noise -
+            result[i] = data.force_noise * data.force_noise +
+                        slope * slope * data.displacement_noise * data.displacement_noise -
                         2.0 * slope * data.force_displacement_covariance;
         }
         return result;
@@ -153,7 +161,8 @@ struct Reduced {
 Reduced reduced_data(const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
     require_data(data, bodies, {.displacement = true, .fewest = 3});
     const double largest = data.displacement.maxCoeff() - contact_point, scale = force_scale(data);
-    if (!(largest > 0.0)) throw UndefinedDataError("the branch never passes the contact point: a fit needs a penetration > 0");
+    if (!(largest > 0.0))
+        throw UndefinedDataError("the branch never passes the contact point: a fit needs a penetration > 0");
     Reduced reduced{.problem = {.depth = data.displacement - contact_point,
                                 .force = data.force / scale,
                                 .weight = Array1D::Ones(data.force.size()),
@@ -177,15 +186,18 @@ bool weigh(Reduced& reduced, const Eigen::Vector2d& at) {
 
 SmallMinimum<2> weighted_minimum(Reduced& reduced, SmallMinimum<2> found) {
     constexpr int rounds = 2;
-    for (int round = 0; round < rounds && found.converged && weigh(reduced, found.parameters_found); ++round) found = reduced.problem.minimum(found.parameters_found);
+    for (int round = 0; round < rounds && found.converged && weigh(reduced, found.parameters_found); ++round)
+        found = reduced.problem.minimum(found.parameters_found);
     return found;
 }
 
-JkrFit completed(const Reduced& reduced, const SmallMinimum<2>& found, const BranchData& data, const LensAndCounterBody& bodies, double contact_point) {
+JkrFit completed(const Reduced& reduced, const SmallMinimum<2>& found, const BranchData& data,
+                 const LensAndCounterBody& bodies, double contact_point) {
     const auto& [problem, noise, scale] = reduced;
     const LeastSquaresSolution solution = problem.completed(found);
 
-    const double modulus = solution.parameters[0] * problem.modulus_unit * scale, shape = problem.shape_of(solution.parameters);
+    const double modulus = solution.parameters[0] * problem.modulus_unit * scale,
+                 shape = problem.shape_of(solution.parameters);
     require_modulus(modulus);
     const double work_over_modulus = shape * std::abs(shape) / (2.0 * pi);
     Eigen::Matrix2d transform;
@@ -200,7 +212,8 @@ JkrFit completed(const Reduced& reduced, const SmallMinimum<2>& found, const Bra
     fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
     // the second-order term keeps the error finite at W = 0
     const double second = modulus / pi * std::pow(problem.shape_unit, 2) * solution.uncertainty.covariance(1, 1);
-    fit.work_of_adhesion = solution.estimate(modulus * work_over_modulus, std::sqrt(fit.covariance(1, 1) + 0.5 * second * second));
+    fit.work_of_adhesion =
+        solution.estimate(modulus * work_over_modulus, std::sqrt(fit.covariance(1, 1) + 0.5 * second * second));
     fit.residuals = solution.residuals.array() * scale;
     fit.chi2_reduced = reduced_chi2(solution.residuals.array(), problem.variances(noise, solution.parameters), 2);
     fit.correlated_samples = solution.uncertainty.correlated_samples;
@@ -216,12 +229,17 @@ JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& 
     return completed(reduced, found, data, bodies, contact_point);
 }
 
-JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point, const JkrFit& near) {
+JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point,
+                              const JkrFit& near) {
     Reduced reduced = reduced_data(data, bodies, contact_point);
     const double modulus = near.contact_modulus.value, ratio = near.work_of_adhesion.value / modulus;
-    const Eigen::Vector2d start(modulus / (reduced.problem.modulus_unit * reduced.scale), 1.0 + std::copysign(std::sqrt(2.0 * pi * std::abs(ratio)), ratio) / reduced.problem.shape_unit);
-    const SmallMinimum<2> found = weighted_minimum(reduced, {.parameters_found = start, .converged = start.allFinite()});
-    return found.converged && found.iterations > 0 ? completed(reduced, found, data, bodies, contact_point) : fit_with_contact_point(data, bodies, contact_point);
+    const Eigen::Vector2d start(
+        modulus / (reduced.problem.modulus_unit * reduced.scale),
+        1.0 + std::copysign(std::sqrt(2.0 * pi * std::abs(ratio)), ratio) / reduced.problem.shape_unit);
+    const SmallMinimum<2> found =
+        weighted_minimum(reduced, {.parameters_found = start, .converged = start.allFinite()});
+    return found.converged && found.iterations > 0 ? completed(reduced, found, data, bodies, contact_point)
+                                                   : fit_with_contact_point(data, bodies, contact_point);
 }
 
 }  // namespace setae::loops

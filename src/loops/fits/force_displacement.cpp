@@ -6,9 +6,9 @@
 #include "fit_support.hpp"
 #include "latent_routes.hpp"
 #include "reduced_jkr.hpp"
-#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "small_least_squares.hpp"
 
 namespace setae::loops {
 namespace {
@@ -59,7 +59,8 @@ struct DepthProblem {
 
     [[nodiscard]] LeastSquaresSolution solve() const {
         const SmallMinimum<3> found = minimum(start());
-        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        LeastSquaresSolution solution{
+            .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
         const reduced::Curve curve = reduced::depths(force, solution.parameters[1]);
         solution.residuals = (depth - solution.parameters[0] * curve.value - solution.parameters[2]).matrix();
         Eigen::MatrixXd jacobian(force.size(), 3);
@@ -69,10 +70,10 @@ struct DepthProblem {
     }
 };
 
-/// Variance of δ − δ(F) [m²] from the noise of both channels and its covariance. At and beyond the pull-off, where δ(F) is
-/// vertical, the slope is that one standard deviation of force above it.
-Array1D depth_variances(const BranchData& data, const DepthProblem& problem, const Eigen::VectorXd& at, double force_unit,
-                        double depth_unit) {
+/// Variance of δ − δ(F) [m²] from the noise of both channels and its covariance. At and beyond the pull-off, where δ(F)
+/// is vertical, the slope is that one standard deviation of force above it.
+Array1D depth_variances(const BranchData& data, const DepthProblem& problem, const Eigen::VectorXd& at,
+                        double force_unit, double depth_unit) {
     Array1D variances(data.force.size());
     const double weakest = -at[1] * at[1] + data.force_noise / force_unit;
     for (Index i = 0; i < variances.size(); ++i) {
@@ -109,9 +110,11 @@ JkrFit in_depth(const BranchData& data, const LensAndCounterBody& bodies) {
                .residual_unit = "m"};
     fit.covariance = transform.asDiagonal() * solution.uncertainty.covariance * transform.asDiagonal();
     fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
-    fit.work_of_adhesion = solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
-                                             square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
-    fit.contact_point = solution.estimate(origin + solution.parameters[2] * depth_unit, std::sqrt(fit.covariance(2, 2)));
+    fit.work_of_adhesion =
+        solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
+                          square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
+    fit.contact_point =
+        solution.estimate(origin + solution.parameters[2] * depth_unit, std::sqrt(fit.covariance(2, 2)));
     fit.residuals = solution.residuals.array() * depth_unit;
     fit.chi2_reduced =
         reduced_chi2(fit.residuals, depth_variances(data, problem, solution.parameters, force_unit, depth_unit), 3);
@@ -127,7 +130,8 @@ Array1D depth_residuals(const BranchData& data, const JkrFit& fit, double radius
     const double shape = std::copysign(std::sqrt(1.5 * pi * radius * std::abs(work) / force_unit), work);
     const double length = std::cbrt(0.75 * radius * force_unit / modulus);
     Array1D residuals = data.displacement - fit.contact_point.value;
-    for (Index i = 0; i < residuals.size(); ++i) residuals[i] -= length * length / radius * reduced::depth(data.force[i] / force_unit, shape).value;
+    for (Index i = 0; i < residuals.size(); ++i)
+        residuals[i] -= length * length / radius * reduced::depth(data.force[i] / force_unit, shape).value;
     return residuals;
 }
 
@@ -141,7 +145,9 @@ latent::Route latent::force_displacement_route(const BranchData& data, const Len
     means.force = block_means(data.force, neighbours);
     means.displacement = block_means(data.displacement, neighbours);
     const JkrFit first = in_depth(means, bodies);
-    Route route{.fitted = latent::fit(all, reduced_parameters(all, first.contact_modulus.value, first.work_of_adhesion.value, first.contact_point.value))};
+    Route route{.fitted =
+                    latent::fit(all, reduced_parameters(all, first.contact_modulus.value, first.work_of_adhesion.value,
+                                                        first.contact_point.value))};
     route.fit = finished(route.fitted, across(all, projected(all, route.fitted.solution)), first.method);
     route.fit.residuals = depth_residuals(data, route.fit, bodies.radius);
     route.fit.residual_unit = first.residual_unit;
@@ -151,7 +157,8 @@ latent::Route latent::force_displacement_route(const BranchData& data, const Len
 
 JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
     require_data(data, bodies, {.displacement = true, .fewest = 4});
-    if (errors == DepthErrors::depth_only || !(data.force_noise > 0.0 && data.displacement_noise > 0.0)) return in_depth(data, bodies);
+    if (errors == DepthErrors::depth_only || !(data.force_noise > 0.0 && data.displacement_noise > 0.0))
+        return in_depth(data, bodies);
     return latent::force_displacement_route(data, bodies).fit;
 }
 

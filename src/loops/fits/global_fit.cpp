@@ -17,7 +17,8 @@
 namespace setae::loops {
 namespace {
 
-constexpr std::array<const char*, 4> slot_names{"contact_modulus", "work_of_adhesion", "transition_parameter", "contact_point"};
+constexpr std::array<const char*, 4> slot_names{"contact_modulus", "work_of_adhesion", "transition_parameter",
+                                                "contact_point"};
 constexpr Index none = -1;
 
 /// Which unknown of the global fit each slot of each branch is.
@@ -28,7 +29,8 @@ struct Layout {
     [[nodiscard]] Index unknowns() const { return static_cast<Index>(names.size()); }
 };
 
-Layout layout(const std::vector<GlobalBranch>& branches, const std::vector<SolvedFit>& separate, const GlobalOptions& options) {
+Layout layout(const std::vector<GlobalBranch>& branches, const std::vector<SolvedFit>& separate,
+              const GlobalOptions& options) {
     const std::array<bool, 4> shared{options.share_contact_modulus, options.share_work_of_adhesion, false, false};
     Layout result;
     std::array<Index, 4> of_all{none, none, none, none};
@@ -42,7 +44,8 @@ Layout layout(const std::vector<GlobalBranch>& branches, const std::vector<Solve
             }
             columns[k] = result.unknowns();
             if (shared[k]) of_all[k] = columns[k];
-            result.names.push_back(shared[k] ? slot_names[k] : fmt::format("{} of {}", slot_names[k], branches[b].name));
+            result.names.push_back(shared[k] ? slot_names[k]
+                                             : fmt::format("{} of {}", slot_names[k], branches[b].name));
         }
         result.columns.push_back(columns);
     }
@@ -50,7 +53,8 @@ Layout layout(const std::vector<GlobalBranch>& branches, const std::vector<Solve
 }
 
 /// Slots of one branch from the unknowns of all.
-FitParameters slots_of(const Layout& layout, std::size_t branch, const FitParameters& start, const Eigen::VectorXd& unknowns) {
+FitParameters slots_of(const Layout& layout, std::size_t branch, const FitParameters& start,
+                       const Eigen::VectorXd& unknowns) {
     FitParameters at = start;
     for (std::size_t k = 0; k < 4; ++k)
         if (layout.columns[branch][k] != none) at[static_cast<Index>(k)] = unknowns[layout.columns[branch][k]];
@@ -66,7 +70,8 @@ Eigen::VectorXd start_of(const Layout& layout, const std::vector<SolvedFit>& sep
     return sums.cwiseQuotient(counts);
 }
 
-LeastSquaresSolution least_squares_of_all(const Layout& layout, const std::vector<SolvedFit>& separate, const Eigen::VectorXd& start) {
+LeastSquaresSolution least_squares_of_all(const Layout& layout, const std::vector<SolvedFit>& separate,
+                                          const Eigen::VectorXd& start) {
     Index residual_count = 0;
     for (const SolvedFit& fit : separate) residual_count += fit.prepared.problem.residuals();
     const ResidualFunction function{
@@ -124,8 +129,11 @@ std::vector<SolvedFit> separate_fits(const std::vector<GlobalBranch>& branches, 
 /// Estimate of a slot's quantity with the error its unknown has; where held, as the branch's own fit has it.
 class BranchEstimates {
 public:
-    BranchEstimates(const Layout& layout, std::size_t branch, const SolvedFit& separate, const LeastSquaresSolution& solution)
-        : columns_(layout.columns[branch]), separate_(separate), solution_(solution),
+    BranchEstimates(const Layout& layout, std::size_t branch, const SolvedFit& separate,
+                    const LeastSquaresSolution& solution)
+        : columns_(layout.columns[branch]),
+          separate_(separate),
+          solution_(solution),
           at_(slots_of(layout, branch, separate.solution.at, solution.parameters)),
           slopes_(physical_slopes(separate.prepared.problem, at_)) {}
 
@@ -169,7 +177,8 @@ private:
 GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOptions& options) {
     if (branches.empty()) throw InvalidArgument("a global fit needs branches, got none");
     if (options.fit.model == ContactModel::transition)
-        throw InvalidArgument("the transition equation has a0, Fc and α as parameters and shares no E* or W; use maugis_dugdale");
+        throw InvalidArgument(
+            "the transition equation has a0, Fc and α as parameters and shares no E* or W; use maugis_dugdale");
     const bool shares_work = options.share_work_of_adhesion && options.fit.model != ContactModel::hertz;
     if (!options.share_contact_modulus && !shares_work)
         throw InvalidArgument("a global fit shares the contact modulus or the work of adhesion or both, got neither");
@@ -212,7 +221,8 @@ GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOp
     }
     fit.covariance = slopes.asDiagonal() * solution.uncertainty.covariance * slopes.asDiagonal();
     if (options.share_contact_modulus) fit.contact_modulus = fit.branches.front().contact_modulus;
-    if (shares_work && fit.branches.front().work_of_adhesion) fit.work_of_adhesion = *fit.branches.front().work_of_adhesion;
+    if (shares_work && fit.branches.front().work_of_adhesion)
+        fit.work_of_adhesion = *fit.branches.front().work_of_adhesion;
     fit.chi2_reduced = fit.chi2 / static_cast<double>(solution.residuals.size() - unknowns.unknowns());
     fit.sharing = sharing_test(fit, separate);
     return fit;

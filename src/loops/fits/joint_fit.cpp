@@ -3,6 +3,8 @@
 
 namespace setae::loops {
 
-JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies) { return latent::joint_route(data, bodies).fit; }
+JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies) {
+    return latent::joint_route(data, bodies).fit;
+}
 
 }  // namespace setae::loops

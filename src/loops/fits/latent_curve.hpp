@@ -17,9 +17,9 @@ struct Curve {
     std::array<Vector, parameters> by_parameter;
     std::array<Vector, parameters> mixed;  ///< by x and parameter; left open unless asked for
 
-    /// Residual without the offset that noise along the bent curve makes on average, −γ''/(2|γ'|²) across it. Where the noise
-    /// is as large as the bend's radius, as where a contact without adhesion begins, that series means nothing: it fades.
-    /// inverse: 1/|γ'|².
+    /// Residual without the offset that noise along the bent curve makes on average, −γ''/(2|γ'|²) across it. Where the
+    /// noise is as large as the bend's radius, as where a contact without adhesion begins, that series means nothing:
+    /// it fades. inverse: 1/|γ'|².
     [[nodiscard]] Vector straightened(const Lane& inverse) const {
         const Lane bend = dot(second, second) * inverse.square();
         const Lane share = 0.5 * inverse / (1.0 + bend.square());
@@ -57,11 +57,14 @@ template <bool depth, bool radius, class Lane, bool with_mixed = false>
         const double wd = points.depth_weight, pull = 2.0 / 3.0 * root / modulus;
         const double shared = points.shared * wd / wf;  // of the force in units of its noise
         curve.by_parameter[2][0].setZero();
-        curve.residual[depth_channel] = wd * (points.depth.segment<width>(first) - (square - pull * square_root + at[2])) - shared * curve.residual[0];
+        curve.residual[depth_channel] =
+            wd * (points.depth.segment<width>(first) - (square - pull * square_root + at[2])) -
+            shared * curve.residual[0];
         curve.tangent[depth_channel] = wd * (2.0 * x - 0.5 * pull * inverse_root) - shared * curve.tangent[0];
         curve.second[depth_channel] = wd * (2.0 + 0.25 * pull * inverse_root / x) - shared * curve.second[0];
         curve.by_parameter[0][depth_channel] = wd * pull / modulus * square_root - shared * curve.by_parameter[0][0];
-        curve.by_parameter[1][depth_channel] = -wd * (2.0 / 3.0) / modulus * square_root - shared * curve.by_parameter[1][0];
+        curve.by_parameter[1][depth_channel] =
+            -wd * (2.0 / 3.0) / modulus * square_root - shared * curve.by_parameter[1][0];
         curve.by_parameter[2][depth_channel].setConstant(wd);
         if constexpr (with_mixed) {
             curve.mixed[0][depth_channel] = 0.5 * wd * pull / modulus * inverse_root - shared * curve.mixed[0][0];

@@ -7,9 +7,9 @@
 #include <Eigen/Dense>
 
 #include "latent_curve.hpp"
-#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "small_least_squares.hpp"
 
 namespace setae::loops::latent {
 namespace {
@@ -27,7 +27,8 @@ struct Round {
     Array1D along;                        ///< T·z/H, H the second derivative by the radius
     std::array<Array1D, 3> by_parameter;  ///< T·J/H
 
-    explicit Round(Index samples) : along(samples), by_parameter{Array1D(samples), Array1D(samples), Array1D(samples)} {}
+    explicit Round(Index samples)
+        : along(samples), by_parameter{Array1D(samples), Array1D(samples), Array1D(samples)} {}
 };
 
 /// Sums of two neighbouring samples at a time: the compiler may not reorder them by itself.
@@ -83,7 +84,8 @@ void evaluate(const Points& points, const Parameters& at, const Array1D& x, bool
 }
 
 void evaluate(const Points& points, const Parameters& at, const Array1D& x, bool curvature, Round& round) {
-    if (points.channels.displacement && points.channels.contact_radius) return evaluate<true, true>(points, at, x, curvature, round);
+    if (points.channels.displacement && points.channels.contact_radius)
+        return evaluate<true, true>(points, at, x, curvature, round);
     if (points.channels.displacement) return evaluate<true, false>(points, at, x, curvature, round);
     evaluate<false, true>(points, at, x, curvature, round);
 }
@@ -104,10 +106,12 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> free_directions(const Points& points, c
 
 /// Solution of the normal equations, damped after Marquardt, in the free directions; NaN where they are singular.
 Vector3d step_of(const Round& round, const Eigen::Matrix<double, 3, Eigen::Dynamic>& free, double damping = 0.0) {
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> normal = free.transpose() * round.normal * free;
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> normal =
+        free.transpose() * round.normal * free;
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gradient = free.transpose() * round.gradient;
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> scaled =
+        scale.asDiagonal() * normal * scale.asDiagonal();
     scaled.diagonal().array() += damping;
     return free * (scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(gradient)));
 }
@@ -148,7 +152,8 @@ bool only_rounding(double changed, double last_change) {
 
 double degrees_of_freedom(const Points& points) {
     const double directions = points.channels.displacement && points.channels.contact_radius ? 2.0 : 1.0;
-    return std::max(1.0, directions * static_cast<double>(points.force.size()) - (points.channels.displacement ? 3.0 : 2.0));
+    return std::max(1.0,
+                    directions * static_cast<double>(points.force.size()) - (points.channels.displacement ? 3.0 : 2.0));
 }
 
 /// The nearest points for the parameters as they are.
@@ -165,10 +170,12 @@ void settle_radii(const Points& points, Solution& solution, Round& round) {
 
 }  // namespace
 
-Parameters reduced_parameters(const Points& points, double contact_modulus, double work_of_adhesion, double contact_point) {
+Parameters reduced_parameters(const Points& points, double contact_modulus, double work_of_adhesion,
+                              double contact_point) {
     const double cubed = points.length * points.length * points.length;
     const double root = std::copysign(std::sqrt(std::abs(work_of_adhesion) * contact_modulus), work_of_adhesion);
-    return {4.0 * contact_modulus * cubed / (3.0 * points.radius * points.force_unit), root * std::sqrt(8.0 * pi * cubed) / points.force_unit,
+    return {4.0 * contact_modulus * cubed / (3.0 * points.radius * points.force_unit),
+            root * std::sqrt(8.0 * pi * cubed) / points.force_unit,
             (contact_point - points.origin) / points.depth_unit};
 }
 
@@ -191,11 +198,13 @@ Solution solve(const Points& points, const Parameters& start, Array1D radii, con
         evaluate(points, solution.parameters, solution.x, options.curvature, round);
         solution.squares = round.squares;
         if (settled || solution.rounds >= options.most_rounds) break;
-        const Vector3d step = within_reach(solution.parameters, step_of(round, free_directions(points, solution.parameters, options.held)));
+        const Vector3d step = within_reach(solution.parameters,
+                                           step_of(round, free_directions(points, solution.parameters, options.held)));
         if (!step.allFinite()) return solution;
         move(solution, round, step, options.held);
         const double changed = change(solution.parameters, step);
-        settled = solution.rounds >= 2 && (small(step, solution.parameters, round, freedom) || only_rounding(changed, last_change));
+        settled = solution.rounds >= 2 &&
+                  (small(step, solution.parameters, round, freedom) || only_rounding(changed, last_change));
         last_change = changed;
     }
     solution.converged = settled && std::isfinite(solution.squares);

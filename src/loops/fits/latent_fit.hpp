@@ -14,10 +14,11 @@
 ///
 ///   f = e x³ − g x^(3/2),  d = x² − (2/3)(g/e) √x + d0,  e = 4E*L³/(3RF_s),  g = √(8πE*W L³)/F_s with the sign of W
 ///
-/// which is smooth in x through the fold at pull-off and, for g <= 0, goes on to W <= 0. The sum of squared distances of
-/// the samples from this curve, in units of their noise, is made least in e, g, d0 and all x by Gauss and Newton's method,
-/// each x eliminated by hand (Britt, Luecke, Technometrics 15 (1973) 233). Noise along a curved line moves samples to its
-/// outer side by half the curvature on average: that is taken off (Amemiya, Fuller, Ann. Stat. 16 (1988) 147).
+/// which is smooth in x through the fold at pull-off and, for g <= 0, goes on to W <= 0. The sum of squared distances
+/// of the samples from this curve, in units of their noise, is made least in e, g, d0 and all x by Gauss and Newton's
+/// method, each x eliminated by hand (Britt, Luecke, Technometrics 15 (1973) 233). Noise along a curved line moves
+/// samples to its outer side by half the curvature on average: that is taken off (Amemiya, Fuller, Ann. Stat. 16 (1988)
+/// 147).
 namespace setae::loops::latent {
 
 struct Channels {
@@ -33,9 +34,10 @@ struct Points {
     double length = 0.0;      ///< L [m]
     double depth_unit = 0.0;  ///< L²/R [m]
     double origin = 0.0;      ///< of displacements [m]
-    double shared = 0.0;      ///< σ_Fδ/σ_F² in reduced units: the noise of d − shared·f is independent of that of f
-    double force_weight = 0.0, depth_weight = 0.0, radius_weight = 0.0;  ///< 1/σ in reduced units; for depth, of d − shared·f
-    Array1D force, depth, contact_radius;                               ///< reduced
+    double shared = 0.0;  ///< σ_Fδ/σ_F² in reduced units: the noise of d − shared·f is independent of that of f
+    double force_weight = 0.0, depth_weight = 0.0,
+           radius_weight = 0.0;            ///< 1/σ in reduced units; for depth, of d − shared·f
+    Array1D force, depth, contact_radius;  ///< reduced
 };
 
 using Parameters = Eigen::Vector3d;  ///< e, g, d0
@@ -64,26 +66,29 @@ struct Solution {
 [[nodiscard]] Points averaged(const Points& points, Index neighbours);
 
 /// e, g and d0 of a contact.
-[[nodiscard]] Parameters reduced_parameters(const Points& points, double contact_modulus, double work_of_adhesion, double contact_point);
+[[nodiscard]] Parameters reduced_parameters(const Points& points, double contact_modulus, double work_of_adhesion,
+                                            double contact_point);
 
 /// True radii to begin with: the measured ones kept from the inner end of the curve, else those of the forces.
 [[nodiscard]] Array1D first_radii(const Points& points, const Parameters& parameters);
 
 [[nodiscard]] Solution solve(const Points& points, const Parameters& start, Array1D radii, const Options& options = {});
 
-/// The same by Levenberg and Marquardt's method, the nearest points found in every step, without the offset of curvature:
-/// slower, from a start far off.
-[[nodiscard]] Solution solve_carefully(const Points& points, const Parameters& start, Array1D radii, const Options& options = {});
+/// The same by Levenberg and Marquardt's method, the nearest points found in every step, without the offset of
+/// curvature: slower, from a start far off.
+[[nodiscard]] Solution solve_carefully(const Points& points, const Parameters& start, Array1D radii,
+                                       const Options& options = {});
 
 /// All samples with their nearest points on the curve of a solution for means of them.
 [[nodiscard]] Solution projected(const Points& points, const Solution& solution);
 
-/// The samples with the mean offset that the curvature makes taken off, for a sum of squares that is least at the solution.
+/// The samples with the mean offset that the curvature makes taken off, for a sum of squares that is least at the
+/// solution.
 [[nodiscard]] Points straightened(const Points& points, const Solution& solution);
 
 /// What noise along the curve does at a solution, in units of the noise.
 struct AlongTheCurve {
-    double curvature = 0.0;   ///< the largest: |γ''⊥|/|γ'|²
+    double curvature = 0.0;     ///< the largest: |γ''⊥|/|γ'|²
     Eigen::MatrixXd pretended;  ///< Σ j'j'ᵀ/|γ'|², j' the change along the curve of the derivatives across it
 };
 /// Nearest points scatter along the curve by 1/|γ'|, and the derivatives taken there with them: JᵀJ is too large by
@@ -94,7 +99,8 @@ struct AlongTheCurve {
 struct Across {
     std::vector<Eigen::MatrixXd> jacobians;  ///< n × (2 or 3), one a direction
     std::vector<Eigen::VectorXd> residuals;
-    Array1D force, depth;  ///< F − F(a) and δ − δ(a) − δ0 in SI units, along the tangent; empty where a was not measured
+    Array1D force,
+        depth;  ///< F − F(a) and δ − δ(a) − δ0 in SI units, along the tangent; empty where a was not measured
 };
 [[nodiscard]] Across across(const Points& points, const Solution& solution);
 

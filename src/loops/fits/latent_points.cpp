@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "fit_support.hpp"
 #include "jkr_force_terms.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 void require_noise(double noise, const char* channel) {
     if (noise > 0.0) return;
-    throw InvalidArgument(fmt::format("this fit needs the noise of the {}, which is not known; give it or fit without effective variance", channel));
+    throw InvalidArgument(fmt::format(
+        "this fit needs the noise of the {}, which is not known; give it or fit without effective variance", channel));
 }
 
 double range_of(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }
@@ -45,14 +46,18 @@ auto with_channels(const Channels& channels, const Function& function) {
 }  // namespace
 
 Points points(const BranchData& data, const LensAndCounterBody& bodies, Channels channels) {
-    require_data(data, bodies, {.contact_radius = channels.contact_radius, .displacement = channels.displacement, .fewest = channels.displacement ? 4 : 3});
+    require_data(data, bodies,
+                 {.contact_radius = channels.contact_radius,
+                  .displacement = channels.displacement,
+                  .fewest = channels.displacement ? 4 : 3});
     require_noise(data.force_noise, "force");
     Points result{.channels = channels, .radius = bodies.radius, .force_unit = force_scale(data)};
     result.force = data.force / result.force_unit;
     result.force_weight = result.force_unit / data.force_noise;
     if (channels.displacement) {
         const double range = range_of(data.displacement);
-        if (!(range > 0.0)) throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
+        if (!(range > 0.0))
+            throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
         result.length = std::sqrt(range * bodies.radius);
     }
     if (channels.contact_radius) {
@@ -82,7 +87,8 @@ Points averaged(const Points& all, Index neighbours) {
     means.force = block_means(all.force, neighbours);
     means.depth = block_means(all.depth, neighbours);
     means.contact_radius = block_means(all.contact_radius, neighbours);
-    for (double* weight : {&means.force_weight, &means.depth_weight, &means.radius_weight}) *weight *= std::sqrt(static_cast<double>(neighbours));
+    for (double* weight : {&means.force_weight, &means.depth_weight, &means.radius_weight})
+        *weight *= std::sqrt(static_cast<double>(neighbours));
     return means;
 }
 
@@ -93,7 +99,8 @@ Points straightened(const Points& bent, const Solution& solution) {
             const auto curve = curve_at<depth, radius, Single>(bent, solution.parameters, Single(solution.x[i]), i);
             const auto offset = change_across(curve);
             straight.force[i] += offset[0][0] / bent.force_weight;
-            if constexpr (depth) straight.depth[i] += offset[1][0] / bent.depth_weight + bent.shared * offset[0][0] / bent.force_weight;
+            if constexpr (depth)
+                straight.depth[i] += offset[1][0] / bent.depth_weight + bent.shared * offset[0][0] / bent.force_weight;
             if constexpr (radius) straight.contact_radius[i] += offset.back()[0] / bent.radius_weight;
         }
     });
@@ -107,7 +114,8 @@ AlongTheCurve along_the_curve(const Points& points, const Solution& solution) {
     const Index n = solution.x.size(), every = std::max<Index>(1, n / enough), taken = (n + every - 1) / every;
     with_channels(points.channels, [&]<bool depth, bool radius>() {
         for (Index i = 0; i < n; i += every) {
-            const auto curve = curve_at<depth, radius, Single, true>(points, solution.parameters, Single(solution.x[i]), i);
+            const auto curve =
+                curve_at<depth, radius, Single, true>(points, solution.parameters, Single(solution.x[i]), i);
             const auto dot = [&](const auto& left, const auto& right) { return curve.dot(left, right)[0]; };
             const auto& tangent = curve.tangent;
             const double length = dot(tangent, tangent), bend = dot(tangent, curve.second) / length;
@@ -122,7 +130,8 @@ AlongTheCurve along_the_curve(const Points& points, const Solution& solution) {
             }
             for (Index p = 0; p < parameters; ++p)
                 for (Index q = 0; q < parameters; ++q)
-                    result.pretended(p, q) += dot(change[static_cast<std::size_t>(p)], change[static_cast<std::size_t>(q)]) / length;
+                    result.pretended(p, q) +=
+                        dot(change[static_cast<std::size_t>(p)], change[static_cast<std::size_t>(q)]) / length;
         }
     });
     result.pretended *= static_cast<double>(n) / static_cast<double>(taken);
@@ -146,20 +155,26 @@ Across across(const Points& points, const Solution& solution) {
             const auto offset = curve.straightened(inverse);
             const auto along_direction = [&](std::size_t d, const auto& direction) {
                 result.residuals[d][i] = curve.dot(direction, offset)[0];
-                for (Index p = 0; p < parameters; ++p) result.jacobians[d](i, p) = curve.dot(direction, curve.by_parameter[static_cast<std::size_t>(p)])[0];
+                for (Index p = 0; p < parameters; ++p)
+                    result.jacobians[d](i, p) =
+                        curve.dot(direction, curve.by_parameter[static_cast<std::size_t>(p)])[0];
             };
             if constexpr (radius) {
                 const Single share = offset.back() / tangent.back();
                 const double force = (offset[0] - share * tangent[0])[0] / points.force_weight;
                 result.force[i] = force * points.force_unit;
-                if constexpr (depth) result.depth[i] = ((offset[1] - share * tangent[1])[0] / points.depth_weight + points.shared * force) * points.depth_unit;
+                if constexpr (depth)
+                    result.depth[i] =
+                        ((offset[1] - share * tangent[1])[0] / points.depth_weight + points.shared * force) *
+                        points.depth_unit;
             }
             auto first = tangent;
             if constexpr (depth && radius) {
                 const Single pair = (tangent[0].square() + tangent[2].square()).sqrt();
                 first = {tangent[2] / pair, Single(0.0), -tangent[0] / pair};
                 const Single both = pair * inverse.rsqrt();
-                along_direction(1, decltype(first){-tangent[1] * tangent[0] / both, pair.square() / both, -tangent[1] * tangent[2] / both});
+                along_direction(1, decltype(first){-tangent[1] * tangent[0] / both, pair.square() / both,
+                                                   -tangent[1] * tangent[2] / both});
             } else if constexpr (depth) {
                 first = {-tangent[1] * inverse.sqrt(), tangent[0] * inverse.sqrt()};
             } else {

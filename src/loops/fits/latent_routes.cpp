@@ -15,16 +15,20 @@ namespace {
 /// E* [Pa], √(E*W) and depths [m] of one reduced unit each.
 Eigen::Vector3d units_of(const Points& points) {
     const double cubed = points.length * points.length * points.length;
-    return {0.75 * points.radius * points.force_unit / cubed, points.force_unit / std::sqrt(8.0 * pi * cubed), points.depth_unit};
+    return {0.75 * points.radius * points.force_unit / cubed, points.force_unit / std::sqrt(8.0 * pi * cubed),
+            points.depth_unit};
 }
 
 /// Inverse of the information without what noise along the curve only pretends; undefined where nothing is left.
 Eigen::MatrixXd inverse_information(const Fitted& fitted, const Across& noise) {
-    const Eigen::MatrixXd all = across_information(noise), left = all - along_the_curve(fitted.points, fitted.solution).pretended;
+    const Eigen::MatrixXd all = across_information(noise),
+                          left = all - along_the_curve(fitted.points, fitted.solution).pretended;
     const Eigen::VectorXd scale = all.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::LLT<Eigen::MatrixXd> decomposition(scale.asDiagonal() * left * scale.asDiagonal());
-    if (!scale.allFinite() || decomposition.info() != Eigen::Success) return Eigen::MatrixXd::Constant(all.rows(), all.cols(), undefined);
-    return scale.asDiagonal() * decomposition.solve(Eigen::MatrixXd::Identity(all.rows(), all.cols())) * scale.asDiagonal();
+    if (!scale.allFinite() || decomposition.info() != Eigen::Success)
+        return Eigen::MatrixXd::Constant(all.rows(), all.cols(), undefined);
+    return scale.asDiagonal() * decomposition.solve(Eigen::MatrixXd::Identity(all.rows(), all.cols())) *
+           scale.asDiagonal();
 }
 
 Route radius_route(const BranchData& data, const LensAndCounterBody& bodies, Channels channels, std::string method) {
@@ -59,7 +63,10 @@ Eigen::MatrixXd independent_covariance(const Fitted& fitted) {
 JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
     const Points& points = fitted.points;
     const Solution& solution = fitted.solution;
-    JkrFit fit{.method = std::move(method), .converged = solution.converged, .iterations = solution.rounds, .contact_point = {undefined}};
+    JkrFit fit{.method = std::move(method),
+               .converged = solution.converged,
+               .iterations = solution.rounds,
+               .contact_point = {undefined}};
     const Index parameters = noise.jacobians.front().cols(), samples = noise.jacobians.front().rows();
     const bool means = solution.x.size() != samples;
     const Across of_means = means ? across(points, solution) : Across();
@@ -73,13 +80,17 @@ JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
     require_modulus(modulus);
     const WorkFromRoot work = work_from_root({modulus, solution.parameters[1] * units[1]}, covariance);
     const auto estimate = [&](double value, double standard_error) -> Estimate {
-        return {.value = value, .standard_error = standard_error, .method = "fit covariance, correlated residuals", .degrees_of_freedom = found.degrees_of_freedom};
+        return {.value = value,
+                .standard_error = standard_error,
+                .method = "fit covariance, correlated residuals",
+                .degrees_of_freedom = found.degrees_of_freedom};
     };
     fit.covariance = work.covariance;
     fit.contact_modulus = estimate(modulus, std::sqrt(work.covariance(0, 0)));
     fit.work_of_adhesion = estimate(work.work_of_adhesion, work.standard_error);
     if (points.channels.displacement)
-        fit.contact_point = estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
+        fit.contact_point =
+            estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
     double squares = 0.0;
     for (const auto& residuals : noise.residuals) squares += residuals.squaredNorm();
     const Index freedom = samples * static_cast<Index>(noise.residuals.size()) - parameters;

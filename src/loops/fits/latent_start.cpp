@@ -10,7 +10,8 @@
 
 namespace setae::loops::latent {
 namespace {
-/// Round by round, the offset of the curvature held while a sum of squares is made least: where plain rounds do not settle.
+/// Round by round, the offset of the curvature held while a sum of squares is made least: where plain rounds do not
+/// settle.
 Solution solve_with_offsets_held(const Points& points, const Solution& near) {
     constexpr int most_rounds = 30;
     constexpr double settled = 1e-7;
@@ -19,7 +20,8 @@ Solution solve_with_offsets_held(const Points& points, const Solution& near) {
         const Parameters before = solution.parameters;
         solution = solve_carefully(round == 0 ? points : straightened(points, solution), before, solution.x);
         if (!solution.converged) return solution;
-        solution.converged = round > 0 && (solution.parameters - before).cwiseAbs().maxCoeff() <= settled * before.cwiseAbs().maxCoeff();
+        solution.converged =
+            round > 0 && (solution.parameters - before).cwiseAbs().maxCoeff() <= settled * before.cwiseAbs().maxCoeff();
         if (solution.converged) break;
     }
     return solution;
@@ -27,12 +29,13 @@ Solution solve_with_offsets_held(const Points& points, const Solution& near) {
 
 Solution solve_from(const Points& points, const Parameters& start) {
     Solution solution = solve(points, start, first_radii(points, start));
-    if (!solution.converged) solution = solve_with_offsets_held(points, {.parameters = start, .x = first_radii(points, start)});
+    if (!solution.converged)
+        solution = solve_with_offsets_held(points, {.parameters = start, .x = first_radii(points, start)});
     return solution;
 }
 
-/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is taken unless
-/// the other is better by three standard deviations.
+/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is taken
+/// unless the other is better by three standard deviations.
 Parameters on_the_better_side(const Points& points, const Parameters& start) {
     constexpr double least_share = 0.05, deviations = 3.0;
     const double root = std::max(std::abs(start[1]), least_share * start[0]);
@@ -41,7 +44,8 @@ Parameters on_the_better_side(const Points& points, const Parameters& start) {
         return solve_carefully(points, at, first_radii(points, at));
     };
     const Solution above = from(root), below = from(-root);
-    if (!above.converged || !below.converged) return above.converged ? above.parameters : below.converged ? below.parameters : start;
+    if (!above.converged || !below.converged)
+        return above.converged ? above.parameters : below.converged ? below.parameters : start;
     const double variance = below.squares / std::max(1.0, static_cast<double>(points.force.size()) - 3.0);
     return below.squares < above.squares - deviations * deviations * variance ? below.parameters : above.parameters;
 }
@@ -50,7 +54,8 @@ Parameters on_the_better_side(const Points& points, const Parameters& start) {
 double excess(const Fitted& fitted) {
     constexpr double curvature = 0.1, pretended = 0.05;
     const AlongTheCurve along = along_the_curve(fitted.points, fitted.solution);
-    const double share = across_information(across(fitted.points, fitted.solution)).ldlt().solve(along.pretended).trace();
+    const double share =
+        across_information(across(fitted.points, fitted.solution)).ldlt().solve(along.pretended).trace();
     return std::max(std::pow(along.curvature / curvature, 2), share / pretended);
 }
 
@@ -58,14 +63,18 @@ double excess(const Fitted& fitted) {
 
 Parameters linear_start(const Points& all) {
     const Points points = averaged(all, neighbours_of_a_first_solution(all.force.size()));
-    const Array1D three_halves = points.contact_radius * points.contact_radius.sqrt(), cube = points.contact_radius.cube();
+    const Array1D three_halves = points.contact_radius * points.contact_radius.sqrt(),
+                  cube = points.contact_radius.cube();
     Eigen::Matrix2d normal;
     normal << cube.square().sum(), -(cube * three_halves).sum(), 0.0, cube.sum();
     normal(1, 0) = normal(0, 1);
-    const Eigen::Vector2d found = normal.fullPivLu().solve(Eigen::Vector2d((cube * points.force).sum(), -(three_halves * points.force).sum()));
+    const Eigen::Vector2d found =
+        normal.fullPivLu().solve(Eigen::Vector2d((cube * points.force).sum(), -(three_halves * points.force).sum()));
     Parameters start(found[0], found[1], 0.0);
     if (points.channels.displacement)
-        start[2] = (points.depth - points.contact_radius.square() + 2.0 / 3.0 * start[1] / start[0] * points.contact_radius.sqrt()).mean();
+        start[2] = (points.depth - points.contact_radius.square() +
+                    2.0 / 3.0 * start[1] / start[0] * points.contact_radius.sqrt())
+                       .mean();
     return start;
 }
 
@@ -77,13 +86,15 @@ Fitted fit(const Points& points, const Parameters& start) {
     Parameters near = points.channels.contact_radius ? start : on_the_better_side(first.points, start);
     Index neighbours = 1;
     if (first_neighbours > 1) {
-        first.solution = solve_with_offsets_held(first.points, {.parameters = near, .x = first_radii(first.points, near)});
+        first.solution =
+            solve_with_offsets_held(first.points, {.parameters = near, .x = first_radii(first.points, near)});
         neighbours = most;
         if (first.solution.converged) {
             near = first.solution.parameters;
             // variances of the samples are so many times those of the means
             const double wanted = static_cast<double>(first_neighbours) * excess(first);
-            if (wanted < static_cast<double>(most)) neighbours = std::max<Index>(1, static_cast<Index>(std::ceil(wanted)));
+            if (wanted < static_cast<double>(most))
+                neighbours = std::max<Index>(1, static_cast<Index>(std::ceil(wanted)));
         }
     }
     Fitted all{.points = neighbours > 1 ? averaged(points, neighbours) : points};

@@ -5,8 +5,8 @@
 
 namespace setae::loops::latent {
 
-/// Parameters near enough to begin with where the contact radius was measured: F = E*·4a³/(3R) − √(E*W)·√(8πa³) by linear
-/// least squares in force, the contact point by the mean difference.
+/// Parameters near enough to begin with where the contact radius was measured: F = E*·4a³/(3R) − √(E*W)·√(8πa³) by
+/// linear least squares in force, the contact point by the mean difference.
 [[nodiscard]] Parameters linear_start(const Points& points);
 
 /// What a fit was made to, and what came out.
@@ -17,9 +17,10 @@ struct Fitted {
 
 /// Solved for means of neighbours first, then for all samples from there.
 ///
-/// What is left of the noise's offset behind the curvature's correction grows with the fourth power of the noise: samples
-/// whose noise exceeds a tenth of the curve's smallest radius of curvature (in units of the noise) are replaced by means of
-/// so many neighbours that theirs does not, 24 means at least. Samples therefore come in the order they were taken.
+/// What is left of the noise's offset behind the curvature's correction grows with the fourth power of the noise:
+/// samples whose noise exceeds a tenth of the curve's smallest radius of curvature (in units of the noise) are replaced
+/// by means of so many neighbours that theirs does not, 24 means at least. Samples therefore come in the order they
+/// were taken.
 [[nodiscard]] Fitted fit(const Points& points, const Parameters& start);
 
 }  // namespace setae::loops::latent

@@ -15,7 +15,8 @@ struct ResidualFunction {
     Eigen::Index residuals = 0;
     Eigen::Index parameters = 0;
     /// Fills the residuals and, where asked, their Jacobian (residuals × parameters) at the parameters given.
-    std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian)> evaluate;
+    std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian)>
+        evaluate;
 };
 
 struct LeastSquaresSolution {

@@ -17,10 +17,7 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
     const LeastSquaresSolution solution = solve_linear(design, ordinate);
     const double stiffness = solution.parameters[0];  // K; the second is √(KW), with the sign of W
 
-    JkrFit fit{.method = "linear_form",
-               .converged = true,
-               .contact_point = {undefined},
-               .residual_unit = "N/m^1.5"};
+    JkrFit fit{.method = "linear_form", .converged = true, .contact_point = {undefined}, .residual_unit = "N/m^1.5"};
     require_modulus(stiffness);
     // K = 4E*/3, so c = √(KW) = √(4/3) √(E*W)
     const Eigen::Vector2d scale(0.75, std::sqrt(0.75));
@@ -33,8 +30,8 @@ JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies)
     // with y = F/√(6πa³), x ∝ a^(3/2): d(y − Kx)/da = −(3/2) (y + Kx)/a
     const Array1D by_radius = 1.5 * (ordinate + stiffness * abscissa) / data.contact_radius;
     const Array1D by_force = (std::sqrt(6.0 * pi) * root).inverse();
-    fit.chi2_reduced = reduced_chi2(fit.residuals, (by_radius * data.contact_radius_noise).square() +
-                                                       (by_force * data.force_noise).square(), 2);
+    fit.chi2_reduced = reduced_chi2(
+        fit.residuals, (by_radius * data.contact_radius_noise).square() + (by_force * data.force_noise).square(), 2);
     fit.correlated_samples = solution.uncertainty.correlated_samples;
     complete(fit, bodies, ordinate.maxCoeff() - ordinate.minCoeff());
     return fit;
@@ -56,7 +53,8 @@ PointwiseModulus fit_pointwise_modulus(const BranchData& data, const LensAndCoun
     PointwiseModulus result;
     result.contact_modulus = solution.estimate(modulus, std::sqrt(solution.uncertainty.covariance(0, 0)));
     result.youngs_modulus = youngs_modulus(result.contact_modulus, bodies);
-    result.contact_point = solution.estimate(origin + offset, std::sqrt(offset_by.dot(solution.uncertainty.covariance * offset_by)));
+    result.contact_point =
+        solution.estimate(origin + offset, std::sqrt(offset_by.dot(solution.uncertainty.covariance * offset_by)));
     result.pointwise = (approach - offset == 0.0).select(undefined, ordinate / (approach - offset));
     result.n = approach.size();
     result.rms_residual = std::sqrt(solution.residuals.array().square().mean());

@@ -13,7 +13,8 @@ namespace setae::loops {
 namespace {
 
 /// A model's fit with the options it has, or why there is none.
-Outcome<ModelFit> fitted(const BranchData& data, const LensAndCounterBody& bodies, ModelFitOptions options, ContactModel model) {
+Outcome<ModelFit> fitted(const BranchData& data, const LensAndCounterBody& bodies, ModelFitOptions options,
+                         ContactModel model) {
     options.model = model;
     if (model == ContactModel::hertz) options.work_of_adhesion.reset();
     if (model != ContactModel::maugis_dugdale) options.cohesive_stress.reset(), options.transition_parameter.reset();
@@ -35,13 +36,16 @@ double akaike(const ModelFit& fit, double independent) {
 
 }  // namespace
 
-ModelComparison compare_models(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options) {
+ModelComparison compare_models(const BranchData& data, const LensAndCounterBody& bodies,
+                               const ModelFitOptions& options) {
     ModelComparison comparison{.channels = options.channels ? *options.channels : channels_of(data)};
     const ComparedModel* best = nullptr;
     for (const ContactModel model : contact_models())
-        comparison.models.push_back({.model = model, .fit = fitted(data, bodies, options, model), .akaike_difference = undefined});
+        comparison.models.push_back(
+            {.model = model, .fit = fitted(data, bodies, options, model), .akaike_difference = undefined});
     for (const ComparedModel& model : comparison.models)
-        if (model.fit && std::isfinite(model.fit->akaike) && (!best || model.fit->akaike < best->fit->akaike)) best = &model;
+        if (model.fit && std::isfinite(model.fit->akaike) && (!best || model.fit->akaike < best->fit->akaike))
+            best = &model;
     if (!best) {
         comparison.sentence = "no model could be fitted: " + comparison.models.front().fit.reason;
         return comparison;
@@ -61,15 +65,14 @@ ModelComparison compare_models(const BranchData& data, const LensAndCounterBody&
     for (ComparedModel& model : comparison.models) {
         if (!model.fit) continue;
         model.akaike_weight /= weights;
-        if (model.akaike_difference == 0.0)
-            comparison.best = model.model, best = &model;
-        else if (!second || model.akaike_difference < second->akaike_difference)
-            second = &model;
+        if (model.akaike_difference == 0.0) comparison.best = model.model, best = &model;
+        else if (!second || model.akaike_difference < second->akaike_difference) second = &model;
     }
     comparison.sentence = fmt::format("{} fits best", to_string(best->model));
     if (second)
-        comparison.sentence += fmt::format(", {} {} AICc {:.1f} above", to_string(second->model),
-                                           second->akaike_difference < 2.0 ? "as well with" : "next with", second->akaike_difference);
+        comparison.sentence +=
+            fmt::format(", {} {} AICc {:.1f} above", to_string(second->model),
+                        second->akaike_difference < 2.0 ? "as well with" : "next with", second->akaike_difference);
     if (best->fit->verdict) comparison.sentence += "; " + best->fit->verdict->sentence;
     return comparison;
 }

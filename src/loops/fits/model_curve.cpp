@@ -20,9 +20,9 @@ constexpr double least_lambda = 1e-3, most_lambda = 1e3;
 
 /// F = E* H − √E* w A and δ = D − w B/√E*, w the signed root of W: JKR for whatever shape and body, with slopes by a.
 struct EdgeTerms {
-    double dry_force, dry_force_slope;                ///< H
-    double edge_force, edge_force_slope;              ///< A
-    double dry_displacement, dry_displacement_slope;  ///< D
+    double dry_force, dry_force_slope;                  ///< H
+    double edge_force, edge_force_slope;                ///< A
+    double dry_displacement, dry_displacement_slope;    ///< D
     double edge_displacement, edge_displacement_slope;  ///< B
 };
 
@@ -115,7 +115,8 @@ double ModelCurve::work_slot(double work_of_adhesion) const {
 double ModelCurve::transition_parameter(const CurveParameters& parameters) const {
     double log_lambda = parameters[2];
     if (stress_given_)
-        log_lambda += std::log(2.0) + (std::log(radius_ / pi) - parameters[1] - 2.0 * (parameters[0] + std::log(4.0 / 3.0))) / 3.0;
+        log_lambda += std::log(2.0) +
+                      (std::log(radius_ / pi) - parameters[1] - 2.0 * (parameters[0] + std::log(4.0 / 3.0))) / 3.0;
     return std::clamp(std::exp(log_lambda), least_lambda, most_lambda);
 }
 
@@ -190,7 +191,8 @@ CurvePoint ModelCurve::zone_point(double t, const CurveParameters& parameters) c
                              2.0 / 3.0 * point.displacement - displacement_radius, displacement_lambda};
     if (stress_given_) {
         point.force_by[0] -= 2.0 / 3.0 * force_lambda, point.force_by[1] -= force_lambda / 3.0;
-        point.displacement_by[0] -= 2.0 / 3.0 * displacement_lambda, point.displacement_by[1] -= displacement_lambda / 3.0;
+        point.displacement_by[0] -= 2.0 / 3.0 * displacement_lambda,
+            point.displacement_by[1] -= displacement_lambda / 3.0;
     }
     return point;
 }
@@ -198,7 +200,8 @@ CurvePoint ModelCurve::zone_point(double t, const CurveParameters& parameters) c
 CurvePoint ModelCurve::transition_point(double t, const CurveParameters& parameters) const {
     const double share = 1.0 / (1.0 + std::exp(-parameters[2])), pull = -std::exp(parameters[1]);
     const double y = std::pow(t * std::exp(-parameters[0]), 1.5), u = (1.0 + share) * y - share;
-    CurvePoint point{.force = pull * (1.0 - u * u), .radius = t, .force_slope = -3.0 * pull * u * (1.0 + share) * y / t};
+    CurvePoint point{
+        .force = pull * (1.0 - u * u), .radius = t, .force_slope = -3.0 * pull * u * (1.0 + share) * y / t};
     point.force_by = {3.0 * pull * u * (1.0 + share) * y, point.force,
                       -2.0 * pull * u * (y - 1.0) * share * (1.0 - share)};
     return point;

@@ -11,10 +11,11 @@
 
 namespace setae::loops {
 
-/// A model's parameters on the scale on which fits move them, one slot each; models with fewer leave the last ones alone.
+/// A model's parameters on the scale on which fits move them, one slot each; models with fewer leave the last ones
+/// alone.
 ///
-/// 0: ln E*.  1: signed √W (jkr, layer, large_strain: the root of W in the force, so that fits pass through 0), W (dmt), ln W
-/// (maugis_dugdale).  2: ln λ, or ln σ0 where that is given.  Transition: ln a0, ln(−Fc), ln(α/(1 − α)).
+/// 0: ln E*.  1: signed √W (jkr, layer, large_strain: the root of W in the force, so that fits pass through 0), W
+/// (dmt), ln W (maugis_dugdale).  2: ln λ, or ln σ0 where that is given.  Transition: ln a0, ln(−Fc), ln(α/(1 − α)).
 using CurveParameters = Eigen::Vector3d;
 
 /// A point of a model's curve and its derivatives by the coordinate t along it and by the parameters.
@@ -26,8 +27,8 @@ struct CurvePoint {
 
 /// A model's curve through force, displacement and contact radius.
 ///
-/// The coordinate t is the contact radius; Hertz's and DMT's curves go on below t = 0 with the bodies apart: δ = −t²/R, the
-/// force as at t = 0.
+/// The coordinate t is the contact radius; Hertz's and DMT's curves go on below t = 0 with the bodies apart: δ = −t²/R,
+/// the force as at t = 0.
 class ModelCurve {
 public:
     /// @throws InvalidArgument for a layer without thickness or R <= 0.

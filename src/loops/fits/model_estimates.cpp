@@ -25,7 +25,8 @@ Eigen::Matrix4d slot_covariance(const PreparedFit& prepared, const LeastSquaresS
     Eigen::Matrix4d all = Eigen::Matrix4d::Zero();
     for (std::size_t i = 0; i < prepared.free.size(); ++i)
         for (std::size_t k = 0; k < prepared.free.size(); ++k)
-            all(prepared.free[i], prepared.free[k]) = solution.uncertainty.covariance(static_cast<Index>(i), static_cast<Index>(k));
+            all(prepared.free[i], prepared.free[k]) =
+                solution.uncertainty.covariance(static_cast<Index>(i), static_cast<Index>(k));
     return all;
 }
 
@@ -37,7 +38,9 @@ struct TransitionContact {
 };
 
 contact::transition::Curve curve_of_slots(const FitParameters& at) {
-    return {.zero_load_radius = std::exp(at[0]), .pull_off_force = -std::exp(at[1]), .transition_share = 1.0 / (1.0 + std::exp(-at[2]))};
+    return {.zero_load_radius = std::exp(at[0]),
+            .pull_off_force = -std::exp(at[1]),
+            .transition_share = 1.0 / (1.0 + std::exp(-at[2]))};
 }
 
 // where α gives no λ to speak of
@@ -92,10 +95,13 @@ void fill_transition(ModelFit& fit, const PreparedFit& prepared, const FitSoluti
         return;
     }
     const std::string why =
-        share_error > 0.25 ? fmt::format("α = {:.2f} ± {:.2f}: the branch does not tell the range of attraction", share, share_error)
+        share_error > 0.25
+            ? fmt::format("α = {:.2f} ± {:.2f}: the branch does not tell the range of attraction", share, share_error)
         : share >= most_share
-            ? fmt::format("α = {:.3f}: the branch is that of JKR, whose attraction has no range; E* and W are JKR's", share)
-            : fmt::format("α = {:.3f}: the branch is that of DMT, which does not tell the stress; E* and W are DMT's", share);
+            ? fmt::format("α = {:.3f}: the branch is that of JKR, whose attraction has no range; E* and W are JKR's",
+                          share)
+            : fmt::format("α = {:.3f}: the branch is that of DMT, which does not tell the stress; E* and W are DMT's",
+                          share);
     fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.transition_parameter = Outcome<Estimate>::missing(why);
     if (share_error > 0.25) fit.transition_share = Outcome<Estimate>::missing(why);
@@ -125,8 +131,9 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
     const bool ran_off = lambda < least_lambda || lambda > most_lambda;
     if (!ran_off && lambda_error <= most_log_error) return;
     if (ran_off) return leave_zone_open(fit, lambda);
-    const std::string why = fmt::format("λ = {:.2g} is known within a factor {:.2g} only: the branch does not tell the range of attraction",
-                                        lambda, std::exp(lambda_error));
+    const std::string why =
+        fmt::format("λ = {:.2g} is known within a factor {:.2g} only: the branch does not tell the range of attraction",
+                    lambda, std::exp(lambda_error));
     fit.transition_parameter = Outcome<Estimate>::missing(why);
     fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.undetermined.push_back(why);
@@ -135,8 +142,9 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
 }  // namespace
 
 void leave_zone_open(ModelFit& fit, double transition_parameter) {
-    const std::string why = fmt::format("λ ran to {:.2g}, the limit of {}: the branch does not tell the cohesive stress", transition_parameter,
-                                        transition_parameter > 1.0 ? "JKR" : "DMT");
+    const std::string why =
+        fmt::format("λ ran to {:.2g}, the limit of {}: the branch does not tell the cohesive stress",
+                    transition_parameter, transition_parameter > 1.0 ? "JKR" : "DMT");
     fit.transition_parameter = fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.undetermined.push_back(why);
 }
@@ -161,12 +169,14 @@ Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolut
     if (curve.model() != ContactModel::maugis_dugdale)
         return solution.estimate(work, square_standard_error(at[1], slot_standard_error, 1.0));
     if (slot_standard_error <= most_log_error) return solution.estimate(work, work * slot_standard_error);
-    return Outcome<Estimate>::missing(fmt::format("W = {:.2g} J/m² is known within a factor {:.2g} only: it follows λ; take forces down to "
-                                                  "pull-off into the fit or give the cohesive stress",
-                                                  work, std::exp(slot_standard_error)));
+    return Outcome<Estimate>::missing(
+        fmt::format("W = {:.2g} J/m² is known within a factor {:.2g} only: it follows λ; take forces down to "
+                    "pull-off into the fit or give the cohesive stress",
+                    work, std::exp(slot_standard_error)));
 }
 
-void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution, const LensAndCounterBody& bodies) {
+void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution,
+                    const LensAndCounterBody& bodies) {
     const BranchProblem& problem = prepared.problem;
     const ModelCurve& curve = problem.curve();
     const LeastSquaresSolution& least_squares = solution.least_squares;
@@ -182,12 +192,15 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
         const auto error = [&](Index slot) { return std::sqrt(slots(slot, slot)); };
         const Eigen::Vector4d slopes = physical_slopes(problem, solution.at);
         const double modulus = std::exp(solution.at[0]), work = curve.work_of_adhesion(solution.at.head<3>());
-        fit.contact_modulus = prepared.is_free(0) ? least_squares.estimate(modulus, modulus * error(0)) : given(modulus);
+        fit.contact_modulus =
+            prepared.is_free(0) ? least_squares.estimate(modulus, modulus * error(0)) : given(modulus);
         if (curve.model() == ContactModel::hertz)
             fit.work_of_adhesion = Outcome<Estimate>::missing("hertz has no adhesion");
         else
-            fit.work_of_adhesion = prepared.is_free(1) ? work_estimate(curve, least_squares, solution.at, error(1)) : given(work);
-        if (!fit.work_of_adhesion && curve.model() != ContactModel::hertz) fit.undetermined.push_back(fit.work_of_adhesion.reason);
+            fit.work_of_adhesion =
+                prepared.is_free(1) ? work_estimate(curve, least_squares, solution.at, error(1)) : given(work);
+        if (!fit.work_of_adhesion && curve.model() != ContactModel::hertz)
+            fit.undetermined.push_back(fit.work_of_adhesion.reason);
         if (curve.model() == ContactModel::maugis_dugdale) fill_zone(fit, prepared, solution, slots);
         if (problem.has_displacement()) {
             const double point = problem.contact_point(solution.at);
@@ -195,7 +208,8 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
                                     ? least_squares.estimate(point, problem.depth_unit() * error(contact_point_slot))
                                     : given(point);
         }
-        const std::array<const char*, 4> names{"contact_modulus", "work_of_adhesion", "transition_parameter", "contact_point"};
+        const std::array<const char*, 4> names{"contact_modulus", "work_of_adhesion", "transition_parameter",
+                                               "contact_point"};
         fit.covariance.resize(static_cast<Index>(prepared.free.size()), static_cast<Index>(prepared.free.size()));
         for (std::size_t i = 0; i < prepared.free.size(); ++i) {
             fit.parameters.emplace_back(names[static_cast<std::size_t>(prepared.free[i])]);

@@ -6,14 +6,16 @@
 namespace setae::loops {
 
 /// E*, W, the model's own parameters, contact point and their covariance, from a solution.
-void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution, const LensAndCounterBody& bodies);
+void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution,
+                    const LensAndCounterBody& bodies);
 
-/// Derivatives of E*, W, the third parameter (λ of Maugis–Dugdale) and δ0 by the slots that fits move; not of transition.
+/// Derivatives of E*, W, the third parameter (λ of Maugis–Dugdale) and δ0 by the slots that fits move; not of
+/// transition.
 [[nodiscard]] Eigen::Vector4d physical_slopes(const BranchProblem& problem, const FitParameters& at);
 
 /// An estimate of W with its error; a reason where the data do not hold W to within a factor.
-[[nodiscard]] Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolution& solution, const FitParameters& at,
-                                              double slot_standard_error);
+[[nodiscard]] Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolution& solution,
+                                              const FitParameters& at, double slot_standard_error);
 
 /// Says in place of λ and σ0 that λ ran to one of its limits.
 void leave_zone_open(ModelFit& fit, double transition_parameter);
@@ -26,7 +28,8 @@ struct SolvedFit {
 };
 
 /// fit_model, nothing forgotten.
-[[nodiscard]] SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options);
+[[nodiscard]] SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies,
+                                   const ModelFitOptions& options);
 
 /// Covariance over the product of its errors.
 [[nodiscard]] Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance);

@@ -19,16 +19,17 @@ namespace setae::loops {
 namespace {
 
 constexpr std::array<std::pair<ContactModel, const char*>, 7> names{{{ContactModel::hertz, "hertz"},
-                                                                    {ContactModel::dmt, "dmt"},
-                                                                    {ContactModel::jkr, "jkr"},
-                                                                    {ContactModel::maugis_dugdale, "maugis_dugdale"},
-                                                                    {ContactModel::transition, "transition"},
-                                                                    {ContactModel::layer, "layer"},
-                                                                    {ContactModel::large_strain, "large_strain"}}};
+                                                                     {ContactModel::dmt, "dmt"},
+                                                                     {ContactModel::jkr, "jkr"},
+                                                                     {ContactModel::maugis_dugdale, "maugis_dugdale"},
+                                                                     {ContactModel::transition, "transition"},
+                                                                     {ContactModel::layer, "layer"},
+                                                                     {ContactModel::large_strain, "large_strain"}}};
 
-/// What the zero of force leaves open: the change of all estimates to the same data with forces one standard error higher.
-void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options,
-                    const FitSolution& solution) {
+/// What the zero of force leaves open: the change of all estimates to the same data with forces one standard error
+/// higher.
+void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterBody& bodies,
+                    const ModelFitOptions& options, const FitSolution& solution) {
     BranchData higher = data;
     higher.force += data.force_zero_standard_error;
     PreparedFit prepared = prepare(higher, bodies, options);
@@ -53,7 +54,8 @@ void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterB
     }
     fit.covariance += change * change.transpose();
     const auto widen = [](Estimate& estimate, double other) {
-        if (estimate.standard_error > 0.0) estimate.standard_error = std::hypot(estimate.standard_error, other - estimate.value);
+        if (estimate.standard_error > 0.0)
+            estimate.standard_error = std::hypot(estimate.standard_error, other - estimate.value);
     };
     widen(fit.contact_modulus, shifted.contact_modulus.value);
     if (std::isfinite(fit.contact_point.value)) widen(fit.contact_point, shifted.contact_point.value);
@@ -76,11 +78,12 @@ void question_work(ModelFit& fit, const PreparedFit& prepared, const FitSolution
     // two standard errors, residuals counted as independent ones
     const double rise = other.least_squares.residuals.squaredNorm() - chi2;
     if (!fit.work_of_adhesion || !(rise < 4.0 * chi2 / freedom * fit.correlated_samples)) return;
-    const double here = fit.work_of_adhesion->value, there = prepared.problem.curve().work_of_adhesion(other.at.head<3>());
-    fit.work_of_adhesion = Outcome<Estimate>::missing(
-        fmt::format("W = {:.3g} J/m² at the limit of λ and {:.3g} J/m² at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
-                    "or give the cohesive stress",
-                    here, there));
+    const double here = fit.work_of_adhesion->value,
+                 there = prepared.problem.curve().work_of_adhesion(other.at.head<3>());
+    fit.work_of_adhesion = Outcome<Estimate>::missing(fmt::format(
+        "W = {:.3g} J/m² at the limit of λ and {:.3g} J/m² at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
+        "or give the cohesive stress",
+        here, there));
     fit.undetermined.push_back(fit.work_of_adhesion.reason);
 }
 
@@ -109,10 +112,12 @@ void fill_residuals(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
     fit.akaike = room > 0.0 ? residuals * std::log(fit.chi2 / residuals) + 2.0 * scale * residuals / room : undefined;
 }
 
-std::optional<contact::tabor::Verdict> verdict(const ModelFit& fit, const BranchData& data, double radius, double range) {
+std::optional<contact::tabor::Verdict> verdict(const ModelFit& fit, const BranchData& data, double radius,
+                                               double range) {
     if (!fit.work_of_adhesion || !(fit.work_of_adhesion->value > 0.0)) return std::nullopt;
     // of equal largest attraction: σ0 = 16W/(9√3 z0)
-    if (fit.cohesive_stress) range = 16.0 * fit.work_of_adhesion->value / (9.0 * std::sqrt(3.0) * fit.cohesive_stress->value);
+    if (fit.cohesive_stress)
+        range = 16.0 * fit.work_of_adhesion->value / (9.0 * std::sqrt(3.0) * fit.cohesive_stress->value);
     return contact::tabor::which_model(data.force.maxCoeff(),
                                        {.radius = radius,
                                         .contact_modulus = fit.contact_modulus.value,
@@ -145,7 +150,8 @@ ContactModel model_named(std::string_view name) {
     }
     const std::string nearest = nearest_match(name, known);
     throw InvalidArgument(fmt::format("unknown contact model '{}'{}; there are {}", name,
-                                      nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(known, ", ")));
+                                      nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
+                                      fmt::join(known, ", ")));
 }
 
 std::string to_string(FitErrors errors) {

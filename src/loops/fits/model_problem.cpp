@@ -36,7 +36,8 @@ double fold_between(const ModelCurve& curve, const FitParameters& at, double low
 
 double CurveTable::guess(double value, double CurvePoint::*member, std::size_t first) const {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto above = std::lower_bound(begin, points.end(), value, [&](const CurvePoint& point, double v) { return point.*member < v; });
+    const auto above = std::lower_bound(begin, points.end(), value,
+                                        [&](const CurvePoint& point, double v) { return point.*member < v; });
     if (above == begin) return t[first];
     if (above == points.end()) return t.back();
     const auto i = static_cast<std::size_t>(above - points.begin());
@@ -90,7 +91,8 @@ BranchProblem BranchProblem::thinned(Index most) const {
 }
 
 BranchProblem::Vector BranchProblem::whitened(double force, double displacement, double radius) const {
-    return {whitening_(0, 0) * force, whitening_(1, 0) * force + whitening_(1, 1) * displacement, whitening_(2, 2) * radius};
+    return {whitening_(0, 0) * force, whitening_(1, 0) * force + whitening_(1, 1) * displacement,
+            whitening_(2, 2) * radius};
 }
 
 BranchProblem::Vector BranchProblem::error(Index sample, const CurvePoint& point, double contact_point) const {
@@ -110,7 +112,8 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
             table.t.push_back(lowest * static_cast<double>(i) / static_cast<double>(entries / 2));
         table.t.push_back(0.0);
     }
-    for (Index i = 1; i <= entries; ++i) table.t.push_back(highest * static_cast<double>(i) / static_cast<double>(entries));
+    for (Index i = 1; i <= entries; ++i)
+        table.t.push_back(highest * static_cast<double>(i) / static_cast<double>(entries));
     for (const double t : table.t) table.points.push_back(curve_.at(t, at.head<3>()));
     if (!curve_.goes_on_apart()) {
         // the table's first entry may lie above the fold
@@ -144,7 +147,8 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
         foot.t = t;
         foot.point = curve_.at(t, at.head<3>());
         foot.error = error(sample, foot.point, point0);
-        foot.tangent = whitened(foot.point.force_slope, foot.point.displacement_slope, has_radius() ? foot.point.radius_slope : 0.0);
+        foot.tangent = whitened(foot.point.force_slope, foot.point.displacement_slope,
+                                has_radius() ? foot.point.radius_slope : 0.0);
         if (!has_displacement()) foot.tangent[1] = 0.0;
         if (foot.tangent.squaredNorm() == 0.0) foot.tangent = {0.0, 1.0, 0.0};  // Hertz and DMT at t = 0
     };
@@ -158,7 +162,7 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
     }
     move(std::clamp(start, lowest, highest));
     // the distance falls while tangent · error, here the pull, points along t; where it turns round lies the foot
-    double below = lowest, above = highest;           // of the foot
+    double below = lowest, above = highest;  // of the foot
     double pull_below = undefined, pull_above = undefined;
     double last_pull = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 100; ++round) {
@@ -171,7 +175,8 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
             foot.at_bound = t == lowest || t == highest;
             break;
         }
-        double target = t + pull / square;  // Gauss and Newton's step, good where the curve bends little within the error
+        double target =
+            t + pull / square;  // Gauss and Newton's step, good where the curve bends little within the error
         if (std::abs(pull) > 0.3 * last_pull) {
             const double secant = below + (above - below) * pull_below / (pull_below - pull_above);
             target = std::isfinite(secant) && round % 3 != 2 ? secant : target;
@@ -188,10 +193,8 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
 void BranchProblem::evaluate(const FitParameters& at, Eigen::Ref<VectorXd> residuals, MatrixXd* jacobian) const {
     if (jacobian) jacobian->setZero(this->residuals(), 4);
     if (errors_ == FitErrors::orthogonal_distance || !has_radius()) {
-        if (errors_ == FitErrors::force_only)
-            evaluate_at_displacement(at, residuals, jacobian);
-        else
-            evaluate_feet(at, residuals, jacobian);
+        if (errors_ == FitErrors::force_only) evaluate_at_displacement(at, residuals, jacobian);
+        else evaluate_feet(at, residuals, jacobian);
     } else {
         evaluate_at_radius(at, residuals, jacobian);
     }
@@ -204,12 +207,9 @@ void BranchProblem::evaluate_feet(const FitParameters& at, Eigen::Ref<VectorXd> 
         const Foot nearest_point = foot(i, at, curve_table);
         Vector direction = nearest_point.tangent.normalized();
         std::array<Vector, 2> normals;
-        if (!has_radius())
-            normals[0] = {-direction[1], direction[0], 0.0};
-        else if (!has_displacement())
-            normals[0] = {direction[2], 0.0, -direction[0]};
-        else
-            normals[0] = Vector(direction[1], -direction[0], 0.0).normalized();
+        if (!has_radius()) normals[0] = {-direction[1], direction[0], 0.0};
+        else if (!has_displacement()) normals[0] = {direction[2], 0.0, -direction[0]};
+        else normals[0] = Vector(direction[1], -direction[0], 0.0).normalized();
         if (nearest_point.at_bound && nearest_point.error.norm() > 0.0) normals[0] = nearest_point.error.normalized();
         normals[1] = direction.cross(normals[0]);
         const Index count = channels_ == Channels::force_displacement_radius ? 2 : 1;
@@ -220,10 +220,11 @@ void BranchProblem::evaluate_feet(const FitParameters& at, Eigen::Ref<VectorXd> 
             for (Index p = 0; p < 3; ++p) {
                 const auto slot = static_cast<std::size_t>(p);
                 const double by_displacement = has_displacement() ? nearest_point.point.displacement_by[slot] : 0.0;
-                (*jacobian)(k * n + i, p) = -normal.dot(whitened(nearest_point.point.force_by[slot], by_displacement, 0.0));
+                (*jacobian)(k* n + i, p) =
+                    -normal.dot(whitened(nearest_point.point.force_by[slot], by_displacement, 0.0));
             }
             if (has_displacement())
-                (*jacobian)(k * n + i, contact_point_slot) = -normal.dot(whitened(0.0, depth_unit_, 0.0));
+                (*jacobian)(k* n + i, contact_point_slot) = -normal.dot(whitened(0.0, depth_unit_, 0.0));
         }
     }
 }
@@ -234,7 +235,8 @@ Eigen::Matrix2d BranchProblem::spread(const CurvePoint& point) const {
     covariance(0, 0) = noise_.force * noise_.force + point.force_slope * point.force_slope * a2;
     covariance(0, 1) = covariance(1, 0) =
         noise_.force_displacement_covariance + point.force_slope * point.displacement_slope * a2;
-    covariance(1, 1) = noise_.displacement * noise_.displacement + point.displacement_slope * point.displacement_slope * a2;
+    covariance(1, 1) =
+        noise_.displacement * noise_.displacement + point.displacement_slope * point.displacement_slope * a2;
     return covariance;
 }
 
@@ -243,10 +245,8 @@ double BranchProblem::renew_weights(const FitParameters& at) {
     for (Index i = 0; i < samples() && weights_change(); ++i) {
         const Eigen::Matrix2d covariance = spread(curve_.at(radius_[i], at.head<3>()));
         Eigen::Matrix2d weight = Eigen::Matrix2d::Zero();
-        if (has_displacement())
-            weight = covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity().eval());
-        else
-            weight(0, 0) = 1.0 / std::sqrt(covariance(0, 0));
+        if (has_displacement()) weight = covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity().eval());
+        else weight(0, 0) = 1.0 / std::sqrt(covariance(0, 0));
         Eigen::Matrix2d& old = weights_[static_cast<std::size_t>(i)];
         change = std::max(change, (weight - old).norm() / weight.norm());
         old = weight;
@@ -254,24 +254,26 @@ double BranchProblem::renew_weights(const FitParameters& at) {
     return change;
 }
 
-void BranchProblem::evaluate_at_radius(const FitParameters& at, Eigen::Ref<VectorXd> residuals, MatrixXd* jacobian) const {
+void BranchProblem::evaluate_at_radius(const FitParameters& at, Eigen::Ref<VectorXd> residuals,
+                                       MatrixXd* jacobian) const {
     const Index n = samples(), count = this->residuals() / n;
     for (Index i = 0; i < n; ++i) {
         const CurvePoint point = curve_.at(radius_[i], at.head<3>());
         Eigen::Matrix2d weight = weights_[static_cast<std::size_t>(i)];
         if (errors_ == FitErrors::force_only) weight = Eigen::Matrix2d::Identity() * whitening_(0, 0);
-        const Eigen::Vector2d difference(force_[i] - point.force,
-                                         has_displacement() ? displacement_[i] - contact_point(at) - point.displacement : 0.0);
+        const Eigen::Vector2d difference(
+            force_[i] - point.force,
+            has_displacement() ? displacement_[i] - contact_point(at) - point.displacement : 0.0);
         const Eigen::Vector2d whole = weight * difference;
         for (Index k = 0; k < count; ++k) {
             residuals[k * n + i] = whole[k];
             if (!jacobian) continue;
             for (Index p = 0; p < 3; ++p) {
                 const auto slot = static_cast<std::size_t>(p);
-                (*jacobian)(k * n + i, p) = -weight(k, 0) * point.force_by[slot] -
-                                            (has_displacement() ? weight(k, 1) * point.displacement_by[slot] : 0.0);
+                (*jacobian)(k* n + i, p) = -weight(k, 0) * point.force_by[slot] -
+                                           (has_displacement() ? weight(k, 1) * point.displacement_by[slot] : 0.0);
             }
-            if (has_displacement()) (*jacobian)(k * n + i, contact_point_slot) = -weight(k, 1) * depth_unit_;
+            if (has_displacement()) (*jacobian)(k* n + i, contact_point_slot) = -weight(k, 1) * depth_unit_;
         }
     }
 }
@@ -301,7 +303,8 @@ CurvePoint BranchProblem::point_at(double depth, const FitParameters& at, const 
     return point;
 }
 
-void BranchProblem::evaluate_at_displacement(const FitParameters& at, Eigen::Ref<VectorXd> residuals, MatrixXd* jacobian) const {
+void BranchProblem::evaluate_at_displacement(const FitParameters& at, Eigen::Ref<VectorXd> residuals,
+                                             MatrixXd* jacobian) const {
     const CurveTable curve_table = table(at, entries_of_table);
     std::array<double, 3> end_by{};  // of the force where the curve ends: the end moves with the parameters
     for (Index p = 0; jacobian && p < curve_.parameters(); ++p) {
@@ -309,7 +312,8 @@ void BranchProblem::evaluate_at_displacement(const FitParameters& at, Eigen::Ref
         FitParameters more = at, less = at;
         more[p] += step, less[p] -= step;
         end_by[static_cast<std::size_t>(p)] =
-            (table(more, entries_of_table).points.front().force - table(less, entries_of_table).points.front().force) / (2.0 * step);
+            (table(more, entries_of_table).points.front().force - table(less, entries_of_table).points.front().force) /
+            (2.0 * step);
     }
     for (Index i = 0; i < samples(); ++i) {
         const double depth = displacement_[i] - contact_point(at);
@@ -332,8 +336,7 @@ std::vector<CurvePoint> BranchProblem::fitted(const FitParameters& at) const {
     const CurveTable curve_table = has_radius() ? CurveTable{} : table(at, entries_of_table);
     std::vector<CurvePoint> points;
     for (Index i = 0; i < samples(); ++i) {
-        if (errors_ != FitErrors::force_only)
-            points.push_back(foot(i, at, curve_table).point);
+        if (errors_ != FitErrors::force_only) points.push_back(foot(i, at, curve_table).point);
         else
             points.push_back(has_radius() ? curve_.at(radius_[i], at.head<3>())
                                           : point_at(displacement_[i] - contact_point(at), at, curve_table));

@@ -31,18 +31,25 @@ struct CurveTable {
 class BranchProblem {
 public:
     /// noise: every channel fitted has some > 0.
-    BranchProblem(ModelCurve curve, const BranchData& data, Channels channels, FitErrors errors, const ChannelNoise& noise);
+    BranchProblem(ModelCurve curve, const BranchData& data, Channels channels, FitErrors errors,
+                  const ChannelNoise& noise);
 
     [[nodiscard]] const ModelCurve& curve() const { return curve_; }
     [[nodiscard]] bool has_displacement() const { return channels_ != Channels::force_radius; }
     [[nodiscard]] bool has_radius() const { return channels_ != Channels::force_displacement; }
     [[nodiscard]] Index samples() const { return force_.size(); }
     /// One a sample; two where three channels are fitted.
-    [[nodiscard]] Index residuals() const { return channels_ == Channels::force_displacement_radius ? 2 * samples() : samples(); }
+    [[nodiscard]] Index residuals() const {
+        return channels_ == Channels::force_displacement_radius ? 2 * samples() : samples();
+    }
     [[nodiscard]] double origin() const { return origin_; }
     [[nodiscard]] double depth_unit() const { return depth_unit_; }
-    [[nodiscard]] double contact_point(const FitParameters& at) const { return origin_ + depth_unit_ * at[contact_point_slot]; }
-    [[nodiscard]] double contact_point_value(double contact_point) const { return (contact_point - origin_) / depth_unit_; }
+    [[nodiscard]] double contact_point(const FitParameters& at) const {
+        return origin_ + depth_unit_ * at[contact_point_slot];
+    }
+    [[nodiscard]] double contact_point_value(double contact_point) const {
+        return (contact_point - origin_) / depth_unit_;
+    }
 
     /// Fills residuals and, where asked, their derivatives by all four parameters.
     void evaluate(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::MatrixXd* jacobian) const;
@@ -59,8 +66,8 @@ public:
     [[nodiscard]] Array1D radius_residuals(const std::vector<CurvePoint>& fitted) const;
     /// Σ of their squares over the noise.
     [[nodiscard]] double chi2(const std::vector<CurvePoint>& fitted, const FitParameters& at) const;
-    /// How far a curve lies from the data along displacement and radius at their forces, for a search of starts: squares over the
-    /// channels' ranges. Sets the contact point unless that is given.
+    /// How far a curve lies from the data along displacement and radius at their forces, for a search of starts:
+    /// squares over the channels' ranges. Sets the contact point unless that is given.
     [[nodiscard]] double distance(FitParameters& at, bool contact_point_given) const;
     /// Every k-th sample, so that at most `most` are left.
     [[nodiscard]] BranchProblem thinned(Index most) const;
@@ -83,7 +90,8 @@ private:
     [[nodiscard]] Foot foot(Index sample, const FitParameters& at, const CurveTable& table) const;
     [[nodiscard]] Eigen::Matrix2d spread(const CurvePoint& point) const;
     void evaluate_feet(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::MatrixXd* jacobian) const;
-    void evaluate_at_radius(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::MatrixXd* jacobian) const;
+    void evaluate_at_radius(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals,
+                            Eigen::MatrixXd* jacobian) const;
     void evaluate_at_displacement(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals,
                                   Eigen::MatrixXd* jacobian) const;
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "records/baseline.hpp"
 #include "fit_support.hpp"
+#include "records/baseline.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -19,11 +19,13 @@ constexpr Index samples_of_trial = 100;
 
 double range(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }
 
-/// Noise as given, else from second differences; never below a millionth of the range, so that exact channels can be weighed.
+/// Noise as given, else from second differences; never below a millionth of the range, so that exact channels can be
+/// weighed.
 double noise_of(const Array1D& series, double given, const char* name) {
     const double spread = range(series);
     if (!(spread > 0.0))
-        throw UndefinedDataError(fmt::format("the {} does not change along the branch; a fit needs one that does", name));
+        throw UndefinedDataError(
+            fmt::format("the {} does not change along the branch; a fit needs one that does", name));
     return std::max(given > 0.0 ? given : white_noise(series), 1e-6 * spread);
 }
 
@@ -47,16 +49,21 @@ void require_options(const ModelFitOptions& options, Channels channels) {
     const bool zone = options.model == ContactModel::maugis_dugdale;
     if (options.model == ContactModel::transition) {
         if (channels != Channels::force_radius)
-            throw InvalidArgument("the transition equation relates contact radius and force alone; choose the channels force_radius, or "
-                                  "maugis_dugdale");
+            throw InvalidArgument(
+                "the transition equation relates contact radius and force alone; choose the channels force_radius, or "
+                "maugis_dugdale");
         if (options.contact_modulus || options.work_of_adhesion)
-            throw InvalidArgument("the transition equation has a0, Fc and α as parameters; E* and W cannot be held, use maugis_dugdale");
+            throw InvalidArgument(
+                "the transition equation has a0, Fc and α as parameters; E* and W cannot be held, use maugis_dugdale");
     }
     if (options.errors == FitErrors::force_only && channels == Channels::force_displacement_radius)
-        throw InvalidArgument("force_only takes one channel beside force for exact; choose effective_variance for three channels");
-    if (options.work_of_adhesion && !has_work) throw InvalidArgument("hertz has no work of adhesion that could be given");
+        throw InvalidArgument(
+            "force_only takes one channel beside force for exact; choose effective_variance for three channels");
+    if (options.work_of_adhesion && !has_work)
+        throw InvalidArgument("hertz has no work of adhesion that could be given");
     if ((options.cohesive_stress || options.transition_parameter) && !zone)
-        throw InvalidArgument(fmt::format("{} has no cohesive stress that could be given; use maugis_dugdale", to_string(options.model)));
+        throw InvalidArgument(
+            fmt::format("{} has no cohesive stress that could be given; use maugis_dugdale", to_string(options.model)));
     if (options.cohesive_stress && options.transition_parameter)
         throw InvalidArgument("give the cohesive stress or the transition parameter, not both");
     const auto positive = [](const std::optional<double>& value, const char* name) {
@@ -71,10 +78,12 @@ void require_options(const ModelFitOptions& options, Channels channels) {
 
 void require_radii(const BranchData& data, const ModelCurve& curve) {
     if (!(data.contact_radius.minCoeff() > 0.0))
-        throw InvalidArgument(fmt::format("contact radii must be > 0 m along a branch, got {}", data.contact_radius.minCoeff()));
+        throw InvalidArgument(
+            fmt::format("contact radii must be > 0 m along a branch, got {}", data.contact_radius.minCoeff()));
     if (!(data.contact_radius.maxCoeff() < curve.largest_radius()))
-        throw InvalidArgument(fmt::format("contact radii must stay below {} m, where the model of {} ends, got {} m; leave those samples out",
-                                          curve.largest_radius(), to_string(curve.model()), data.contact_radius.maxCoeff()));
+        throw InvalidArgument(fmt::format(
+            "contact radii must stay below {} m, where the model of {} ends, got {} m; leave those samples out",
+            curve.largest_radius(), to_string(curve.model()), data.contact_radius.maxCoeff()));
 }
 
 /// Values that the search for a start tries for one slot.
@@ -88,7 +97,8 @@ struct Grid {
     std::vector<double> first, second, third;
 };
 
-/// Orders of magnitude of each slot: moduli about that of Hertz's contact, adhesion from none to far above the largest force.
+/// Orders of magnitude of each slot: moduli about that of Hertz's contact, adhesion from none to far above the largest
+/// force.
 Grid grid(const PreparedFit& fit, const BranchData& data) {
     const ModelCurve& curve = fit.problem.curve();
     const double force = force_scale(data), radius = curve.radius();
@@ -101,25 +111,28 @@ Grid grid(const PreparedFit& fit, const BranchData& data) {
         values.third = {-3.0, -1.0, 0.0, 1.0, 3.0};
         return values;
     }
-    const double dry = fit.problem.has_radius() ? 0.75 * force * radius / std::pow(data.contact_radius.maxCoeff(), 3)
-                                                : 0.75 * force / (std::sqrt(radius) * std::pow(range(data.displacement), 1.5));
-    for (const double factor : powers_of_ten(bounded ? -3.0 : -1.5, 1.5, bounded ? 0.5 : 0.25)) values.first.push_back(std::log(factor * dry));
+    const double dry = fit.problem.has_radius()
+                           ? 0.75 * force * radius / std::pow(data.contact_radius.maxCoeff(), 3)
+                           : 0.75 * force / (std::sqrt(radius) * std::pow(range(data.displacement), 1.5));
+    for (const double factor : powers_of_ten(bounded ? -3.0 : -1.5, 1.5, bounded ? 0.5 : 0.25))
+        values.first.push_back(std::log(factor * dry));
     if (curve.model() != ContactModel::maugis_dugdale) values.second.push_back(0.0);
     if (curve.parameters() > 1)
-        for (const double share : powers_of_ten(-2.5, 1.5, 0.5)) values.second.push_back(curve.work_slot(share * force / (1.5 * pi * radius)));
+        for (const double share : powers_of_ten(-2.5, 1.5, 0.5))
+            values.second.push_back(curve.work_slot(share * force / (1.5 * pi * radius)));
     if (curve.parameters() > 2)
         for (const double lambda : {0.05, 0.2, 0.7, 2.0, 8.0}) values.third.push_back(std::log(lambda));
-    else
-        values.third.push_back(0.0);
+    else values.third.push_back(0.0);
     return values;
 }
 
-/// Coordinates in which a model is closest to linear: E* and √(E*W) for the models with an edge, E* and W for DMT, in units of
-/// the start; the slots themselves for the others and where one of the two is held.
+/// Coordinates in which a model is closest to linear: E* and √(E*W) for the models with an edge, E* and W for DMT, in
+/// units of the start; the slots themselves for the others and where one of the two is held.
 class Coordinates {
 public:
     Coordinates(const PreparedFit& fit, const FitParameters& start)
-        : model_(fit.problem.curve().model()), start_(start),
+        : model_(fit.problem.curve().model()),
+          start_(start),
           linear_(fit.problem.curve().parameters() == 2 && fit.is_free(0) && fit.is_free(1)),
           edge_unit_(std::max(std::abs(start[1]), least_unit)) {}
 
@@ -179,7 +192,8 @@ struct Refined {
     LeastSquaresSolution least_squares;  ///< of the free slots
 };
 
-Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, const FitParameters& start, int most_iterations) {
+Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, const FitParameters& start,
+                      int most_iterations) {
     const Coordinates coordinates(fit, start);
     const FitParameters begin = coordinates.from_slots(start);
     const ResidualFunction function{
@@ -203,7 +217,8 @@ Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, cons
     Eigen::MatrixXd all;
     problem.evaluate(refined.at, refined.least_squares.residuals, &all);
     refined.least_squares.parameters = picked(fit, refined.at);
-    refined.least_squares.uncertainty = correlated_covariance(picked_columns(fit, all), refined.least_squares.residuals);
+    refined.least_squares.uncertainty =
+        correlated_covariance(picked_columns(fit, all), refined.least_squares.residuals);
     return refined;
 }
 
@@ -225,14 +240,17 @@ PreparedFit prepare(const BranchData& data, const LensAndCounterBody& bodies, co
     ModelCurve curve(options.model, bodies, options.cohesive_stress.has_value());
     const bool fits_point = displacement && !options.contact_point;
     const Index fewest = curve.parameters() + (fits_point ? 1 : 0) + 1;
-    require_data(data, bodies, {.contact_radius = radius, .displacement = displacement, .fewest = std::max<Index>(fewest, 3)});
+    require_data(data, bodies,
+                 {.contact_radius = radius, .displacement = displacement, .fewest = std::max<Index>(fewest, 3)});
     if (radius) require_radii(data, curve);
     const ChannelNoise noise = channel_noise(data, channels);
-    // equal shares of the ranges: weights of exact channels would make the way to the least squares a narrow, bent valley
+    // equal shares of the ranges: weights of exact channels would make the way to the least squares a narrow, bent
+    // valley
     ChannelNoise coarse{.force = 0.01 * range(data.force)};
     if (displacement) coarse.displacement = 0.01 * range(data.displacement);
     if (radius) coarse.contact_radius = 0.01 * range(data.contact_radius);
-    const FitErrors trial_errors = options.errors == FitErrors::force_only ? options.errors : FitErrors::orthogonal_distance;
+    const FitErrors trial_errors =
+        options.errors == FitErrors::force_only ? options.errors : FitErrors::orthogonal_distance;
     PreparedFit fit{.problem = BranchProblem(curve, data, channels, options.errors, noise),
                     .trial = BranchProblem(curve, data, channels, trial_errors, coarse).thinned(samples_of_trial),
                     .noise = noise};
@@ -242,7 +260,8 @@ PreparedFit prepare(const BranchData& data, const LensAndCounterBody& bodies, co
     if (options.work_of_adhesion) fit.hold(1, curve.work_slot(*options.work_of_adhesion));
     if (options.cohesive_stress) fit.hold(2, std::log(*options.cohesive_stress));
     if (options.transition_parameter) fit.hold(2, std::log(*options.transition_parameter));
-    if (displacement && options.contact_point) fit.hold(contact_point_slot, fit.problem.contact_point_value(*options.contact_point));
+    if (displacement && options.contact_point)
+        fit.hold(contact_point_slot, fit.problem.contact_point_value(*options.contact_point));
     return fit;
 }
 
@@ -264,8 +283,8 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
         return Candidate{solution.at, std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity()};
     };
     const auto by_distance = [](const Candidate& one, const Candidate& other) { return one.distance < other.distance; };
-    // the third slot is held at each of its values first: with all free, far from the solution, it runs off to where nothing
-    // depends on it
+    // the third slot is held at each of its values first: with all free, far from the solution, it runs off to where
+    // nothing depends on it
     PreparedFit two_slots = fit;
     std::erase(two_slots.free, Index{2});
     std::vector<Candidate> nearest;
@@ -278,7 +297,8 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
                 if (std::isfinite(distance)) candidates.push_back({at, distance});
             }
         const std::size_t kept = std::min<std::size_t>(candidates.size(), values.third.size() > 1 ? 1 : 3);
-        std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(kept), candidates.end(), by_distance);
+        std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(kept), candidates.end(),
+                          by_distance);
         for (std::size_t i = 0; i < kept; ++i) nearest.push_back(refined(two_slots, candidates[i].at));
     }
     std::sort(nearest.begin(), nearest.end(), by_distance);

@@ -10,9 +10,9 @@ namespace setae::loops {
 /// A branch made ready for a fit: the problem, the slots that move, and the values of those that do not.
 struct PreparedFit {
     BranchProblem problem;
-    BranchProblem trial;         ///< few of the samples, without weights to renew: for the search of a start
+    BranchProblem trial;  ///< few of the samples, without weights to renew: for the search of a start
     ChannelNoise noise;
-    std::vector<Index> free;     ///< slots of FitParameters
+    std::vector<Index> free;  ///< slots of FitParameters
     FitParameters given = FitParameters::Zero();
 
     [[nodiscard]] bool is_free(Index slot) const;
@@ -20,7 +20,8 @@ struct PreparedFit {
 };
 
 /// Checks data and options and reads unknown noise from the samples. @throws as fit_model.
-[[nodiscard]] PreparedFit prepare(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options);
+[[nodiscard]] PreparedFit prepare(const BranchData& data, const LensAndCounterBody& bodies,
+                                  const ModelFitOptions& options);
 
 /// Parameters near the least squares. @throws UndefinedDataError where none is found.
 [[nodiscard]] FitParameters find_start(const PreparedFit& fit, const BranchData& data);

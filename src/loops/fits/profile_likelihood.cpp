@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "latent_routes.hpp"
 #include "setae/core/errors.hpp"
@@ -51,7 +51,8 @@ private:
             root *= std::sqrt(latent::reduced_parameters(points_, value, 0.0, 0.0)[0] / modulus);
             modulus = latent::reduced_parameters(points_, value, 0.0, 0.0)[0];
         } else {
-            root = latent::reduced_parameters(points_, modulus / latent::reduced_parameters(points_, 1.0, 0.0, 0.0)[0], value, 0.0)[1];
+            root = latent::reduced_parameters(points_, modulus / latent::reduced_parameters(points_, 1.0, 0.0, 0.0)[0],
+                                              value, 0.0)[1];
         }
         return moved;
     }
@@ -84,10 +85,12 @@ std::optional<double> crossing(Profile& profile, double best, double step, doubl
 
 ParameterProfile profiled(Profile profile, Estimate estimate, const ProfileOptions& options) {
     ParameterProfile result{.estimate = estimate};
-    const double quantile = student_t_quantile(0.5 + 0.5 * options.level, estimate.degrees_of_freedom.value_or(INFINITY));
+    const double quantile =
+        student_t_quantile(0.5 + 0.5 * options.level, estimate.degrees_of_freedom.value_or(INFINITY));
     result.threshold = quantile * quantile;
     const double best = estimate.value, step = estimate.standard_error;
-    const auto lower = crossing(profile, best, -step, result.threshold), upper = crossing(profile, best, step, result.threshold);
+    const auto lower = crossing(profile, best, -step, result.threshold),
+               upper = crossing(profile, best, step, result.threshold);
     result.estimate.method = "profile likelihood";
     result.estimate.interval.reset();
     if (lower && upper) result.estimate.interval = {.lower = *lower, .upper = *upper, .level = options.level};
@@ -95,7 +98,8 @@ ParameterProfile profiled(Profile profile, Estimate estimate, const ProfileOptio
     result.values = Array1D::LinSpaced(options.points, best - options.reach * left, best + options.reach * right);
     result.chi2_rise.resize(options.points);
     // outwards from the best fit on each side, each from its neighbour
-    const auto middle = static_cast<Index>(std::lower_bound(result.values.begin(), result.values.end(), best) - result.values.begin());
+    const auto middle =
+        static_cast<Index>(std::lower_bound(result.values.begin(), result.values.end(), best) - result.values.begin());
     profile.begin();
     for (Index i = middle; i < options.points; ++i) result.chi2_rise[i] = profile.rise(result.values[i]);
     profile.begin();
@@ -104,19 +108,24 @@ ParameterProfile profiled(Profile profile, Estimate estimate, const ProfileOptio
 }
 
 void require_valid(const ProfileOptions& options) {
-    if (options.points < 3) throw InvalidArgument(fmt::format("a profile needs at least 3 points, got {}", options.points));
+    if (options.points < 3)
+        throw InvalidArgument(fmt::format("a profile needs at least 3 points, got {}", options.points));
     if (!(options.level > 0.0 && options.level < 1.0))
-        throw InvalidArgument(fmt::format("the level of a profile's interval must lie between 0 and 1, got {}", options.level));
-    if (!(options.reach > 0.0)) throw InvalidArgument(fmt::format("the reach of a profile must be > 0, got {}", options.reach));
+        throw InvalidArgument(
+            fmt::format("the level of a profile's interval must lie between 0 and 1, got {}", options.level));
+    if (!(options.reach > 0.0))
+        throw InvalidArgument(fmt::format("the reach of a profile must be > 0, got {}", options.reach));
 }
 
 }  // namespace
 
-ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounterBody& bodies, const ProfileOptions& options) {
+ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounterBody& bodies,
+                                     const ProfileOptions& options) {
     require_valid(options);
-    const latent::Route route = options.fit == ProfiledFit::effective_variance   ? latent::effective_variance_route(data, bodies)
-                                : options.fit == ProfiledFit::force_displacement ? latent::force_displacement_route(data, bodies)
-                                                                                 : latent::joint_route(data, bodies);
+    const latent::Route route =
+        options.fit == ProfiledFit::effective_variance   ? latent::effective_variance_route(data, bodies)
+        : options.fit == ProfiledFit::force_displacement ? latent::force_displacement_route(data, bodies)
+                                                         : latent::joint_route(data, bodies);
     const latent::Fitted& fitted = route.fitted;
     if (!route.fit.covariance.allFinite())
         throw UndefinedDataError(fmt::format("{}: no profile likelihood, the fit has no covariance", route.fit.method));

@@ -6,8 +6,8 @@
 #include "fit_support.hpp"
 #include "latent_routes.hpp"
 #include "reduced_jkr.hpp"
-#include "small_least_squares.hpp"
 #include "setae/core/constants.hpp"
+#include "small_least_squares.hpp"
 
 namespace setae::loops {
 namespace {
@@ -50,7 +50,8 @@ struct RadiusProblem {
 
     [[nodiscard]] LeastSquaresSolution solve() const {
         const SmallMinimum<2> found = minimum(start());
-        LeastSquaresSolution solution{.parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
+        LeastSquaresSolution solution{
+            .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
         const reduced::Curve curve = reduced::radii(force, solution.parameters[1]);
         solution.residuals = (radius - solution.parameters[0] * curve.value).matrix();
         Eigen::MatrixXd jacobian(force.size(), 2);
@@ -63,7 +64,8 @@ struct RadiusProblem {
     [[nodiscard]] Array1D force_variances(const Eigen::VectorXd& at, double force_noise) const {
         Array1D variances = Array1D::Zero(force.size());
         if (!(force_noise > 0.0)) return variances;
-        const Array1D rise = reduced::radii(force + force_noise, at[1]).value - reduced::radii(force - force_noise, at[1]).value;
+        const Array1D rise =
+            reduced::radii(force + force_noise, at[1]).value - reduced::radii(force - force_noise, at[1]).value;
         variances = (0.5 * at[0] * rise).square();
         return variances;
     }
@@ -93,12 +95,13 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
                .residual_unit = "m"};
     fit.covariance = transform.asDiagonal() * solution.uncertainty.covariance * transform.asDiagonal();
     fit.contact_modulus = solution.estimate(modulus, std::sqrt(fit.covariance(0, 0)));
-    fit.work_of_adhesion = solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
-                                             square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
+    fit.work_of_adhesion =
+        solution.estimate(reduced::work_of_adhesion(shape, force_unit, bodies.radius),
+                          square_standard_error(shape, std::sqrt(solution.uncertainty.covariance(1, 1)), work_unit));
     fit.residuals = solution.residuals.array() * length_unit;
-    const Array1D variances = problem.force_variances(solution.parameters, data.force_noise / force_unit) * length_unit *
-                                  length_unit +
-                              data.contact_radius_noise * data.contact_radius_noise;
+    const Array1D variances =
+        problem.force_variances(solution.parameters, data.force_noise / force_unit) * length_unit * length_unit +
+        data.contact_radius_noise * data.contact_radius_noise;
     fit.chi2_reduced = reduced_chi2(fit.residuals, variances, 2);
     fit.correlated_samples = solution.uncertainty.correlated_samples;
     complete(fit, bodies, data.contact_radius.maxCoeff() - data.contact_radius.minCoeff());

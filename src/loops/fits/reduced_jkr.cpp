@@ -26,7 +26,8 @@ Array1D cube_roots(const Array1D& values) {
     // with 17 bits the cube is exact, and so is what the last step takes off
     constexpr std::uint64_t half = std::uint64_t{1} << 35, mask = ~((half << 1) - 1);
     Array1D roots(values.size());
-    for (Index i = 0; i < values.size(); ++i) roots[i] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(values[i]) / 3 + offset);
+    for (Index i = 0; i < values.size(); ++i)
+        roots[i] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(values[i]) / 3 + offset);
     for (Index i = 0; i < values.size(); ++i) {
         const double near = closer(closer(roots[i], values[i]), values[i]);
         roots[i] = closer(std::bit_cast<double>((std::bit_cast<std::uint64_t>(near) + half) & mask), values[i]);
@@ -58,7 +59,7 @@ Point radius(double force, double shape) {
 
 Point depth(double force, double shape) {
     const auto [root, sum, parted] = roots(force, shape);
-    const double square_root = std::cbrt(sum);  // √A
+    const double square_root = std::cbrt(sum);                     // √A
     const double value = square_root * (sum - 4.0 / 3.0 * shape);  // A^(3/2) = sum
     if (parted) return {.value = value, .by_shape = -4.0 / 9.0 * square_root};
     return {.value = value,

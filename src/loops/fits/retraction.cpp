@@ -18,7 +18,8 @@ namespace {
 Array1D radii(const BranchData& points, double radius, double modulus, double contact_point) {
     const Array1D a = energy_release_rates(points, radius, modulus, contact_point).contact_radius;
     if (!a.allFinite())
-        throw UndefinedDataError("force and displacement near pull-off imply no contact radius with the loading modulus");
+        throw UndefinedDataError(
+            "force and displacement near pull-off imply no contact radius with the loading modulus");
     return a;
 }
 
@@ -46,12 +47,14 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
                       .n = last_points.force.size(),
                       .radius_measured = last_points.contact_radius.size() > 0};
     if (modulus_free && !fit.radius_measured)
-        throw UndefinedDataError("a free modulus near pull-off needs the measured contact radius; keep the loading modulus");
+        throw UndefinedDataError(
+            "a free modulus near pull-off needs the measured contact radius; keep the loading modulus");
     LeastSquaresSolution solution;
     if (modulus_free) {
         solution = solve_free(last_points, radius);
         require_modulus(solution.parameters[0]);
-        fit.contact_modulus = solution.estimate(solution.parameters[0], std::sqrt(solution.uncertainty.covariance(0, 0)));
+        fit.contact_modulus =
+            solution.estimate(solution.parameters[0], std::sqrt(solution.uncertainty.covariance(0, 0)));
         const WorkFromRoot work = work_from_root(solution.parameters, solution.uncertainty.covariance);
         fit.work_of_adhesion = solution.estimate(work.work_of_adhesion, work.standard_error);
     } else {
@@ -59,15 +62,19 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
         const auto work = [](double root, double stiffness) { return root * std::abs(root) / stiffness; };
         solution = solve_fixed(last_points, radius, modulus, contact_point);
         const double root = solution.parameters[0];
-        const double scatter = square_standard_error(root, std::sqrt(solution.uncertainty.covariance(0, 0)), 1.0 / modulus);
+        const double scatter =
+            square_standard_error(root, std::sqrt(solution.uncertainty.covariance(0, 0)), 1.0 / modulus);
         const double stiffer = modulus + contact_modulus.standard_error;
         const double shift =
             std::isnan(stiffer)
                 ? undefined
-                : work(solve_fixed(last_points, radius, stiffer, contact_point).parameters[0], stiffer) - work(root, modulus);
+                : work(solve_fixed(last_points, radius, stiffer, contact_point).parameters[0], stiffer) -
+                      work(root, modulus);
         fit.work_of_adhesion = solution.estimate(work(root, modulus), std::hypot(scatter, shift));
-        const double modulus_freedom = contact_modulus.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity());
-        const std::array terms{VarianceTerm{scatter * scatter, solution.uncertainty.degrees_of_freedom}, VarianceTerm{shift * shift, modulus_freedom}};
+        const double modulus_freedom =
+            contact_modulus.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity());
+        const std::array terms{VarianceTerm{scatter * scatter, solution.uncertainty.degrees_of_freedom},
+                               VarianceTerm{shift * shift, modulus_freedom}};
         fit.work_of_adhesion.degrees_of_freedom = satterthwaite_degrees_of_freedom(terms);
     }
     fit.rms_residual = std::sqrt(solution.residuals.array().square().mean());

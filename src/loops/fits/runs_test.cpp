@@ -10,7 +10,8 @@ namespace setae::loops {
 namespace {
 
 double log_binomial(Index n, Index k) {
-    return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) - std::lgamma(static_cast<double>(n - k) + 1.0);
+    return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) -
+           std::lgamma(static_cast<double>(n - k) + 1.0);
 }
 
 /// P(R = runs): m signs of one kind are cut into k stretches in C(m − 1, k − 1) ways.
@@ -31,7 +32,8 @@ double as_few_or_fewer(const RunsTest& test) {
         for (Index runs = 2; runs <= test.runs; ++runs) sum += probability(runs, test.above, test.below);
         return std::min(sum, 1.0);
     }
-    const double m = static_cast<double>(test.above), n = static_cast<double>(test.below), twice = 2.0 * m * n, all = m + n;
+    const double m = static_cast<double>(test.above), n = static_cast<double>(test.below), twice = 2.0 * m * n,
+                 all = m + n;
     const double mean = twice / all + 1.0, variance = twice * (twice - all) / (all * all * (all - 1.0));
     return normal_probability((static_cast<double>(test.runs) + 0.5 - mean) / std::sqrt(variance));
 }

@@ -32,10 +32,12 @@ template <class Step, class Normal>
 }
 
 /// Levenberg and Marquardt's method on normal equations of columns of unit length, undamped while the sum falls.
-/// evaluate(at) gives NormalEquations. Sums of noise-free data end in rounding, where the sum no longer falls: converged
-/// if the step was small.
+/// evaluate(at) gives NormalEquations. Sums of noise-free data end in rounding, where the sum no longer falls:
+/// converged if the step was small.
 template <int parameters, class Evaluate>
-[[nodiscard]] SmallMinimum<parameters> minimise_small(const Evaluate& evaluate, const Eigen::Matrix<double, parameters, 1>& start, double freedom) {
+[[nodiscard]] SmallMinimum<parameters> minimise_small(const Evaluate& evaluate,
+                                                      const Eigen::Matrix<double, parameters, 1>& start,
+                                                      double freedom) {
     using Vector = Eigen::Matrix<double, parameters, 1>;
     constexpr int most_rounds = 200;
     constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12;
@@ -51,7 +53,8 @@ template <int parameters, class Evaluate>
         const Vector step = scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(here.gradient)));
         const Vector next = found.parameters_found + step;
         // of the curve: a parameter may be 0
-        const double change = std::sqrt(step.dot(here.normal * step) / found.parameters_found.dot(here.normal * found.parameters_found));
+        const double change =
+            std::sqrt(step.dot(here.normal * step) / found.parameters_found.dot(here.normal * found.parameters_found));
         const NormalEquations<parameters> there = evaluate(next);
         if (!(there.squares <= here.squares)) {
             if (change <= small) {
@@ -61,7 +64,8 @@ template <int parameters, class Evaluate>
             damping = std::max(10.0 * damping, 1e-4);
             continue;
         }
-        const bool done = change <= rounding || (damping == 0.0 && far_below_errors(step, here.normal, there.squares, freedom));
+        const bool done =
+            change <= rounding || (damping == 0.0 && far_below_errors(step, here.normal, there.squares, freedom));
         found.parameters_found = next;
         here = there;
         damping = damping > 1e-6 ? 0.1 * damping : 0.0;

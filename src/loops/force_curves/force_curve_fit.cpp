@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Dense>
 
 #include "attempt.hpp"
 #include "fits/fit_support.hpp"
@@ -22,9 +22,10 @@ namespace setae::loops {
 namespace {
 
 constexpr Index fewest_in_range = 5;
-constexpr std::array<std::pair<TipShape, const char*>, 3> shapes{{{TipShape::paraboloid, "paraboloid"},
-                                                                  {TipShape::cone, "cone"},
-                                                                  {TipShape::three_sided_pyramid, "three_sided_pyramid"}}};
+constexpr std::array<std::pair<TipShape, const char*>, 3> shapes{
+    {{TipShape::paraboloid, "paraboloid"},
+     {TipShape::cone, "cone"},
+     {TipShape::three_sided_pyramid, "three_sided_pyramid"}}};
 
 /// F = E* factor (δ − δ0)^power of a tip without adhesion.
 struct TipLaw {
@@ -33,11 +34,13 @@ struct TipLaw {
 
 TipLaw tip_law(const ForceCurveFitOptions& options, double radius) {
     if (options.shape == TipShape::paraboloid) {
-        if (!(radius > 0.0) || std::isinf(radius)) throw InvalidArgument(fmt::format("radius of the tip must be > 0 m and finite, got {}", radius));
+        if (!(radius > 0.0) || std::isinf(radius))
+            throw InvalidArgument(fmt::format("radius of the tip must be > 0 m and finite, got {}", radius));
         return {4.0 / 3.0 * std::sqrt(radius), 1.5};
     }
     if (!(options.half_angle > 0.0 && options.half_angle < 0.5 * pi))
-        throw InvalidArgument(fmt::format("the angle of a {} must lie between 0 and π/2 rad, got {}", to_string(options.shape), options.half_angle));
+        throw InvalidArgument(fmt::format("the angle of a {} must lie between 0 and π/2 rad, got {}",
+                                          to_string(options.shape), options.half_angle));
     const double slope = std::tan(options.half_angle);
     return {options.shape == TipShape::cone ? 2.0 / pi * slope : 0.887 * slope, 2.0};
 }
@@ -45,10 +48,13 @@ TipLaw tip_law(const ForceCurveFitOptions& options, double radius) {
 void require_options(const ForceCurveFitOptions& options) {
     const bool dry = options.model == ContactModel::hertz;
     if (options.shape != TipShape::paraboloid && !dry)
-        throw InvalidArgument(fmt::format("a {} has hertz alone as model, got {}; choose a paraboloid", to_string(options.shape), to_string(options.model)));
+        throw InvalidArgument(fmt::format("a {} has hertz alone as model, got {}; choose a paraboloid",
+                                          to_string(options.shape), to_string(options.model)));
     if (options.model == ContactModel::transition)
-        throw InvalidArgument("the transition equation needs contact radii, which a force curve does not have; use maugis_dugdale");
-    if (options.fit_force_offset && !dry) throw InvalidArgument("a force offset is fitted with hertz alone: with adhesion W takes its place");
+        throw InvalidArgument(
+            "the transition equation needs contact radii, which a force curve does not have; use maugis_dugdale");
+    if (options.fit_force_offset && !dry)
+        throw InvalidArgument("a force offset is fitted with hertz alone: with adhesion W takes its place");
     if ((options.fit_force_offset || options.shape != TipShape::paraboloid) && options.errors != FitErrors::force_only)
         throw InvalidArgument("a force offset, a cone and a pyramid are fitted with force_only alone");
 }
@@ -56,9 +62,10 @@ void require_options(const ForceCurveFitOptions& options) {
 /// Samples of a segment in the range, and for a model with adhesion in contact.
 std::vector<Index> chosen(const CurveSegment& segment, const ForceCurveFitOptions& options, double contact_point) {
     const Array1D depth = segment.displacement - contact_point;
-    const Array1D measure = options.range.measure == CurveRange::Measure::force         ? segment.force
-                            : options.range.measure == CurveRange::Measure::indentation ? depth
-                                                                                        : Array1D(depth / depth.maxCoeff());
+    const Array1D measure = options.range.measure == CurveRange::Measure::force ? segment.force
+                            : options.range.measure == CurveRange::Measure::indentation
+                                ? depth
+                                : Array1D(depth / depth.maxCoeff());
     Index first = 0, last = depth.size() - 1;
     if (options.model != ContactModel::hertz) {
         Index least = 0, deepest = 0;
@@ -70,8 +77,9 @@ std::vector<Index> chosen(const CurveSegment& segment, const ForceCurveFitOption
     for (Index i = first; i <= last; ++i)
         if (measure[i] >= options.range.from && measure[i] <= options.range.to) samples.push_back(i);
     if (static_cast<Index>(samples.size()) < fewest_in_range)
-        throw UndefinedDataError(fmt::format("{} samples of the {} segment lie in the range from {} to {}; a fit needs at least {}", samples.size(),
-                                             segment.name, options.range.from, options.range.to, fewest_in_range));
+        throw UndefinedDataError(
+            fmt::format("{} samples of the {} segment lie in the range from {} to {}; a fit needs at least {}",
+                        samples.size(), segment.name, options.range.from, options.range.to, fewest_in_range));
     return samples;
 }
 
@@ -82,13 +90,16 @@ public:
         : displacement_(std::move(displacement)), force_(std::move(force)), law_(law), offset_(offset) {
         depth_unit_ = displacement_.maxCoeff() - displacement_.minCoeff();
         force_unit_ = force_.abs().maxCoeff();
-        if (!(depth_unit_ > 0.0 && force_unit_ > 0.0)) throw UndefinedDataError("force or displacement does not change in the range; a fit needs one that does");
+        if (!(depth_unit_ > 0.0 && force_unit_ > 0.0))
+            throw UndefinedDataError("force or displacement does not change in the range; a fit needs one that does");
     }
 
     [[nodiscard]] double depth_unit() const { return depth_unit_; }
     [[nodiscard]] double force_unit() const { return force_unit_; }
     /// E* of a coefficient of 1.
-    [[nodiscard]] double modulus_unit() const { return force_unit_ / (law_.factor * std::pow(depth_unit_, law_.power)); }
+    [[nodiscard]] double modulus_unit() const {
+        return force_unit_ / (law_.factor * std::pow(depth_unit_, law_.power));
+    }
 
     /// Coefficients and contact point [m] of least squares.
     [[nodiscard]] LeastSquaresSolution solve(std::optional<double> contact_point) const {
@@ -130,7 +141,8 @@ private:
     }
     /// solve_linear without what the residuals say of errors.
     [[nodiscard]] LeastSquaresSolution plain(const Eigen::MatrixXd& columns) const {
-        LeastSquaresSolution solution{.parameters = columns.colPivHouseholderQr().solve((force_ / force_unit_).matrix())};
+        LeastSquaresSolution solution{.parameters =
+                                          columns.colPivHouseholderQr().solve((force_ / force_unit_).matrix())};
         solution.residuals = (force_ / force_unit_).matrix() - columns * solution.parameters;
         return solution;
     }
@@ -141,18 +153,21 @@ private:
     double depth_unit_ = 1.0, force_unit_ = 1.0;
 };
 
-void fit_dry(ForceCurveFit& fit, const Array1D& displacement, const Array1D& force, const TipLaw& law, const ForceCurveFitOptions& options,
-             std::optional<double> contact_point) {
+void fit_dry(ForceCurveFit& fit, const Array1D& displacement, const Array1D& force, const TipLaw& law,
+             const ForceCurveFitOptions& options, std::optional<double> contact_point) {
     const double origin = displacement[0];
     const DryProblem problem(displacement - origin, force, law, options.fit_force_offset);
-    const LeastSquaresSolution solution = problem.solve(contact_point ? std::optional(*contact_point - origin) : std::nullopt);
+    const LeastSquaresSolution solution =
+        problem.solve(contact_point ? std::optional(*contact_point - origin) : std::nullopt);
     const Eigen::VectorXd& at = solution.parameters;
     const Index last = at.size() - 1;
     Eigen::VectorXd units = Eigen::VectorXd::Constant(at.size(), problem.force_unit());
     units[0] = problem.modulus_unit();
     if (!contact_point) units[last] = problem.depth_unit();
     fit.covariance = units.asDiagonal() * solution.uncertainty.covariance * units.asDiagonal();
-    const auto estimate = [&](double value, Index k) { return solution.estimate(value, std::sqrt(fit.covariance(k, k))); };
+    const auto estimate = [&](double value, Index k) {
+        return solution.estimate(value, std::sqrt(fit.covariance(k, k)));
+    };
     require_modulus(at[0] * units[0]);
     fit.parameters = {"contact_modulus"};
     fit.contact_modulus = estimate(at[0] * units[0], 0);
@@ -171,7 +186,8 @@ void fit_dry(ForceCurveFit& fit, const Array1D& displacement, const Array1D& for
 }
 
 void fit_adhesive(ForceCurveFit& fit, const CurveSegment& segment, const Array1D& displacement, const Array1D& force,
-                  const LensAndCounterBody& bodies, const ForceCurveFitOptions& options, std::optional<double> contact_point) {
+                  const LensAndCounterBody& bodies, const ForceCurveFitOptions& options,
+                  std::optional<double> contact_point) {
     const BranchData data{.force = force, .displacement = displacement, .force_noise = segment.baseline.force_noise};
     fit.model_fit = fit_model(data, bodies,
                               {.model = options.model,
@@ -205,17 +221,20 @@ TipShape tip_shape_named(std::string_view name) {
     }
     const std::string nearest = nearest_match(name, known);
     throw InvalidArgument(fmt::format("unknown tip shape '{}'{}; there are {}", name,
-                                      nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(known, ", ")));
+                                      nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
+                                      fmt::join(known, ", ")));
 }
 
-ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterBody& bodies, const ForceCurveFitOptions& options) {
+ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterBody& bodies,
+                              const ForceCurveFitOptions& options) {
     require_options(options);
     if (segment.name == "pause") throw InvalidArgument("a pause has no curve to fit; choose a segment that moves");
     const TipLaw law = tip_law(options, bodies.radius);
     const double zero = options.contact_point.value_or(segment.contact_point);
     if (!std::isfinite(zero))
-        throw UndefinedDataError(fmt::format("no force of the {} segment stands out of the noise of {:.2g} N: no contact, or give its point",
-                                             segment.name, segment.baseline.force_noise));
+        throw UndefinedDataError(
+            fmt::format("no force of the {} segment stands out of the noise of {:.2g} N: no contact, or give its point",
+                        segment.name, segment.baseline.force_noise));
     const std::vector<Index> samples = chosen(segment, options, zero);
     const Array1D displacement = segment.displacement(samples), force = segment.force(samples);
     const std::optional<double> held = options.fit_contact_point ? std::nullopt : std::optional(zero);
@@ -226,8 +245,7 @@ ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterB
                       .n = static_cast<Index>(samples.size())};
     if (options.model == ContactModel::hertz && options.errors == FitErrors::force_only)
         fit_dry(fit, displacement, force, law, options, held);
-    else
-        fit_adhesive(fit, segment, displacement, force, bodies, options, held);
+    else fit_adhesive(fit, segment, displacement, force, bodies, options, held);
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.indentation_from = displacement.minCoeff() - fit.contact_point.value;
     fit.indentation_to = displacement.maxCoeff() - fit.contact_point.value;
@@ -236,10 +254,12 @@ ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterB
     return fit;
 }
 
-std::vector<NamedCurveFit> fit_force_curve(const Table& curve, const LensAndCounterBody& bodies, const ForceCurveFitOptions& options) {
+std::vector<NamedCurveFit> fit_force_curve(const Table& curve, const LensAndCounterBody& bodies,
+                                           const ForceCurveFitOptions& options) {
     std::vector<NamedCurveFit> fits;
     for (const CurveSegment& segment : segments_of_curve(curve, options))
-        if (segment.name != "pause") fits.push_back({segment.name, attempt([&] { return fit_force_curve(segment, bodies, options); })});
+        if (segment.name != "pause")
+            fits.push_back({segment.name, attempt([&] { return fit_force_curve(segment, bodies, options); })});
     return fits;
 }
 

@@ -48,12 +48,16 @@ CurveBaseline baseline_of(const CurveSegment& segment, bool approach, const Forc
     const Index n = segment.force.size();
     const Index count = std::clamp<Index>(std::lround(options.baseline_share * static_cast<double>(n)), 5, n);
     const Index first = approach ? 0 : n - count;
-    const Array1D force = segment.force.segment(first, count), displacement = segment.displacement.segment(first, count);
-    CurveBaseline line{.range = {segment.range.first + first, segment.range.first + first + count - 1}, .force = force.mean()};
+    const Array1D force = segment.force.segment(first, count),
+                  displacement = segment.displacement.segment(first, count);
+    CurveBaseline line{.range = {segment.range.first + first, segment.range.first + first + count - 1},
+                       .force = force.mean()};
     const Array1D along = displacement - displacement.mean();
-    if (options.subtract_baseline_slope && along.square().sum() > 0.0) line.slope = (along * force).sum() / along.square().sum();
+    if (options.subtract_baseline_slope && along.square().sum() > 0.0)
+        line.slope = (along * force).sum() / along.square().sum();
     const Array1D rest = force - line.force - line.slope * along;
-    line.force_noise = std::sqrt(rest.square().sum() / static_cast<double>(count - (options.subtract_baseline_slope ? 2 : 1)));
+    line.force_noise =
+        std::sqrt(rest.square().sum() / static_cast<double>(count - (options.subtract_baseline_slope ? 2 : 1)));
     return line;
 }
 
@@ -64,11 +68,14 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
         throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", options.baseline_share));
     const Array1D &force = curve.at("force"), &displacement = curve.at("displacement");
     if (force.size() < fewest_samples)
-        throw UndefinedDataError(fmt::format("a force curve of {} samples; at least {} are needed", force.size(), fewest_samples));
+        throw UndefinedDataError(
+            fmt::format("a force curve of {} samples; at least {} are needed", force.size(), fewest_samples));
     if (!force.allFinite() || !displacement.allFinite())
-        throw InvalidArgument("force and displacement of a force curve must be defined throughout; leave samples without them out");
+        throw InvalidArgument(
+            "force and displacement of a force curve must be defined throughout; leave samples without them out");
     const auto named = curve.metadata.find("segments");
-    const std::vector<std::string> names = named == curve.metadata.end() ? std::vector<std::string>{} : words(named->second);
+    const std::vector<std::string> names =
+        named == curve.metadata.end() ? std::vector<std::string>{} : words(named->second);
     const double travel = displacement.maxCoeff() - displacement.minCoeff();
     std::vector<CurveSegment> segments;
     for (const IndexRange& range : ranges_of(curve)) {
@@ -77,9 +84,12 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
                              .force = force.segment(range.first, range.count())};
         const Index n = range.count();
         const double way = segment.displacement[n - 1] - segment.displacement[0];
-        const bool pause = n < fewest_samples || std::abs(way) < 0.05 * travel, approach = way > 0.0;
+        const bool pause = n < fewest_samples || std::abs(way)<0.05 * travel, approach = way> 0.0;
         const std::size_t number = segments.size();
-        segment.name = pause ? "pause" : number < names.size() && !names[number].empty() ? names[number] : approach ? "approach" : "retract";
+        segment.name = pause                                             ? "pause"
+                       : number < names.size() && !names[number].empty() ? names[number]
+                       : approach                                        ? "approach"
+                                                                         : "retract";
         if (pause) {
             segments.push_back(std::move(segment));
             continue;
@@ -90,7 +100,8 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
         const double zero = segment.displacement.segment(middle, segment.baseline.range.count()).mean();
         segment.force -= segment.baseline.force + segment.baseline.slope * (segment.displacement - zero);
         // from the turning point outwards, the first sample that does not stand out of the noise
-        const double level = std::max({3.0 * segment.baseline.force_noise, 1e-6 * segment.force.abs().maxCoeff(), rounding});
+        const double level =
+            std::max({3.0 * segment.baseline.force_noise, 1e-6 * segment.force.abs().maxCoeff(), rounding});
         Index at = approach ? n - 1 : 0;
         while (at >= 0 && at < n && segment.force[at] > level) at += approach ? -1 : 1;
         const bool touches = segment.force.maxCoeff() > 2.0 * level;

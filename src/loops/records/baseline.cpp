@@ -38,7 +38,9 @@ void add_slope(Baseline& baseline, const Array1D& force, const Array1D& clock) {
 
 Array1D clock_of(const Loop& loop) {
     const Index n = loop.force.size();
-    const auto runs_on = [&] { return (loop.time.tail(n - 1) >= loop.time.head(n - 1)).all() && loop.time[n - 1] > loop.time[0]; };
+    const auto runs_on = [&] {
+        return (loop.time.tail(n - 1) >= loop.time.head(n - 1)).all() && loop.time[n - 1] > loop.time[0];
+    };
     if (n > 1 && loop.time.size() == n && loop.time.allFinite() && runs_on()) return loop.time;
     return Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1));
 }
@@ -47,7 +49,8 @@ Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::st
     constexpr Index fewest = 5;
     const IndexRange range = samples_of(given, loop, name);
     if (range.count() < fewest)
-        throw InvalidArgument(fmt::format("{}: samples {} to {} are {}, a zero of force needs at least {}", name, range.first, range.last, range.count(), fewest));
+        throw InvalidArgument(fmt::format("{}: samples {} to {} are {}, a zero of force needs at least {}", name,
+                                          range.first, range.last, range.count(), fewest));
     return baseline_over(loop, range);
 }
 

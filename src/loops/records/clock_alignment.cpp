@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -18,12 +18,13 @@ namespace {
 
 constexpr Index fewest_frames = 20;
 constexpr Index most_frames_at_first = 2000;  ///< of the search over all offsets
-constexpr double onset_reach = 3.0;  ///< frames to both sides of the offset by the onset alone
-constexpr int fine_steps = 40;  ///< of the refined search, each frame
+constexpr double onset_reach = 3.0;           ///< frames to both sides of the offset by the onset alone
+constexpr int fine_steps = 40;                ///< of the refined search, each frame
 
 void require_clock(const Array1D& time, Index size, const char* subject) {
     if (time.size() != size || size < 2)
-        throw InvalidArgument(fmt::format("{}: {} times for {} values, expected as many, two at least", subject, time.size(), size));
+        throw InvalidArgument(
+            fmt::format("{}: {} times for {} values, expected as many, two at least", subject, time.size(), size));
     for (Index i = 0; i < size; ++i)
         if (!std::isfinite(time[i]) || (i > 0 && time[i] <= time[i - 1]))
             throw InvalidArgument(fmt::format("{}: time does not run forwards at row {}", subject, i + 1));
@@ -33,8 +34,10 @@ void require_record(const Loop& force) {
     require_clock(force.time, force.force.size(), "force record");
     const auto n = force.displacement.size();
     if (n != 0 && n != force.force.size())
-        throw InvalidArgument(fmt::format("force record: {} displacements for {} forces, expected as many or none", n, force.force.size()));
-    if (!force.force.isFinite().all() || !force.displacement.isFinite().all()) throw InvalidArgument("force record: a force or displacement is undefined");
+        throw InvalidArgument(fmt::format("force record: {} displacements for {} forces, expected as many or none", n,
+                                          force.force.size()));
+    if (!force.force.isFinite().all() || !force.displacement.isFinite().all())
+        throw InvalidArgument("force record: a force or displacement is undefined");
 }
 
 /// Frames with a radius, both scaled to be of order 1.
@@ -53,8 +56,10 @@ double median(std::vector<double> values) {
 /// Three standard deviations of the noise of radii, from their second differences: what is below counts as no contact.
 double least_radius(const std::vector<double>& radii) {
     std::vector<double> differences;
-    for (std::size_t i = 2; i < radii.size(); ++i) differences.push_back(std::abs(radii[i] - 2.0 * radii[i - 1] + radii[i - 2]));
-    return 3.0 * 1.4826 * median(std::move(differences)) / std::sqrt(6.0);  // 1.4826: median of normal deviates to standard deviation
+    for (std::size_t i = 2; i < radii.size(); ++i)
+        differences.push_back(std::abs(radii[i] - 2.0 * radii[i - 1] + radii[i - 2]));
+    return 3.0 * 1.4826 * median(std::move(differences)) /
+           std::sqrt(6.0);  // 1.4826: median of normal deviates to standard deviation
 }
 
 Frames usable_frames(const CameraRecord& camera) {
@@ -66,7 +71,9 @@ Frames usable_frames(const CameraRecord& camera) {
         radius.push_back(camera.contact_radius[i]);
     }
     const auto n = static_cast<Index>(time.size());
-    if (n < fewest_frames) throw UndefinedDataError(fmt::format("{} frames with a contact radius, expected {} at least to align clocks by", n, fewest_frames));
+    if (n < fewest_frames)
+        throw UndefinedDataError(
+            fmt::format("{} frames with a contact radius, expected {} at least to align clocks by", n, fewest_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
     frames.interval = median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
@@ -77,7 +84,8 @@ Frames usable_frames(const CameraRecord& camera) {
     return frames;
 }
 
-/// Frames of free flight and of the first loading: where adhesion has hysteresis, force is a function of the radius there only.
+/// Frames of free flight and of the first loading: where adhesion has hysteresis, force is a function of the radius
+/// there only.
 Frames before_unloading(const Frames& frames) {
     constexpr double share = 0.98;  // of the largest radius, where loading counts as over
     const double top = share * frames.radius.maxCoeff();
@@ -112,7 +120,8 @@ Array1D standardised(const Array1D& values) {
     return scale > 0.0 ? Array1D(centred / scale) : centred;
 }
 
-/// Means over the samples within half a width of each: noise between the frames would else decide which offset fits best.
+/// Means over the samples within half a width of each: noise between the frames would else decide which offset fits
+/// best.
 Array1D averaged(const Array1D& time, const Array1D& values, double width) {
     if (values.size() == 0) return values;
     Array1D sums(values.size() + 1), means(values.size());
@@ -156,9 +165,12 @@ public:
             if (t < time_[0] || t > time_[time_.size() - 1]) continue;
             at = std::max<Index>(1, std::lower_bound(time_.begin() + at, time_.end(), t) - time_.begin());
             const double share = (t - time_[at - 1]) / (time_[at] - time_[at - 1]);
-            const auto between = [&](const Array1D& series) { return series[at - 1] + share * (series[at] - series[at - 1]); };
+            const auto between = [&](const Array1D& series) {
+                return series[at - 1] + share * (series[at] - series[at - 1]);
+            };
             const double a = frames_.radius[i];
-            rows.emplace_back(1.0, a, displacement_.size() ? a * between(displacement_) : a * std::sqrt(std::abs(a)), a * a * a);
+            rows.emplace_back(1.0, a, displacement_.size() ? a * between(displacement_) : a * std::sqrt(std::abs(a)),
+                              a * a * a);
             forces.push_back(between(force_));
         }
         return fitted(rows, forces);
@@ -205,14 +217,19 @@ struct Range {
 /// Offsets at which enough of the frames lie within the force record.
 Range searched(const Loop& force, const Array1D& frames, const ClockOptions& options) {
     if (!(options.least_overlap > 0.0 && options.least_overlap <= 1.0))
-        throw InvalidArgument(fmt::format("least overlap {}, expected a share above 0 and up to 1", options.least_overlap));
+        throw InvalidArgument(
+            fmt::format("least overlap {}, expected a share above 0 and up to 1", options.least_overlap));
     const double end = force.time[force.time.size() - 1];
     const auto n = frames.size();
-    const auto needed = std::clamp<Index>(static_cast<Index>(std::ceil(options.least_overlap * static_cast<double>(n))), 1, n);
+    const auto needed =
+        std::clamp<Index>(static_cast<Index>(std::ceil(options.least_overlap * static_cast<double>(n))), 1, n);
     const Range possible{force.time[0] - frames[n - needed], end - frames[needed - 1]};
-    const Range range{options.smallest_offset.value_or(possible.lower), options.largest_offset.value_or(possible.upper)};
-    if (!std::isfinite(range.lower) || !std::isfinite(range.upper)) throw InvalidArgument("the offsets to search are not finite");
-    if (range.lower > range.upper) throw InvalidArgument(fmt::format("no offsets to search between {} s and {} s", range.lower, range.upper));
+    const Range range{options.smallest_offset.value_or(possible.lower),
+                      options.largest_offset.value_or(possible.upper)};
+    if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
+        throw InvalidArgument("the offsets to search are not finite");
+    if (range.lower > range.upper)
+        throw InvalidArgument(fmt::format("no offsets to search between {} s and {} s", range.lower, range.upper));
     return range;
 }
 
@@ -228,20 +245,24 @@ std::vector<Candidate> scan(const Search& search, const Range& range, double ste
     for (Index i = 0; i <= steps; ++i) {
         const double offset = std::min(range.lower + static_cast<double>(i) * step, range.upper);
         const auto trial = search(offset);
-        if (trial.frames >= fewest && trial.total > least_total * static_cast<double>(trial.frames)) candidates.push_back({offset, trial});
+        if (trial.frames >= fewest && trial.total > least_total * static_cast<double>(trial.frames))
+            candidates.push_back({offset, trial});
     }
     return candidates;
 }
 
 const Candidate& best_of(const std::vector<Candidate>& candidates) {
-    return *std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.trial.explained() < b.trial.explained(); });
+    return *std::max_element(candidates.begin(), candidates.end(),
+                             [](const auto& a, const auto& b) { return a.trial.explained() < b.trial.explained(); });
 }
 
-/// Standard error: a quarter of the range in which the sum of squares exceeds its least by no more than two standard errors
-/// would. The sum falls in steps where a frame passes a jump, so that its curvature says little. NaN where it never does.
+/// Standard error: a quarter of the range in which the sum of squares exceeds its least by no more than two standard
+/// errors would. The sum falls in steps where a frame passes a jump, so that its curvature says little. NaN where it
+/// never does.
 double standard_error(const Search& search, const Candidate& best) {
     const double correlation = std::clamp(best.trial.neighbours, 0.0, 0.95);
-    const double independent = std::max(1.0, static_cast<double>(best.trial.frames - 5) * (1.0 - correlation) / (1.0 + correlation));
+    const double independent =
+        std::max(1.0, static_cast<double>(best.trial.frames - 5) * (1.0 - correlation) / (1.0 + correlation));
     const double limit = best.trial.residual * (1.0 + 4.0 / independent);
     const double step = search.interval() / fine_steps;
     constexpr int most = 20 * fine_steps;
@@ -261,10 +282,8 @@ double standard_error(const Search& search, const Candidate& best) {
 std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
     std::optional<double> parted, touching;
     for (Index i = 0; i + 1 < frames.time.size() && !touching; ++i) {
-        if (frames.radius[i] > 0.0 && frames.radius[i + 1] > 0.0)
-            touching = frames.time[i];
-        else
-            parted = frames.time[i];
+        if (frames.radius[i] > 0.0 && frames.radius[i + 1] > 0.0) touching = frames.time[i];
+        else parted = frames.time[i];
     }
     if (!parted || !touching) return std::nullopt;
     try {
@@ -275,7 +294,9 @@ std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
         const auto jump = *segments.contacts.front().jump_in;
         const double at = 0.5 * (force.time[jump.first] + force.time[jump.last]);
         const double width = std::hypot(*touching - *parted, force.time[jump.last] - force.time[jump.first]);
-        return Estimate{.value = at - 0.5 * (*parted + *touching), .standard_error = width / std::sqrt(12.0), .method = "first frame in contact against the jump-in"};
+        return Estimate{.value = at - 0.5 * (*parted + *touching),
+                        .standard_error = width / std::sqrt(12.0),
+                        .method = "first frame in contact against the jump-in"};
     } catch (const Error&) {
         return std::nullopt;  // no jump to go by
     }
@@ -284,12 +305,17 @@ std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
 std::string doubt_of(const ClockAlignment& found, const Range& range) {
     const double step = 0.5 * found.frame_interval;
     if (!(found.offset.standard_error >= 0.0)) return "the agreement does not peak at the best offset";
-    if (range.upper - range.lower > 4.0 * step && (found.offset.value - range.lower < step || range.upper - found.offset.value < step))
+    if (range.upper - range.lower > 4.0 * step &&
+        (found.offset.value - range.lower < step || range.upper - found.offset.value < step))
         return "the best offset lies at the end of the search";
-    if (found.explained < 0.9) return fmt::format("the radii explain {:.0f} % of the force's variance only", 100.0 * found.explained);
-    if (found.method == "F, a" && !found.by_onset) return "without displacement and without a jump-in it rests on loading alone";
-    if (1.0 - found.explained > 0.7 * (1.0 - found.runner_up)) return "another offset at least five frames away explains nearly as much";
-    if (found.by_onset && std::abs(found.by_onset->value - found.offset.value) > 2.0 * found.frame_interval + 3.0 * found.offset.standard_error)
+    if (found.explained < 0.9)
+        return fmt::format("the radii explain {:.0f} % of the force's variance only", 100.0 * found.explained);
+    if (found.method == "F, a" && !found.by_onset)
+        return "without displacement and without a jump-in it rests on loading alone";
+    if (1.0 - found.explained > 0.7 * (1.0 - found.runner_up))
+        return "another offset at least five frames away explains nearly as much";
+    if (found.by_onset && std::abs(found.by_onset->value - found.offset.value) >
+                              2.0 * found.frame_interval + 3.0 * found.offset.standard_error)
         return fmt::format("the first contact alone gives {:.4g} s", found.by_onset->value);
     return {};
 }
@@ -303,35 +329,47 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
     const bool displaced = force.displacement.size() > 0;
     const auto frames = displaced ? all : before_unloading(all);
     if (frames.time.size() < fewest_frames)
-        throw UndefinedDataError(fmt::format("{} frames before unloading and out of contact, expected {} at least to align clocks by", frames.time.size(), fewest_frames));
+        throw UndefinedDataError(
+            fmt::format("{} frames before unloading and out of contact, expected {} at least to align clocks by",
+                        frames.time.size(), fewest_frames));
     const auto onset = by_onset(force, all);
     auto range = searched(force, frames.time, options);
     // without displacement loading alone may fit elsewhere as well: the first contact says where to look
     if (!displaced && onset && onset->value > range.lower && onset->value < range.upper)
-        range = {std::max(range.lower, onset->value - onset_reach * all.interval), std::min(range.upper, onset->value + onset_reach * all.interval)};
+        range = {std::max(range.lower, onset->value - onset_reach * all.interval),
+                 std::min(range.upper, onset->value + onset_reach * all.interval)};
     // the frames must see a tenth of the record's changes of force
     const Array1D forces = standardised(force.force);
     const double least_total = 0.01 * (forces - forces.mean()).square().mean();
     const auto scanned = [&](const Search& search, const Range& within, double step) {
-        const auto fewest = static_cast<Index>(options.least_overlap * static_cast<double>(search.frame_times().size())) - 1;
+        const auto fewest =
+            static_cast<Index>(options.least_overlap * static_cast<double>(search.frame_times().size())) - 1;
         return scan(search, within, step, std::max<Index>(8, fewest), least_total);
     };
-    const auto around = [&](double offset, double reach) { return Range{std::max(range.lower, offset - reach), std::min(range.upper, offset + reach)}; };
+    const auto around = [&](double offset, double reach) {
+        return Range{std::max(range.lower, offset - reach), std::min(range.upper, offset + reach)};
+    };
 
     const Search rough(force, thinned(frames, most_frames_at_first)), search(force, frames);
     const auto coarse = scanned(rough, range, 0.5 * rough.interval());
     if (coarse.empty())
-        throw UndefinedDataError(fmt::format("no offset between {:.4g} s and {:.4g} s brings half of the frames onto a force that changes; check the clocks", range.lower, range.upper));
+        throw UndefinedDataError(fmt::format(
+            "no offset between {:.4g} s and {:.4g} s brings half of the frames onto a force that changes; check the clocks",
+            range.lower, range.upper));
     auto best = best_of(coarse);
     const double rough_offset = best.offset;
-    for (const auto& [reach, step] : {std::pair{1.5 * rough.interval(), 0.5 * search.interval()}, std::pair{1.5 * search.interval(), search.interval() / fine_steps}})
+    for (const auto& [reach, step] : {std::pair{1.5 * rough.interval(), 0.5 * search.interval()},
+                                      std::pair{1.5 * search.interval(), search.interval() / fine_steps}})
         if (const auto finer = scanned(search, around(best.offset, reach), step); !finer.empty()) best = best_of(finer);
 
     ClockAlignment found;
-    found.offset = {.value = best.offset, .standard_error = standard_error(search, best), .method = "profile of the sum of squares"};
+    found.offset = {.value = best.offset,
+                    .standard_error = standard_error(search, best),
+                    .method = "profile of the sum of squares"};
     found.explained = best.trial.explained();
     for (const auto& other : coarse)
-        if (std::abs(other.offset - rough_offset) >= 5.0 * rough.interval()) found.runner_up = std::max(found.runner_up, other.trial.explained());
+        if (std::abs(other.offset - rough_offset) >= 5.0 * rough.interval())
+            found.runner_up = std::max(found.runner_up, other.trial.explained());
     found.by_onset = onset;
     found.frame_interval = search.interval();
     found.frames = best.trial.frames;

@@ -17,7 +17,9 @@ ForceZero force_zero(const Loop& loop, const Segments& segments, DriftModel drif
     const Array1D clock = clock_of(loop);
     const double start = middle(clock, *before.range);
     if (drift == DriftModel::extrapolated)
-        return {.share = clock - start, .change = before.force_slope, .change_standard_error = before.force_slope_standard_error};
+        return {.share = clock - start,
+                .change = before.force_slope,
+                .change_standard_error = before.force_slope_standard_error};
     if (!segments.after || !segments.after->range) return {};
     return {.share = (clock - start) / (middle(clock, *segments.after->range) - start),
             .change = segments.after->force - before.force,
@@ -35,7 +37,8 @@ Loop without_force_drift(const Loop& loop, const Segments& segments, DriftModel 
 Loop without_displacement_drift(const Loop& loop, double rate) {
     if (rate == 0.0 || loop.displacement.size() == 0) return loop;
     if (loop.time.size() != loop.force.size() || !loop.time.allFinite())
-        throw InvalidArgument("a drift of the displacement needs the time of every sample, which the record does not have");
+        throw InvalidArgument(
+            "a drift of the displacement needs the time of every sample, which the record does not have");
     Loop level = loop;
     level.displacement -= rate * (loop.time - loop.time[0]);
     return level;

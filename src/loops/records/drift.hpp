@@ -10,10 +10,10 @@ namespace setae::loops {
 ///   between_baselines   share runs from 0 in the middle of the first baseline to 1 in that of the second
 ///   extrapolated        share is the time since the middle of the first baseline, change its slope
 struct ForceZero {
-    Array1D share;                      ///< empty where the zero is constant
+    Array1D share;  ///< empty where the zero is constant
     double change = 0.0;
     double change_standard_error = 0.0;
-    double weight_lost = 0.0;           ///< of the first baseline with each unit of share: 1 between baselines, 0 extrapolated
+    double weight_lost = 0.0;  ///< of the first baseline with each unit of share: 1 between baselines, 0 extrapolated
 
     [[nodiscard]] bool constant() const { return share.size() == 0; }
 };

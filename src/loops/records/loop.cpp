@@ -17,7 +17,8 @@ Loop loop_from_table(const Table& table) {
               .displacement = series("displacement"),
               .contact_radius = series("contact_radius")};
     if (loop.displacement.size() == 0 && loop.contact_radius.size() == 0)
-        throw InvalidArgument("a loop needs a column 'displacement' or 'contact_radius' beside 'force'; map one of them");
+        throw InvalidArgument(
+            "a loop needs a column 'displacement' or 'contact_radius' beside 'force'; map one of them");
     return loop;
 }
 

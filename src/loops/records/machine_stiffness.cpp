@@ -32,7 +32,8 @@ struct Line {
 Branch branch_above(const Loop& loop, const Segments& segments, const IndexRange& range, double least) {
     std::vector<Index> samples;
     for (Index i = range.first; i <= range.last; ++i) {
-        const bool ignored = std::any_of(segments.ignored.begin(), segments.ignored.end(), [&](const IndexRange& r) { return r.contains(i); });
+        const bool ignored = std::any_of(segments.ignored.begin(), segments.ignored.end(),
+                                         [&](const IndexRange& r) { return r.contains(i); });
         if (!ignored && loop.force[i] - segments.before.force >= least) samples.push_back(i);
     }
     Branch branch{Array1D(static_cast<Index>(samples.size())), Array1D(static_cast<Index>(samples.size()))};
@@ -42,12 +43,14 @@ Branch branch_above(const Loop& loop, const Segments& segments, const IndexRange
     }
     constexpr Index fewest = 10;
     if (branch.force.size() < fewest)
-        throw UndefinedDataError(fmt::format("{} samples of the rigid contact lie above {:.3g} N, a machine stiffness needs at least {}", branch.force.size(),
-                                             least, fewest));
+        throw UndefinedDataError(
+            fmt::format("{} samples of the rigid contact lie above {:.3g} N, a machine stiffness needs at least {}",
+                        branch.force.size(), least, fewest));
     return branch;
 }
 
-/// Huber's M-estimate of a straight line: residuals beyond 1.345 standard deviations, that of the middle half, count by their sign alone.
+/// Huber's M-estimate of a straight line: residuals beyond 1.345 standard deviations, that of the middle half, count by
+/// their sign alone.
 Line robust_line(const Branch& branch) {
     constexpr double bend = 1.345, scatter_over_median_deviation = 1.4826;
     constexpr int rounds = 30;
@@ -67,7 +70,9 @@ Line robust_line(const Branch& branch) {
         if (!(limit > 0.0)) break;
         weight = (distance <= limit).select(1.0, limit / distance.max(limit));
     }
-    if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise with the stage: no rigid contact; check the signs of the columns");
+    if (!(slope > 0.0))
+        throw UndefinedDataError(
+            "the force does not rise with the stage: no rigid contact; check the signs of the columns");
     Eigen::MatrixXd design(stage.size(), 2);
     design << weight.sqrt() * stage, weight.sqrt();
     const Eigen::VectorXd residuals = weight.sqrt() * (branch.force - level - slope * stage);
@@ -86,50 +91,69 @@ Estimate slope_growth(const Branch& branch, double slope) {
                 stage.push_back(branch.stage[i]);
                 force.push_back(branch.force[i]);
             }
-        const auto array = [](const std::vector<double>& v) { return Array1D(Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size()))); };
+        const auto array = [](const std::vector<double>& v) {
+            return Array1D(Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size())));
+        };
         return Branch{array(stage), array(force)};
     };
     const Branch lower = half(false), upper = half(true);
     constexpr Index fewest = 4;
     if (std::min(lower.force.size(), upper.force.size()) < fewest) return {.value = 0.0, .standard_error = 0.0};
     const Line below = robust_line(lower), above = robust_line(upper);
-    return {.value = (above.slope - below.slope) / slope, .standard_error = std::hypot(above.standard_error, below.standard_error) / slope};
+    return {.value = (above.slope - below.slope) / slope,
+            .standard_error = std::hypot(above.standard_error, below.standard_error) / slope};
 }
 
 }  // namespace
 
-MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Segments& segments, Index contact, const RigidContactOptions& options) {
+MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Segments& segments, Index contact,
+                                                      const RigidContactOptions& options) {
     if (contact < 0 || contact >= static_cast<Index>(segments.contacts.size()))
         throw InvalidArgument(fmt::format("contact {} of {}", contact, segments.contacts.size()));
     if (!(options.lowest_share >= 0.0 && options.lowest_share < 1.0))
-        throw InvalidArgument(fmt::format("lowest share of the force must lie in [0, 1), got {}", options.lowest_share));
-    if (loop.displacement.size() == 0) throw UndefinedDataError("a machine stiffness needs the position of the stage, which was not measured");
+        throw InvalidArgument(
+            fmt::format("lowest share of the force must lie in [0, 1), got {}", options.lowest_share));
+    if (loop.displacement.size() == 0)
+        throw UndefinedDataError("a machine stiffness needs the position of the stage, which was not measured");
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
-    const double largest = loop.force[touch.loading.last] - segments.before.force, least = options.lowest_share * largest;
+    const double largest = loop.force[touch.loading.last] - segments.before.force,
+                 least = options.lowest_share * largest;
     const Branch pressed = branch_above(loop, segments, touch.loading, least);
     const Line in = robust_line(pressed);
     const Estimate growth = slope_growth(pressed, in.slope);
     constexpr double sure = 3.0;
     if (growth.value > options.largest_nonlinearity && growth.value > sure * growth.standard_error)
-        throw UndefinedDataError(fmt::format("the slope of force against stage grows by {:.0f} % from the lower to the upper half of the forces, more than {:.0f} %: "
-                                             "this contact is soft; measure the machine on a rigid body",
-                                             100.0 * growth.value, 100.0 * options.largest_nonlinearity));
-    const auto estimate = [](double value, double error) { return Estimate{.value = value, .standard_error = error, .method = "robust line, correlated residuals"}; };
-    MachineStiffness result{.stiffness = estimate(in.slope, in.standard_error), .loading = estimate(in.slope, in.standard_error), .unloading = {undefined},
-                            .hysteresis = undefined, .nonlinearity = growth.value, .n = pressed.force.size()};
+        throw UndefinedDataError(fmt::format(
+            "the slope of force against stage grows by {:.0f} % from the lower to the upper half of the forces, more than {:.0f} %: "
+            "this contact is soft; measure the machine on a rigid body",
+            100.0 * growth.value, 100.0 * options.largest_nonlinearity));
+    const auto estimate = [](double value, double error) {
+        return Estimate{.value = value, .standard_error = error, .method = "robust line, correlated residuals"};
+    };
+    MachineStiffness result{.stiffness = estimate(in.slope, in.standard_error),
+                            .loading = estimate(in.slope, in.standard_error),
+                            .unloading = {undefined},
+                            .hysteresis = undefined,
+                            .nonlinearity = growth.value,
+                            .n = pressed.force.size()};
     if (!touch.unloading) return result;
     const Branch released = branch_above(loop, segments, *touch.unloading, least);
     const Line out = robust_line(released);
     result.unloading = estimate(out.slope, out.standard_error);
     result.n += released.force.size();
     // branches weigh alike: what parts them is no noise
-    result.stiffness = estimate(0.5 * (in.slope + out.slope), std::hypot(0.5 * std::hypot(in.standard_error, out.standard_error), 0.5 * (in.slope - out.slope)));
+    result.stiffness =
+        estimate(0.5 * (in.slope + out.slope),
+                 std::hypot(0.5 * std::hypot(in.standard_error, out.standard_error), 0.5 * (in.slope - out.slope)));
     const double deflection = in.stage_at(largest) - in.stage_at(least);
-    const double at_least = std::abs(in.stage_at(least) - out.stage_at(least)), at_largest = std::abs(in.stage_at(largest) - out.stage_at(largest));
+    const double at_least = std::abs(in.stage_at(least) - out.stage_at(least)),
+                 at_largest = std::abs(in.stage_at(largest) - out.stage_at(largest));
     result.hysteresis = std::max(at_least, at_largest) / deflection;
     return result;
 }
 
-MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop) { return machine_stiffness_from_rigid_contact(loop, find_segments(loop)); }
+MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop) {
+    return machine_stiffness_from_rigid_contact(loop, find_segments(loop));
+}
 
 }  // namespace setae::loops

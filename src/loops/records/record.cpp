@@ -22,7 +22,8 @@ void require_series(const Array1D& series, const char* name, Index expected, boo
     if (may_be_undefined) return;
     for (Index i = 0; i < series.size(); ++i)
         if (!std::isfinite(series[i]))
-            throw InvalidArgument(fmt::format("{} is undefined at sample {}; remove such samples from every series", name, i));
+            throw InvalidArgument(
+                fmt::format("{} is undefined at sample {}; remove such samples from every series", name, i));
 }
 
 /// Samples before the first with a contact radius > 0.
@@ -32,8 +33,8 @@ Index leading_free_samples(const Array1D& contact_radius) {
     return i;
 }
 
-/// Samples before the force leaves free flight for good: the first two in a row (or the last one) so far from the median that no noise takes
-/// them there, the scatter being that of the middle half. All of them where there are none.
+/// Samples before the force leaves free flight for good: the first two in a row (or the last one) so far from the
+/// median that no noise takes them there, the scatter being that of the middle half. All of them where there are none.
 Index samples_before_contact(const ArrayView1D& force) {
     constexpr double far = 8.0, scatter_over_median_deviation = 1.4826;
     const double zero = median(force);
@@ -60,7 +61,8 @@ void require_valid(const Loop& loop) {
     if (n < fewest_samples)
         throw InvalidArgument(fmt::format("force has {} samples, a loop needs at least {}", n, fewest_samples));
     if (loop.displacement.size() == 0 && loop.contact_radius.size() == 0)
-        throw InvalidArgument("a loop needs displacement or contact radius beside the force; map a column to one of them");
+        throw InvalidArgument(
+            "a loop needs displacement or contact radius beside the force; map a column to one of them");
     require_series(loop.force, "force", n, false);
     require_series(loop.displacement, "displacement", n, false);
     require_series(loop.time, "time", n, true);
@@ -84,11 +86,12 @@ Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
     const double range = loop.force.maxCoeff() - loop.force.minCoeff();
     constexpr double wander_limit = 0.05;  // of the force range
     constexpr double wander_over_noise = 2.0;
-    if (baseline.force_scatter > wander_limit * range && baseline.force_scatter > wander_over_noise * baseline.force_noise)
-        throw UndefinedDataError(
-            fmt::format("the first {} samples are no free flight: their force wanders by {:.3g} N, {:.0f} % of the whole "
-                        "range; shorten the baseline share or give the zero of force",
-                        count, baseline.force_scatter, 100.0 * baseline.force_scatter / range));
+    if (baseline.force_scatter > wander_limit * range &&
+        baseline.force_scatter > wander_over_noise * baseline.force_noise)
+        throw UndefinedDataError(fmt::format(
+            "the first {} samples are no free flight: their force wanders by {:.3g} N, {:.0f} % of the whole "
+            "range; shorten the baseline share or give the zero of force",
+            count, baseline.force_scatter, 100.0 * baseline.force_scatter / range));
     return baseline;
 }
 
@@ -98,9 +101,10 @@ Record make_record(const Loop& loop, const Baseline& baseline, const SegmentOpti
     if (!(record.range > 0.0)) throw UndefinedDataError("the force is constant: no contact to analyse");
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     if (record.range <= range_of_noise * baseline.force_scatter)
-        throw UndefinedDataError(fmt::format("the force never leaves its noise: range {:.3g} N, scatter of free flight "
-                                             "{:.3g} N; no contact to analyse",
-                                             record.range, baseline.force_scatter));
+        throw UndefinedDataError(
+            fmt::format("the force never leaves its noise: range {:.3g} N, scatter of free flight "
+                        "{:.3g} N; no contact to analyse",
+                        record.range, baseline.force_scatter));
     constexpr double rounding = 1e-9;  // of the range: what counts as zero in a record without noise
     constexpr double free_share = 0.01;
     record.feature = std::max(options.feature_factor * baseline.force_scatter, rounding * record.range);

@@ -8,11 +8,11 @@ namespace setae::loops {
 /// A loop with its force counted from the baseline, and the levels that tell features from noise.
 struct Record {
     const Loop& loop;
-    Array1D force;             ///< [N], baseline removed
-    double range = 0.0;        ///< largest minus smallest force [N]
-    double feature = 0.0;      ///< a force further from zero is no noise [N]
-    double free_level = 0.0;   ///< a force within is that of free flight [N]
-    double turning = 0.0;      ///< a reversal of less is no reversal [N]
+    Array1D force;            ///< [N], baseline removed
+    double range = 0.0;       ///< largest minus smallest force [N]
+    double feature = 0.0;     ///< a force further from zero is no noise [N]
+    double free_level = 0.0;  ///< a force within is that of free flight [N]
+    double turning = 0.0;     ///< a reversal of less is no reversal [N]
 
     [[nodiscard]] Index size() const { return force.size(); }
     [[nodiscard]] bool has_radius() const { return loop.contact_radius.size() > 0; }

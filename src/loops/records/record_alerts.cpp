@@ -22,53 +22,73 @@ std::string times(double factor) { return fmt::format("10^{:.0f}", std::log10(fa
 std::string described(const std::vector<IndexRange>& ranges) {
     std::string text;
     constexpr std::size_t most = 3;
-    for (std::size_t i = 0; i < std::min(ranges.size(), most); ++i) text += fmt::format("{}{} to {}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
+    for (std::size_t i = 0; i < std::min(ranges.size(), most); ++i)
+        text += fmt::format("{}{} to {}", i == 0 ? "" : ", ", ranges[i].first, ranges[i].last);
     return ranges.size() > most ? text + fmt::format(" and {} more", ranges.size() - most) : text;
 }
 
 void check_faults(AlertList& list, const RecordFaults& faults, const Loop& loop, const AlertLimits& limits) {
     if (faults.time_backwards)
         list.add("TIME_BACKWARDS",
-                 fmt::format("time runs backwards at sample {}: drift is taken along the samples, not the time", *faults.time_backwards),
+                 fmt::format("time runs backwards at sample {}: drift is taken along the samples, not the time",
+                             *faults.time_backwards),
                  "sort the rows, or split a file that holds several records");
-    for (const auto& [ranges, end] : {std::pair(&faults.saturated_high, "largest"), std::pair(&faults.saturated_low, "smallest")})
+    for (const auto& [ranges, end] :
+         {std::pair(&faults.saturated_high, "largest"), std::pair(&faults.saturated_low, "smallest")})
         if (!ranges->empty())
-            list.add("FORCE_SATURATED",
-                     fmt::format("the force stands still at its {} value, {}, without any noise in samples {}: they are left out of every fit, and the energy "
-                                 "lacks what lies beyond",
-                                 end, format_value(loop.force[ranges->front().first], "N"), described(*ranges)),
-                     "use a larger range of the force sensor");
-    const double share = faults.frames > 0 ? static_cast<double>(faults.frames_missing) / static_cast<double>(faults.frames) : 0.0;
+            list.add(
+                "FORCE_SATURATED",
+                fmt::format(
+                    "the force stands still at its {} value, {}, without any noise in samples {}: they are left out of every fit, and the energy "
+                    "lacks what lies beyond",
+                    end, format_value(loop.force[ranges->front().first], "N"), described(*ranges)),
+                "use a larger range of the force sensor");
+    const double share =
+        faults.frames > 0 ? static_cast<double>(faults.frames_missing) / static_cast<double>(faults.frames) : 0.0;
     if (share > limits.frames_missing)
         list.add("FRAME_MISSING",
-                 fmt::format("{:.0f} % of the frames in contact have no contact radius; the longest gap are samples {} to {}", 100.0 * share,
-                             faults.longest_gap->first, faults.longest_gap->last),
+                 fmt::format(
+                     "{:.0f} % of the frames in contact have no contact radius; the longest gap are samples {} to {}",
+                     100.0 * share, faults.longest_gap->first, faults.longest_gap->last),
                  "look at the images of the gap; what happened in it rests on force and displacement alone");
 }
 
-void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies, const AlertLimits& limits) {
-    const auto implausible = [&](const std::string& message, const std::string& action) { list.add("UNITS_IMPLAUSIBLE", message, action); };
+void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
+                 const AlertLimits& limits) {
+    const auto implausible = [&](const std::string& message, const std::string& action) {
+        list.add("UNITS_IMPLAUSIBLE", message, action);
+    };
     constexpr double usual_share = 0.1, usual_modulus = 1e6, usual_work = 0.05;
-    const double largest = loop.contact_radius.size() > 0 ? loop.contact_radius.unaryExpr([](double a) { return a > 0.0 ? a : 0.0; }).maxCoeff() : 0.0;
+    const double largest = loop.contact_radius.size() > 0
+                               ? loop.contact_radius.unaryExpr([](double a) { return a > 0.0 ? a : 0.0; }).maxCoeff()
+                               : 0.0;
     if (largest > bodies.radius)
-        implausible(fmt::format("the contact radius reaches {}, more than the sphere radius {}: one of them is off, the likely factor of the contact radius is {}",
-                                format_value(largest, "m"), format_value(bodies.radius, "m"), times(likely_factor(largest, usual_share * bodies.radius, 1.0))),
-                    "check the units of contact radius and sphere radius");
+        implausible(
+            fmt::format(
+                "the contact radius reaches {}, more than the sphere radius {}: one of them is off, the likely factor of the contact radius is {}",
+                format_value(largest, "m"), format_value(bodies.radius, "m"),
+                times(likely_factor(largest, usual_share * bodies.radius, 1.0))),
+            "check the units of contact radius and sphere radius");
     const JkrFit& fit = analysis.loading.primary();
     const double modulus = fit.contact_modulus.value, work = fit.work_of_adhesion.value;
     if (!(modulus >= limits.contact_modulus_least && modulus <= limits.contact_modulus_most)) {
         // E* ∝ F R^(−1/2) δ^(−3/2) or F R a^(−3)
         const bool by_radius = fit.method != "force_displacement" && loop.contact_radius.size() > 0;
-        implausible(fmt::format("E* = {:.3g} Pa lies outside {:.0e} to {:.0e} Pa: the likely factor of the force is {}, or of the {} {}", modulus,
-                                limits.contact_modulus_least, limits.contact_modulus_most, times(likely_factor(modulus, usual_modulus, 1.0)),
-                                by_radius ? "contact radius" : "displacement", times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
-                    "check the units of the columns and of the radius");
+        implausible(
+            fmt::format(
+                "E* = {:.3g} Pa lies outside {:.0e} to {:.0e} Pa: the likely factor of the force is {}, or of the {} {}",
+                modulus, limits.contact_modulus_least, limits.contact_modulus_most,
+                times(likely_factor(modulus, usual_modulus, 1.0)), by_radius ? "contact radius" : "displacement",
+                times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
+            "check the units of the columns and of the radius");
     }
     if (std::abs(work) > limits.work_of_adhesion_most)
-        implausible(fmt::format("W = {:.3g} J/m² exceeds {:.3g} J/m²: forces of {} are too large for this radius, the likely factor is {}", work,
-                                limits.work_of_adhesion_most, format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
-                                times(likely_factor(std::abs(work), usual_work, 1.0))),
-                    "check the units of force and radius");
+        implausible(
+            fmt::format(
+                "W = {:.3g} J/m² exceeds {:.3g} J/m²: forces of {} are too large for this radius, the likely factor is {}",
+                work, limits.work_of_adhesion_most, format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
+                times(likely_factor(std::abs(work), usual_work, 1.0))),
+            "check the units of force and radius");
 }
 
 void check_contacts(AlertList& list, const LoopAnalysis& analysis) {
@@ -77,18 +97,23 @@ void check_contacts(AlertList& list, const LoopAnalysis& analysis) {
     std::string where;
     constexpr std::size_t most = 5;
     for (std::size_t k = 0; k < std::min(contacts.size(), most); ++k)
-        where += fmt::format("{}samples {} to {}", k == 0 ? "" : ", ", contacts[k].loading.first, contacts[k].unloading ? contacts[k].unloading->last : contacts[k].loading.last);
+        where += fmt::format("{}samples {} to {}", k == 0 ? "" : ", ", contacts[k].loading.first,
+                             contacts[k].unloading ? contacts[k].unloading->last : contacts[k].loading.last);
     if (contacts.size() > most) where += ", …";
     std::string failed;
     for (std::size_t k = 0; k < analysis.further_contacts.size(); ++k)
-        if (!analysis.further_contacts[k]) failed += fmt::format("; contact {} is not analysed: {}", k + 2, analysis.further_contacts[k].reason);
-    list.add("TWO_CONTACTS", fmt::format("the record holds {} contacts, {}: each is analysed, the first stands for the record{}", contacts.size(), where, failed),
+        if (!analysis.further_contacts[k])
+            failed += fmt::format("; contact {} is not analysed: {}", k + 2, analysis.further_contacts[k].reason);
+    list.add("TWO_CONTACTS",
+             fmt::format("the record holds {} contacts, {}: each is analysed, the first stands for the record{}",
+                         contacts.size(), where, failed),
              "split the file, or take the contact you mean");
 }
 
 }  // namespace
 
-void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies, const AlertLimits& limits) {
+void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
+                  const AlertLimits& limits) {
     check_faults(list, analysis.faults, loop, limits);
     check_units(list, analysis, loop, bodies, limits);
     check_contacts(list, analysis);

@@ -44,11 +44,13 @@ void find_gaps(const Array1D& radius, RecordFaults& faults) {
     constexpr std::size_t fewest = 5;
     if (frames.size() < fewest) return;
     Array1D steps(static_cast<Index>(frames.size()) - 1);
-    for (Index k = 0; k < steps.size(); ++k) steps[k] = static_cast<double>(frames[static_cast<std::size_t>(k) + 1] - frames[static_cast<std::size_t>(k)]);
+    for (Index k = 0; k < steps.size(); ++k)
+        steps[k] = static_cast<double>(frames[static_cast<std::size_t>(k) + 1] - frames[static_cast<std::size_t>(k)]);
     const double usual = median(steps);
     faults.frames = static_cast<Index>(frames.size());
     for (Index k = 0; k < steps.size(); ++k) {
-        const IndexRange gap{.first = frames[static_cast<std::size_t>(k)] + 1, .last = frames[static_cast<std::size_t>(k) + 1] - 1};
+        const IndexRange gap{.first = frames[static_cast<std::size_t>(k)] + 1,
+                             .last = frames[static_cast<std::size_t>(k) + 1] - 1};
         // between two contacts the radius is 0, not missing
         const bool measured = gap.count() > 0 && (radius.segment(gap.first, gap.count()) == 0.0).any();
         const Index missing = static_cast<Index>(std::lround(steps[k] / usual)) - 1;

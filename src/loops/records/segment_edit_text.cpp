@@ -12,7 +12,9 @@ namespace setae::loops {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-    throw InvalidArgument(fmt::format("segment '{}': {}; expected such as loading=120:900, unloading@2=12.5s:20s or ignore=30:35 (reason)", text, why));
+    throw InvalidArgument(fmt::format(
+        "segment '{}': {}; expected such as loading=120:900, unloading@2=12.5s:20s or ignore=30:35 (reason)", text,
+        why));
 }
 
 std::optional<Index> sample_from(std::string_view text) {
@@ -37,7 +39,8 @@ GivenRange range_from(std::string_view range, std::string_view whole) {
 }
 
 std::string text_of(const GivenRange& range) {
-    if (const auto* samples = std::get_if<IndexRange>(&range)) return fmt::format("{}:{}", samples->first, samples->last);
+    if (const auto* samples = std::get_if<IndexRange>(&range))
+        return fmt::format("{}:{}", samples->first, samples->last);
     const auto& times = std::get<TimeRange>(range);
     return fmt::format("{}s:{}s", times.first, times.last);
 }
@@ -57,8 +60,10 @@ constexpr const char* segment_names[] = {"jump_in", "loading", "hold", "unloadin
 
 IgnoredSamples ignored_from(std::string_view value, std::string_view whole) {
     const auto open = value.find('(');
-    if (open == std::string_view::npos || value.back() != ')') refuse(whole, "samples are ignored for a reason, in brackets");
-    return {.range = range_from(value.substr(0, open), whole), .reason = std::string(trimmed(value.substr(open + 1, value.size() - open - 2)))};
+    if (open == std::string_view::npos || value.back() != ')')
+        refuse(whole, "samples are ignored for a reason, in brackets");
+    return {.range = range_from(value.substr(0, open), whole),
+            .reason = std::string(trimmed(value.substr(open + 1, value.size() - open - 2)))};
 }
 
 }  // namespace
@@ -92,7 +97,10 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
     ContactEdits scratch;
     const bool cut = name == "cut";
     if (!cut && segment_of(scratch, name) == nullptr)
-        refuse(text, fmt::format("'{}' is none of baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore", name));
+        refuse(text,
+               fmt::format(
+                   "'{}' is none of baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore",
+                   name));
     const auto sample = cut ? sample_from(value) : std::nullopt;
     if (cut && !sample) refuse(text, "a cut is one sample");
     const auto range = cut ? std::nullopt : std::optional(range_from(value, text));
@@ -109,10 +117,12 @@ std::vector<std::string> segment_edit_texts(const SegmentEdits& edits) {
     for (std::size_t k = 0; k < edits.contacts.size(); ++k) {
         const std::string contact = k == 0 ? "" : fmt::format("@{}", k + 1);
         for (const char* name : segment_names)
-            if (const auto* range = segment_of(edits.contacts[k], name); *range) texts.push_back(name + contact + "=" + text_of(**range));
+            if (const auto* range = segment_of(edits.contacts[k], name); *range)
+                texts.push_back(name + contact + "=" + text_of(**range));
         for (const Index cut : edits.contacts[k].cuts) texts.push_back(fmt::format("cut{}={}", contact, cut));
     }
-    for (const IgnoredSamples& ignored : edits.ignored) texts.push_back(fmt::format("ignore={} ({})", text_of(ignored.range), ignored.reason));
+    for (const IgnoredSamples& ignored : edits.ignored)
+        texts.push_back(fmt::format("ignore={} ({})", text_of(ignored.range), ignored.reason));
     return texts;
 }
 

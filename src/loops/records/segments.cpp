@@ -57,7 +57,8 @@ std::vector<Touch> find_touches(const Record& record) {
         } else if (point.peak) {
             if (touch.troughs.empty()) touch.troughs.push_back(index_of_smallest(record.force, free_from, point.index));
             touch.peaks.push_back(point.index);
-        } else if (touch.peaks.empty() || record.force[touch.peaks.back()] - record.force[point.index] >= record.turning) {
+        } else if (touch.peaks.empty() ||
+                   record.force[touch.peaks.back()] - record.force[point.index] >= record.turning) {
             touch.troughs.push_back(point.index);
         }
     }
@@ -134,10 +135,11 @@ void add_cycles(const Touch& touch, Index contact_index, Segments& segments) {
     for (std::size_t k = 0; k < touch.peaks.size(); ++k) {
         const bool last = k + 1 == touch.peaks.size();
         if (last && !contact.unloading) return;
-        Cycle cycle{.loading = {.first = k == 0 ? contact.loading.first : touch.troughs[k], .last = touch.peaks[k]},
-                    .unloading = {.first = touch.peaks[k], .last = last ? contact.unloading->last : touch.troughs[k + 1]},
-                    .contact = contact_index,
-                    .ends_in_pull_off = last && contact.pull_off.has_value()};
+        Cycle cycle{
+            .loading = {.first = k == 0 ? contact.loading.first : touch.troughs[k], .last = touch.peaks[k]},
+            .unloading = {.first = touch.peaks[k], .last = last ? contact.unloading->last : touch.troughs[k + 1]},
+            .contact = contact_index,
+            .ends_in_pull_off = last && contact.pull_off.has_value()};
         contact.cycles.push_back(static_cast<Index>(segments.cycles.size()));
         segments.cycles.push_back(cycle);
     }
@@ -147,16 +149,18 @@ void add_cycles(const Touch& touch, Index contact_index, Segments& segments) {
 void require_press(const Record& record, const ContactSegments& contact) {
     constexpr Index fewest = 4;
     if (contact.loading.count() < fewest)
-        throw UndefinedDataError(fmt::format("the largest force, at sample {}, comes {} samples after first contact: no loading "
-                                             "to analyse; check the sign of the force",
-                                             contact.loading.last, contact.loading.count() - 1));
+        throw UndefinedDataError(
+            fmt::format("the largest force, at sample {}, comes {} samples after first contact: no loading "
+                        "to analyse; check the sign of the force",
+                        contact.loading.last, contact.loading.count() - 1));
     if (!record.has_displacement()) return;
     const auto force = record.force.segment(contact.loading.first, contact.loading.count());
     const auto position = record.loop.displacement.segment(contact.loading.first, contact.loading.count());
     if (((force - force.mean()) * (position - position.mean())).sum() > 0.0) return;
-    throw UndefinedDataError(fmt::format("between samples {} and {} the force rises while the displacement does not: a drifting "
-                                         "sensor or a wrong sign, no contact; check the signs of force and displacement",
-                                         contact.loading.first, contact.loading.last));
+    throw UndefinedDataError(
+        fmt::format("between samples {} and {} the force rises while the displacement does not: a drifting "
+                    "sensor or a wrong sign, no contact; check the signs of force and displacement",
+                    contact.loading.first, contact.loading.last));
 }
 
 /// Without a measured radius, adhesion is what tells contact from drift.
@@ -164,10 +168,10 @@ void require_adhesion(const Record& record, const Segments& segments) {
     if (record.has_radius()) return;
     for (const ContactSegments& contact : segments.contacts)
         if (contact.jump_in || contact.pull_off) return;
-    throw UndefinedDataError(
-        fmt::format("no adhesive contact: the force never falls below the baseline by more than {:.3g} N before or after its "
-                    "maximum, as it does at jump-in and pull-off; give the contact radius where adhesion is too weak to see",
-                    record.feature));
+    throw UndefinedDataError(fmt::format(
+        "no adhesive contact: the force never falls below the baseline by more than {:.3g} N before or after its "
+        "maximum, as it does at jump-in and pull-off; give the contact radius where adhesion is too weak to see",
+        record.feature));
 }
 
 /// Free flight after the last contact, its first quarter left out: the sensor settles there.
@@ -188,7 +192,8 @@ Segments find_segments(const Loop& loop, const SegmentOptions& options) {
     const Record record = make_record(loop, segments.before, options);
     const std::vector<Touch> touches = find_touches(record);
     if (touches.empty())
-        throw UndefinedDataError("no contact: the force has no maximum above the baseline, or the contact radius is never > 0");
+        throw UndefinedDataError(
+            "no contact: the force has no maximum above the baseline, or the contact radius is never > 0");
     Index start = 0;
     for (const Touch& touch : touches) {
         segments.contacts.push_back(describe(record, start, touch));

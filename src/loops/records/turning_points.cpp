@@ -22,7 +22,8 @@ std::vector<TurningPoint> turning_points(const ArrayView1D& series, double heigh
             rising_wanted = true;
         }
     }
-    if (!points.empty()) points.push_back({.index = points.back().peak ? lowest : highest, .peak = !points.back().peak});
+    if (!points.empty())
+        points.push_back({.index = points.back().peak ? lowest : highest, .peak = !points.back().peak});
     return points;
 }
 

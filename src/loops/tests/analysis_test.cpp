@@ -78,7 +78,8 @@ TEST(Analysis, FitsTheRetractionBehindThePinnedStretch) {
         // where the edge lets go, give or take the rounding of a, 1e-6, over that of a step of the branch
         EXPECT_NEAR(static_cast<double>(analysis.pinned->last), static_cast<double>(released), 1.0) << radius_measured;
         const JkrFit& fit = *analysis.unloading->force_displacement;
-        // the sample of the smallest force may lie a step beyond the fold of δ(F), where the fit expects the other branch
+        // the sample of the smallest force may lie a step beyond the fold of δ(F), where the fit expects the other
+        // branch
         EXPECT_NEAR(fit.work_of_adhesion.value / 0.070, 1.0, 1e-4);
         EXPECT_NEAR(fit.contact_modulus.value / 0.92e6, 1.0, 1e-4);
         EXPECT_FALSE(has_alert(analysis, "POOR_FIT"));
@@ -173,8 +174,7 @@ TEST(Analysis, PutsEffectiveVarianceFirstWhereBothErrorsAreKnown) {
     std::mt19937_64 generator(2);
     Loop loop = without_pinned_stretch(rough);
     loop.force = tests::with_noise(loop.force, 1e-7, generator);
-    const LoopAnalysis analysis =
-        analyse(loop, rubber_on_diamond(), {.contact_radius_noise = 1e-8});
+    const LoopAnalysis analysis = analyse(loop, rubber_on_diamond(), {.contact_radius_noise = 1e-8});
     EXPECT_EQ(analysis.loading.primary().method, "radius_force_effective_variance");
     EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 0.01);
     const LoopAnalysis plain =

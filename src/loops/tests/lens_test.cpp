@@ -30,7 +30,8 @@ TEST(CircleThrough, ThreePointsIsTheirCircle) {
 }
 
 TEST(CircleThrough, RefusesPointsOnALineAndOtherNumbersOfPoints) {
-    EXPECT_THROW((void)circle_through(Array1D::LinSpaced(3, 0.0, 1.0), Array1D::LinSpaced(3, 0.0, 2.0)), InvalidArgument);
+    EXPECT_THROW((void)circle_through(Array1D::LinSpaced(3, 0.0, 1.0), Array1D::LinSpaced(3, 0.0, 2.0)),
+                 InvalidArgument);
     EXPECT_THROW((void)circle_through(Array1D::LinSpaced(4, 0.0, 1.0), Array1D::Zero(4)), InvalidArgument);
     EXPECT_THROW((void)circle_through(Array1D::Zero(3), Array1D::Zero(3)), InvalidArgument);
 }

@@ -20,12 +20,14 @@ Array1D both(const Array1D& a, const Array1D& b) {
 }
 
 const Alert* alert_of(const LoopAnalysis& analysis, const std::string& code) {
-    const auto found = std::find_if(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& a) { return a.code == code; });
+    const auto found =
+        std::find_if(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& a) { return a.code == code; });
     return found == analysis.alerts.end() ? nullptr : &*found;
 }
 
 TEST(TwoContacts, AreBothAnalysed) {
-    const SyntheticLoop weak{.samples = 400}, strong{.retraction_work = 0.070, .largest_radius = 1.1e-4, .samples = 400};
+    const SyntheticLoop weak{.samples = 400},
+        strong{.retraction_work = 0.070, .largest_radius = 1.1e-4, .samples = 400};
     const Loop first = weak.make(), second = strong.make();
     const Loop loop{.force = both(first.force, second.force),
                     .displacement = both(first.displacement, second.displacement),

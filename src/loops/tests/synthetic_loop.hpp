@@ -11,8 +11,8 @@
 
 namespace setae::loops::tests {
 
-/// A smooth lens under fixed grips whose W on retraction may exceed that on approach: what the closed forms say of it is
-/// known exactly.
+/// A smooth lens under fixed grips whose W on retraction may exceed that on approach: what the closed forms say of it
+/// is known exactly.
 struct SyntheticLoop {
     contact::jkr::Contact approach{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
     double retraction_work = 0.040;

@@ -23,14 +23,16 @@ TEST(RandomBits, AreThePublishedAnswersOfPhilox) {
 
 TEST(RandomBits, HaveTheSeedAsKeyAndTheStreamInTheCounter) {
     const RandomKey key{0x299f31d0a4093822U, 0x0370734413198a2eU};
-    const auto bits = r123::Philox4x32{}({{0x243f6a88U, 0x05a308d3U, 0x13198a2eU, 0x03707344U}}, {{0xa4093822U, 0x299f31d0U}});
+    const auto bits =
+        r123::Philox4x32{}({{0x243f6a88U, 0x05a308d3U, 0x13198a2eU, 0x03707344U}}, {{0xa4093822U, 0x299f31d0U}});
     const std::uint64_t block = 0x05a308d3243f6a88U;
     EXPECT_EQ(random_bits(key, 2 * block), static_cast<std::uint64_t>(bits[1]) << 32 | bits[0]);
     EXPECT_EQ(random_bits(key, 2 * block + 1), static_cast<std::uint64_t>(bits[3]) << 32 | bits[2]);
 }
 
 TEST(NormalNumbers, AreBoxMullerOfTheirBits) {
-    // the library's logarithm and polar are an independent evaluation; angle (π/2)(k + f) from the top two bits and the rest
+    // the library's logarithm and polar are an independent evaluation; angle (π/2)(k + f) from the top two bits and the
+    // rest
     const RandomKey key{7, 3};
     for (std::uint64_t m = 0; m < 2000; ++m) {
         const std::uint64_t first = random_bits(key, 2 * m), second = random_bits(key, 2 * m + 1);
@@ -63,7 +65,8 @@ TEST(NormalNumbers, HaveTheMomentsOfTheNormalDistribution) {
     EXPECT_LT(std::abs(z.square().mean() - 1.0), 4.0 * std::sqrt(2.0) / root);
     EXPECT_LT(std::abs(z.cube().mean()), 4.0 * std::sqrt(15.0) / root);
     EXPECT_LT(std::abs(z.pow(4).mean() - 3.0), 4.0 * std::sqrt(96.0) / root);
-    for (const Index lag : {1, 2, 7}) EXPECT_LT(std::abs((z.head(n - lag) * z.tail(n - lag)).mean()), 4.0 / root) << lag;
+    for (const Index lag : {1, 2, 7})
+        EXPECT_LT(std::abs((z.head(n - lag) * z.tail(n - lag)).mean()), 4.0 / root) << lag;
 }
 
 TEST(NormalNumbers, FollowTheNormalDistributionFunction) {
@@ -91,12 +94,14 @@ TEST(UniformNumbers, LieStrictlyInsideAndFillTheInterval) {
 TEST(Substreams, AreUnrelatedToEachOtherAndToTheirParent) {
     constexpr Index n = 100000;
     const RandomKey parent{5, 0};
-    const RandomKey children[] = {parent, substream(parent, 0), substream(parent, 1), substream(substream(parent, 0), 0), {6, 0}};
+    const RandomKey children[] = {
+        parent, substream(parent, 0), substream(parent, 1), substream(substream(parent, 0), 0), {6, 0}};
     for (const auto& a : children)
         for (const auto& b : children) {
             if (&a == &b) continue;
             EXPECT_FALSE(a == b);
-            EXPECT_LT(std::abs((normal_numbers(a, 0, n) * normal_numbers(b, 0, n)).mean()), 4.0 / std::sqrt(static_cast<double>(n)));
+            EXPECT_LT(std::abs((normal_numbers(a, 0, n) * normal_numbers(b, 0, n)).mean()),
+                      4.0 / std::sqrt(static_cast<double>(n)));
         }
 }
 

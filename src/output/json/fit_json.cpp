@@ -10,12 +10,14 @@ namespace {
 using loops::Outcome;
 
 /// A quantity with its estimate, or null and the reason.
-void add_estimate(Json& json, const char* name, const char* symbol, const study::Outcome<Estimate>& estimate, const char* unit) {
+void add_estimate(Json& json, const char* name, const char* symbol, const study::Outcome<Estimate>& estimate,
+                  const char* unit) {
     add_outcome(json, name, estimate, [&](const Estimate& e) { return to_json(quantity(name, symbol, e, unit)); });
 }
 
 void add_residuals(Json& json, const char* name, const loops::ChannelResiduals& residuals, const char* unit) {
-    if (residuals.values.size() > 0) json[name] = {{"rms", number(residuals.rms)}, {"unit", unit}, {"values", numbers(residuals.values)}};
+    if (residuals.values.size() > 0)
+        json[name] = {{"rms", number(residuals.rms)}, {"unit", unit}, {"values", numbers(residuals.values)}};
 }
 
 Json channels(loops::Channels used) {
@@ -49,7 +51,9 @@ Json json_of(const loops::RangeFit& range) {
 
 Json json_of(const loops::CurveSegment& segment) {
     Json json{{"name", segment.name}, {"first", segment.range.first}, {"last", segment.range.last}};
-    json["baseline"] = {{"force", number(segment.baseline.force)}, {"slope", number(segment.baseline.slope)}, {"force_noise", number(segment.baseline.force_noise)}};
+    json["baseline"] = {{"force", number(segment.baseline.force)},
+                        {"slope", number(segment.baseline.slope)},
+                        {"force_noise", number(segment.baseline.force_noise)}};
     add(json, quantity("contact_point_found", "delta0", segment.contact_point, "m"));
     add(json, quantity("smallest_force", "F_po", segment.smallest_force, "N"));
     return json;
@@ -79,7 +83,10 @@ Json json_of(const loops::ForceCurveFit& fit) {
 }  // namespace
 
 Json to_json(const loops::ModelFit& fit) {
-    Json json{{"model", to_string(fit.model)}, {"channels", channels(fit.channels)}, {"errors", to_string(fit.errors)}, {"converged", fit.converged}};
+    Json json{{"model", to_string(fit.model)},
+              {"channels", channels(fit.channels)},
+              {"errors", to_string(fit.errors)},
+              {"converged", fit.converged}};
     add(json, quantity("contact_modulus", "E*", fit.contact_modulus, "Pa"));
     add(json, quantity("youngs_modulus", "E", fit.youngs_modulus, "Pa"));
     add_estimate(json, "work_of_adhesion", "W", fit.work_of_adhesion, "J/m2");
@@ -92,7 +99,8 @@ Json to_json(const loops::ModelFit& fit) {
         add_estimate(json, "zero_load_radius", "a0", fit.zero_load_radius, "m");
         add_estimate(json, "pull_off_force", "F_c", fit.pull_off_force, "N");
     }
-    if (fit.contact_point.value == fit.contact_point.value) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
+    if (fit.contact_point.value == fit.contact_point.value)
+        add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["parameters"] = fit.parameters;
     json["covariance"] = matrix(fit.covariance);
     json["correlations"] = matrix(fit.correlations);
@@ -107,14 +115,18 @@ Json to_json(const loops::ModelFit& fit) {
     add_residuals(json, "force_residuals", fit.force_residuals, "N");
     add_residuals(json, "displacement_residuals", fit.displacement_residuals, "m");
     add_residuals(json, "contact_radius_residuals", fit.contact_radius_residuals, "m");
-    if (fit.verdict) json["applies"] = {{"sentence", fit.verdict->sentence}, {"tabor_parameter", number(fit.verdict->tabor_parameter)}, {"transition_parameter", number(fit.verdict->transition_parameter)}};
+    if (fit.verdict)
+        json["applies"] = {{"sentence", fit.verdict->sentence},
+                           {"tabor_parameter", number(fit.verdict->tabor_parameter)},
+                           {"transition_parameter", number(fit.verdict->transition_parameter)}};
     return json;
 }
 
 Json to_json(const loops::ModelComparison& comparison) {
     Json json{{"channels", channels(comparison.channels)}, {"models", Json::array()}};
     for (const auto& model : comparison.models) {
-        Json entry = model.fit ? to_json(*model.fit) : Json{{"model", to_string(model.model)}, {"reason", model.fit.reason}};
+        Json entry =
+            model.fit ? to_json(*model.fit) : Json{{"model", to_string(model.model)}, {"reason", model.fit.reason}};
         entry["akaike_difference"] = number(model.akaike_difference);
         entry["akaike_weight"] = number(model.akaike_weight);
         json["models"].push_back(entry);
@@ -141,8 +153,10 @@ Json to_json(const loops::GlobalFit& fit) {
     json["covariance"] = matrix(fit.covariance);
     json["n"] = fit.n;
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
-    json["sharing_test"] = {{"f_ratio", number(fit.sharing.f_ratio)}, {"extra_parameters", number(fit.sharing.extra_parameters)},
-                            {"degrees_of_freedom", number(fit.sharing.degrees_of_freedom)}, {"p_value", number(fit.sharing.p_value)}};
+    json["sharing_test"] = {{"f_ratio", number(fit.sharing.f_ratio)},
+                            {"extra_parameters", number(fit.sharing.extra_parameters)},
+                            {"degrees_of_freedom", number(fit.sharing.degrees_of_freedom)},
+                            {"p_value", number(fit.sharing.p_value)}};
     return json;
 }
 
@@ -161,7 +175,9 @@ Json to_json(const loops::CrackSpeedFit& fit) {
 
 Json to_json(const std::vector<loops::NamedCurveFit>& segments) {
     Json json = Json::array();
-    for (const auto& segment : segments) json.push_back(segment.fit ? json_of(*segment.fit) : Json{{"name", segment.name}, {"reason", segment.fit.reason}});
+    for (const auto& segment : segments)
+        json.push_back(segment.fit ? json_of(*segment.fit)
+                                   : Json{{"name", segment.name}, {"reason", segment.fit.reason}});
     return json;
 }
 

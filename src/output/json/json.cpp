@@ -20,7 +20,8 @@ Json numbers(const ArrayView1D& values) {
 Json to_json(const std::vector<Alert>& alerts) {
     Json list = Json::array();
     for (const auto& alert : alerts)
-        list.push_back({{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
+        list.push_back(
+            {{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
     return list;
 }
 
@@ -39,7 +40,8 @@ Json to_json(const Quantity& q) {
     Json json{{"quantity", q.quantity}, {"symbol", q.symbol}, {"value", number(e.value)}, {"unit", q.unit}};
     if (e.uncertain()) json["standard_error"] = number(e.standard_error);
     if (const auto interval = interval_of(e))
-        json["interval"] = {{"lower", number(interval->lower)}, {"upper", number(interval->upper)}, {"level", interval->level}};
+        json["interval"] = {
+            {"lower", number(interval->lower)}, {"upper", number(interval->upper)}, {"level", interval->level}};
     if (e.uncertain() || e.interval) {
         if (!e.method.empty()) json["method"] = e.method;
         if (e.degrees_of_freedom) json["degrees_of_freedom"] = number(*e.degrees_of_freedom);
@@ -73,6 +75,8 @@ Json matrix(const Eigen::MatrixXd& values) {
     return rows;
 }
 
-Json to_json(const loops::RunsTest& test) { return {{"runs", test.runs}, {"above", test.above}, {"below", test.below}, {"p_value", number(test.p_value)}}; }
+Json to_json(const loops::RunsTest& test) {
+    return {{"runs", test.runs}, {"above", test.above}, {"below", test.below}, {"p_value", number(test.p_value)}};
+}
 
 }  // namespace setae::output

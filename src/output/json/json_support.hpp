@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "setae/statistics/replicate_data.hpp"
 #include "setae/output/json.hpp"
+#include "setae/statistics/replicate_data.hpp"
 
 namespace setae::output {
 

@@ -19,7 +19,8 @@ void add_moduli_and_work(Json& json, const JkrFit& fit) {
 Json fit_json(const JkrFit& fit) {
     Json json{{"method", fit.method}, {"converged", fit.converged}};
     add_moduli_and_work(json, fit);
-    if (fit.contact_point.value == fit.contact_point.value) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
+    if (fit.contact_point.value == fit.contact_point.value)
+        add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["correlation"] = number(fit.correlation);
     json["correlated_samples"] = number(fit.correlated_samples);
     json["covariance"] = matrix(fit.covariance);
@@ -75,10 +76,8 @@ Json branch_json(const loops::BranchAnalysis& branch) {
     Json sensitivity = Json::array();
     for (const auto& entry : branch.sensitivity) {
         Json row{{"samples_dropped", entry.dropped}};
-        if (entry.fit)
-            add_moduli_and_work(row, *entry.fit);
-        else
-            row["reason"] = entry.fit.reason;
+        if (entry.fit) add_moduli_and_work(row, *entry.fit);
+        else row["reason"] = entry.fit.reason;
         sensitivity.push_back(row);
     }
     json["sensitivity_to_range"] = sensitivity;
@@ -114,9 +113,12 @@ Json retraction_json(const loops::RetractionFit& fit) {
 }
 
 Json budget_json(const loops::LoopErrorBudget& budget) {
-    return {{"noise", number(budget.noise)},         {"drift", number(budget.drift)},
-            {"compliance", number(budget.compliance)}, {"sampling", number(budget.sampling)},
-            {"discretisation", number(budget.discretisation)}, {"unit", "J"}};
+    return {{"noise", number(budget.noise)},
+            {"drift", number(budget.drift)},
+            {"compliance", number(budget.compliance)},
+            {"sampling", number(budget.sampling)},
+            {"discretisation", number(budget.discretisation)},
+            {"unit", "J"}};
 }
 
 Json energy_json(const loops::LoopEnergy& loop, const loops::LoopContext& context) {
@@ -134,7 +136,11 @@ Json energy_json(const loops::LoopEnergy& loop, const loops::LoopContext& contex
 
 Json work_json(const loops::WorkEntry& entry) {
     Json json{{"first", entry.range.first}, {"last", entry.range.last}};
-    add(json, quantity("work", "int F d(delta)", Estimate{.value = entry.energy, .standard_error = entry.standard_error.total, .method = "error budget"}, "J"));
+    add(json,
+        quantity(
+            "work", "int F d(delta)",
+            Estimate{.value = entry.energy, .standard_error = entry.standard_error.total, .method = "error budget"},
+            "J"));
     json["standard_error_budget"] = budget_json(entry.standard_error);
     return json;
 }
@@ -194,11 +200,13 @@ Json range_of(const std::optional<loops::IndexRange>& range) {
 }
 
 Json segments_json(const loops::Segments& segments) {
-    Json json{{"baseline_before", range_of(segments.before.range)}, {"baseline_after", segments.after ? range_of(segments.after->range) : Json()}};
+    Json json{{"baseline_before", range_of(segments.before.range)},
+              {"baseline_after", segments.after ? range_of(segments.after->range) : Json()}};
     Json contacts = Json::array();
     for (const auto& contact : segments.contacts) {
-        Json row{{"extent", range_of(contact.extent)}, {"jump_in", range_of(contact.jump_in)},     {"loading", range_of(contact.loading)},
-                 {"hold", range_of(contact.hold)},     {"unloading", range_of(contact.unloading)}, {"pull_off", range_of(contact.pull_off)}};
+        Json row{{"extent", range_of(contact.extent)},       {"jump_in", range_of(contact.jump_in)},
+                 {"loading", range_of(contact.loading)},     {"hold", range_of(contact.hold)},
+                 {"unloading", range_of(contact.unloading)}, {"pull_off", range_of(contact.pull_off)}};
         contacts.push_back(row);
     }
     json["contacts"] = contacts;
@@ -210,14 +218,17 @@ Json segments_json(const loops::Segments& segments) {
 
 template <class Contact>
 void add_energies(Json& json, const Contact& analysis) {
-    add_outcome(json, "loop", analysis.loop, [&](const loops::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
+    add_outcome(json, "loop", analysis.loop,
+                [&](const loops::LoopEnergy& loop) { return energy_json(loop, analysis.context); });
     add_outcome(json, "ledger", analysis.ledger, ledger_json);
 }
 
 Json cycle_energy_json(const loops::CycleAnalysis& cycle) {
     Json json{{"contact", cycle.cycle.contact}};
     add_outcome(json, "energy", cycle.energy, [&](double energy) {
-        return to_json(quantity("energy", "E_loss", Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
+        return to_json(quantity(
+            "energy", "E_loss",
+            Estimate{.value = energy, .standard_error = cycle.energy_standard_error, .method = "error budget"}, "J"));
     });
     return json;
 }

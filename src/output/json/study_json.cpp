@@ -35,7 +35,8 @@ Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
     add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
     json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
-    json["likelihood"] = fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
+    json["likelihood"] =
+        fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
     add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
     json["n"] = fit.n;
     json["degrees_of_freedom"] = fit.degrees_of_freedom;
@@ -68,7 +69,8 @@ Json loop_fits_json(const study::LoopFits& fits) {
     auto json = fit_json(fits.through_origin, "E_loss = W_int A_true; [D19] (10)", "J");
     json["with_intercept"] = line_json(fits.with_intercept);
     json["without_ideal_loss"] = fits.through_origin_without_ideal_loss
-                                     ? fit_json(*fits.through_origin_without_ideal_loss, "E_loss minus the loss of the smooth sphere = W_int A_true", "J")
+                                     ? fit_json(*fits.through_origin_without_ideal_loss,
+                                                "E_loss minus the loss of the smooth sphere = W_int A_true", "J")
                                      : Json(nullptr);
     json["without_ideal_loss_with_intercept"] = line_json(fits.with_intercept_without_ideal_loss);
     return json;
@@ -81,15 +83,19 @@ Json free_json(const adhesion::FreeEnergyFit& fit) {
     add(json, work);
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
     for (const auto& [surface, energy] : fit.energy_per_modulus)
-        json["elastic_energy_per_modulus"][surface] = to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
+        json["elastic_energy_per_modulus"][surface] =
+            to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
     return json;
 }
 
 Json fits_json(const study::StudyResult& result) {
     Json json;
-    add_outcome(json, "modified", result.modified, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (7), floored at 0", "J/m2"); });
-    add_outcome(json, "persson_tosatti", result.persson_tosatti, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (S13), floored at 0", "J/m2"); });
-    add_outcome(json, "without_area_change", result.without_area_change, [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (2), floored at 0", "J/m2"); });
+    add_outcome(json, "modified", result.modified,
+                [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (7), floored at 0", "J/m2"); });
+    add_outcome(json, "persson_tosatti", result.persson_tosatti,
+                [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (S13), floored at 0", "J/m2"); });
+    add_outcome(json, "without_area_change", result.without_area_change,
+                [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (2), floored at 0", "J/m2"); });
     add_outcome(json, "loop", result.loop, loop_fits_json);
     add_outcome(json, "free_energies", result.free_energies, free_json);
     return json;
@@ -113,7 +119,8 @@ Json measurement_json(const study::MeasurementResult& m) {
     return json;
 }
 
-Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum, const study::AnalysisOptions& options) {
+Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum,
+                   const study::AnalysisOptions& options) {
     Json json;
     for (const auto& q : surface_quantities(surface, spectrum, options.conversion)) add(json, q);
     if (const auto decades = decade_quantities(surface, spectrum); !decades.empty()) {
@@ -131,7 +138,8 @@ Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumRes
         add(other, named("elastic_energy_per_modulus", "U_el/(A E*)", p.elastic_energy_per_modulus, "m", source));
         json["other_conversion"] = other;
     }
-    add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut", 1.0 - spectrum.parameters.elastic_energy_per_modulus / spectrum.uncut_energy_per_modulus, "1",
+    add(json, named("energy_cut_by_limits", "1 - U_el/U_el,uncut",
+                    1.0 - spectrum.parameters.elastic_energy_per_modulus / spectrum.uncut_energy_per_modulus, "1",
                     "share of the stored energy outside longest_wavelength … shortest_wavelength"));
     return json;
 }
@@ -144,7 +152,8 @@ Json surface_json(const study::SurfaceResult& surface, const study::AnalysisOpti
         json = spectrum_json(surface, surface.used(), options);
         json["spectrum_method"] = study::method_name(surface, surface.method);
         if (surface.likelihood)
-            for (const auto& [method, spectrum] : study::spectra_of(surface)) json["spectra"][method] = spectrum_json(surface, *spectrum, options);
+            for (const auto& [method, spectrum] : study::spectra_of(surface))
+                json["spectra"][method] = spectrum_json(surface, *spectrum, options);
         if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
         json["reconstructed"] = surface.reconstructed;
         json["n_measurements"] = surface.measurements.size();
@@ -163,8 +172,12 @@ Json elastomer_json(const study::ElastomerResult& elastomer) {
     add(json, modulus);
     add(json, quantity("contact_modulus", "E*", elastomer.contact_modulus, "Pa"));
     add(json, quantity("surface_energy", "gamma_1", elastomer.input.surface_energy, "J/m2"));
-    if (elastomer.network_modulus) add(json, named("network_modulus", "rho R T/M_c", *elastomer.network_modulus, "Pa", "plausibility, not a measurement"));
-    if (elastomer.shared_fit) add_outcome(json, "shared_fit", *elastomer.shared_fit, [](const loops::GlobalFit& fit) { return to_json(fit); });
+    if (elastomer.network_modulus)
+        add(json, named("network_modulus", "rho R T/M_c", *elastomer.network_modulus, "Pa",
+                        "plausibility, not a measurement"));
+    if (elastomer.shared_fit)
+        add_outcome(json, "shared_fit", *elastomer.shared_fit,
+                    [](const loops::GlobalFit& fit) { return to_json(fit); });
     json["alerts"] = to_json(elastomer.alerts);
     return json;
 }
@@ -195,15 +208,19 @@ Quantity predicted_loss(const Estimate& loss) {
 Json pair_json(const study::PairResult& pair) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
-    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value, const char* unit) {
+    const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value,
+                                  const char* unit) {
         measured[name] = value ? to_json(quantity(name, symbol, *value, unit)) : Json(nullptr);
     };
     add_measured("work_of_adhesion_approach", "W_app", pair.approach, "J/m2");
     add_measured("work_of_adhesion_pull_off", "W_po", pair.pull_off, "J/m2");
     add_measured("work_of_adhesion_retraction", "W_ret", pair.retraction, "J/m2");
     add_measured("energy_loss", "E_loss", pair.loss, "J");
-    measured["contact_area"] = pair.contact_area ? to_json(quantity("contact_area", "pi a_max^2", *pair.contact_area, "m2")) : Json(nullptr);
-    measured["ideal_smooth_sphere_loss"] = pair.ideal_loss ? to_json(quantity("ideal_smooth_sphere_loss", "E_ideal", *pair.ideal_loss, "J")) : Json(nullptr);
+    measured["contact_area"] =
+        pair.contact_area ? to_json(quantity("contact_area", "pi a_max^2", *pair.contact_area, "m2")) : Json(nullptr);
+    measured["ideal_smooth_sphere_loss"] =
+        pair.ideal_loss ? to_json(quantity("ideal_smooth_sphere_loss", "E_ideal", *pair.ideal_loss, "J"))
+                        : Json(nullptr);
     json["measured"] = measured;
     if (pair.modified) {
         add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
@@ -214,13 +231,21 @@ Json pair_json(const study::PairResult& pair) {
                                                      {"surface_energy", number(pair.budget->surface_energy)},
                                                      {"work_of_adhesion", number(pair.budget->work_of_adhesion)},
                                                      {"unit", "J/m2"}};
-        json["predicted_energy_loss"] = pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
+        json["predicted_energy_loss"] =
+            pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
         json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
         json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
-        if (pair.general) json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2", "[D19] (5), (6) with the elastomer's surface energy law"));
-        if (pair.approach) add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored, "J/m2", "measured minus predicted"));
-        add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m", "longer wavelengths store half of U_el"));
-        json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)}, {"upper", number(pair.scales->bridging->upper)}, {"unit", "1/m"}}
+        if (pair.general)
+            json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
+                                            "[D19] (5), (6) with the elastomer's surface energy law"));
+        if (pair.approach)
+            add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored,
+                            "J/m2", "measured minus predicted"));
+        add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m",
+                        "longer wavelengths store half of U_el"));
+        json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)},
+                                                        {"upper", number(pair.scales->bridging->upper)},
+                                                        {"unit", "1/m"}}
                                                  : Json(nullptr);
     }
     json["alerts"] = to_json(pair.alerts);
@@ -246,7 +271,8 @@ Json reference_json(const study::ReferenceResult& reference) {
 Json drift_json(const study::ReferenceDrift& drift) {
     Json json{{"elastomer", drift.elastomer}};
     add(json, quantity("work_of_adhesion_approach_change", "dW_app", drift.change.work_of_adhesion_loading, "J/m2"));
-    add(json, quantity("work_of_adhesion_retraction_change", "dW_ret", drift.change.work_of_adhesion_retraction, "J/m2"));
+    add(json,
+        quantity("work_of_adhesion_retraction_change", "dW_ret", drift.change.work_of_adhesion_retraction, "J/m2"));
     add(json, quantity("excess_energy_change", "dE_excess", drift.change.excess_energy, "J"));
     return json;
 }
@@ -265,7 +291,8 @@ Json cutoff_json(const study::CutoffPoint& point, const study::StudyResult& resu
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         Json surface;
         add(surface, quantity("rms_slope", "h'_rms", point.surfaces[i].rms_slope, "1"));
-        add(surface, quantity("elastic_energy_per_modulus", "U_el/(A E*)", point.surfaces[i].elastic_energy_per_modulus, "m"));
+        add(surface,
+            quantity("elastic_energy_per_modulus", "U_el/(A E*)", point.surfaces[i].elastic_energy_per_modulus, "m"));
         json["surfaces"][result.surfaces[i].name] = surface;
     }
     return json;
@@ -290,7 +317,8 @@ void add_work(Json& json, const study::StudyResult& result) {
 }
 
 Json replicates_json(const study::ElastomerReplicates& replicates) {
-    Json json{{"elastomer", replicates.elastomer}, {"quantity", replicates.data.quantity}, {"symbol", replicates.symbol}};
+    Json json{
+        {"elastomer", replicates.elastomer}, {"quantity", replicates.data.quantity}, {"symbol", replicates.symbol}};
     if (!replicates.model) {
         json["reason"] = replicates.model.reason;
         json["rows"] = rows_json(replicates.data);
@@ -301,17 +329,25 @@ Json replicates_json(const study::ElastomerReplicates& replicates) {
 }
 
 Json prediction_json(const study::PredictionTest& test) {
-    Json json{{"work_of_adhesion_fitted_to_them", test.work_fitted}, {"pairs", Json::array()}, {"left_out", test.left_out}, {"n", test.n}, {"degrees_of_freedom", test.degrees_of_freedom}};
-    add(json, named("chi_squared", "chi2", test.chi_squared, "1", "r' C^-1 r with the covariance of measured and predicted values"));
+    Json json{{"work_of_adhesion_fitted_to_them", test.work_fitted},
+              {"pairs", Json::array()},
+              {"left_out", test.left_out},
+              {"n", test.n},
+              {"degrees_of_freedom", test.degrees_of_freedom}};
+    add(json, named("chi_squared", "chi2", test.chi_squared, "1",
+                    "r' C^-1 r with the covariance of measured and predicted values"));
     json["probability"] = number(test.probability);
-    add(json, named("extra_scatter", "tau", test.extra_scatter, "J/m2", "scatter of the model with which chi2 is its degrees of freedom"));
+    add(json, named("extra_scatter", "tau", test.extra_scatter, "J/m2",
+                    "scatter of the model with which chi2 is its degrees of freedom"));
     add(json, quantity("chi_squared_with_scatter", "chi2", test.chi_squared_with_scatter, "1"));
     json["probability_with_scatter"] = number(test.probability_with_scatter);
     for (const auto& pair : test.pairs) {
         Json entry{{"surface", pair.surface}, {"elastomer", pair.elastomer}};
         add(entry, quantity("measured", "W_app", pair.measured, "J/m2"));
         add(entry, quantity("predicted", "max(0, (7))", pair.predicted, "J/m2"));
-        add(entry, quantity("residual", "measured - predicted", {.value = pair.residual, .standard_error = pair.standard_error, .method = "delta"}, "J/m2"));
+        add(entry,
+            quantity("residual", "measured - predicted",
+                     {.value = pair.residual, .standard_error = pair.standard_error, .method = "delta"}, "J/m2"));
         add(entry, quantity("standardised_residual", "residual/standard error", pair.standardised(), "1"));
         json["pairs"].push_back(std::move(entry));
     }
@@ -340,7 +376,9 @@ const adhesion::WorkFit* fit_of(const study::StudyResult& result, const std::str
 Json provenance_json(const study::StudyResult& result) {
     Json inputs = Json::array();
     for (const auto& input : result.inputs)
-        inputs.push_back({{"file", input.path}, {"size", {{"value", input.size}, {"unit", "byte"}}}, {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}});
+        inputs.push_back({{"file", input.path},
+                          {"size", {{"value", input.size}, {"unit", "byte"}}},
+                          {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}});
     return {{"program", "setae"}, {"version", study::version()}, {"inputs", inputs}};
 }
 
@@ -352,7 +390,9 @@ Json reported_json(const study::ReportedValue& reported, const study::StudyResul
     theirs.source = reported.source;
     return {{"fit", reported.fit},
             {"reported", to_json(theirs)},
-            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2", work ? fit->work_of_adhesion.value : fit->r_squared, unit)) : Json(nullptr)}};
+            {"here", fit ? to_json(quantity(reported.quantity, work ? "W_int" : "R2",
+                                            work ? fit->work_of_adhesion.value : fit->r_squared, unit))
+                         : Json(nullptr)}};
 }
 
 }  // namespace
@@ -365,7 +405,8 @@ Json to_json(const study::StudyResult& result) {
     json["surfaces"] = Json::object();
     for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
     json["elastomers"] = Json::object();
-    for (const auto& elastomer : result.elastomers) json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
+    for (const auto& elastomer : result.elastomers)
+        json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
     json["pairs"] = pairs_json(result);
     add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
     json["replicates"] = Json::array();
@@ -373,7 +414,10 @@ Json to_json(const study::StudyResult& result) {
     if (result.by_average) json["by_average"] = by_average_json(*result.by_average);
     json["experiments"] = Json::array();
     for (const auto& e : result.experiments) {
-        Json entry{{"file", e.input.file}, {"surface", e.input.surface}, {"elastomer", e.input.elastomer}, {"role", e.input.reference ? "reference" : "rough"}};
+        Json entry{{"file", e.input.file},
+                   {"surface", e.input.surface},
+                   {"elastomer", e.input.elastomer},
+                   {"role", e.input.reference ? "reference" : "rough"}};
         if (!e.input.lens.empty()) entry["lens"] = e.input.lens;
         if (!e.input.spot.empty()) entry["spot"] = e.input.spot;
         if (e.input.excluded()) entry["excluded"] = e.input.exclusion;

@@ -18,7 +18,10 @@ Json values(const ArrayView1D& array) { return output::numbers(array); }
 /// Quantity and unit as HTML, as text, and as the CSV names them.
 Json axis_json(const figures::Axis& axis) {
     const auto unit = typeset_unit(axis.unit);
-    Json json{{"quantity", axis.quantity}, {"unit", axis.unit.empty() ? "1" : axis.unit}, {"html", typeset(axis.quantity)}, {"shown_unit", unit}};
+    Json json{{"quantity", axis.quantity},
+              {"unit", axis.unit.empty() ? "1" : axis.unit},
+              {"html", typeset(axis.quantity)},
+              {"shown_unit", unit}};
     if (axis.logarithmic) json["log"] = true;
     if (axis.from) json["from"] = *axis.from;
     if (axis.to) json["to"] = *axis.to;
@@ -40,7 +43,12 @@ const char* name_of(figures::Mark mark) {
 Json series_json(const figures::Series& series, std::size_t place) {
     const int colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
     const int symbol = series.symbol >= 0 ? series.symbol : colour;
-    Json json{{"label", series.label}, {"mark", name_of(series.mark)}, {"colour", colour}, {"symbol", symbol}, {"dash", series.dash >= 0 ? series.dash : symbol}, {"x", values(series.x)}};
+    Json json{{"label", series.label},
+              {"mark", name_of(series.mark)},
+              {"colour", colour},
+              {"symbol", symbol},
+              {"dash", series.dash >= 0 ? series.dash : symbol},
+              {"x", values(series.x)}};
     if (series.y.size() > 0) json["y"] = values(series.y);
     if (series.lower.size() > 0) json["lower"] = values(series.lower);
     if (series.upper.size() > 0) json["upper"] = values(series.upper);
@@ -56,7 +64,8 @@ Json series_json(const figures::Series& series, std::size_t place) {
 }
 
 Json map_json(const figures::HeatMap& map) {
-    Json json{{"width", map.width}, {"height", map.height}, {"axis", axis_json(map.values_axis)}, {"columns", Json::array()}};
+    Json json{
+        {"width", map.width}, {"height", map.height}, {"axis", axis_json(map.values_axis)}, {"columns", Json::array()}};
     for (Index i = 0; i < map.values.rows(); ++i) {
         const Array1D column = map.values.row(i);
         json["columns"].push_back(values(column));
@@ -65,7 +74,11 @@ Json map_json(const figures::HeatMap& map) {
 }
 
 Json panel_json(const figures::Panel& panel) {
-    Json json{{"title", panel.title}, {"x", axis_json(panel.x)}, {"y", axis_json(panel.y)}, {"legend", panel.legend}, {"series", Json::array()}};
+    Json json{{"title", panel.title},
+              {"x", axis_json(panel.x)},
+              {"y", axis_json(panel.y)},
+              {"legend", panel.legend},
+              {"series", Json::array()}};
     for (std::size_t i = 0; i < panel.series.size(); ++i) json["series"].push_back(series_json(panel.series[i], i));
     if (!panel.horizontal_lines.empty()) json["lines"] = panel.horizontal_lines;
     if (panel.legend_corner) {
@@ -76,14 +89,21 @@ Json panel_json(const figures::Panel& panel) {
     if (panel.place) json["place"] = {panel.place->left, panel.place->top, panel.place->width, panel.place->height};
     if (panel.map) json["map"] = map_json(*panel.map);
     for (const auto& note : panel.notes) {
-        const char* side = note.side == figures::Note::Side::left ? "left" : note.side == figures::Note::Side::right ? "right" : "centre";
-        json["notes"].push_back({{"text", note.text}, {"x", note.x}, {"y", note.y}, {"side", side}, {"colour", note.colour}});
+        const char* side = note.side == figures::Note::Side::left    ? "left"
+                           : note.side == figures::Note::Side::right ? "right"
+                                                                     : "centre";
+        json["notes"].push_back(
+            {{"text", note.text}, {"x", note.x}, {"y", note.y}, {"side", side}, {"colour", note.colour}});
     }
     return json;
 }
 
 Json figure_json(const study_figures::StudyFigure& figure) {
-    Json json{{"name", figure.name}, {"title", figure.title}, {"columns", figure.figure.columns}, {"width", figure.figure.width_mm}, {"height", figure.figure.height_mm},
+    Json json{{"name", figure.name},
+              {"title", figure.title},
+              {"columns", figure.figure.columns},
+              {"width", figure.figure.width_mm},
+              {"height", figure.figure.height_mm},
               {"panels", Json::array()}};
     for (const auto& panel : figure.figure.panels) json["panels"].push_back(panel_json(panel));
     return json;
@@ -91,21 +111,28 @@ Json figure_json(const study_figures::StudyFigure& figure) {
 
 std::string figure_html(const study_figures::StudyFigure& figure, std::size_t number, const std::string& study) {
     const auto identifier = fmt::format("figure-{}", number + 1);
-    std::string html = fmt::format("<section class=\"figure\" id=\"{0}\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">Figure {1}: {2}</h3>", identifier, escaped(figure.identifier),
-                                   escaped(figure.title));
-    if (!figure.drawable()) return html + "<p class=\"reason\">Not drawn: " + escaped(figure.reason) + ".</p></section>\n";
-    html += fmt::format("<div class=\"tools\" role=\"group\" aria-label=\"Figure {0}\">"
-                        "<button type=\"button\" data-action=\"x\" aria-pressed=\"false\">log x</button><button type=\"button\" data-action=\"y\" aria-pressed=\"false\">log y</button>"
-                        "<button type=\"button\" data-action=\"legend\" aria-pressed=\"true\">legend</button><button type=\"button\" data-action=\"reset\">whole view</button>"
-                        "<button type=\"button\" data-action=\"svg\">SVG</button>"
-                        "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
-                        escaped(figure.identifier));
+    std::string html = fmt::format(
+        "<section class=\"figure\" id=\"{0}\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">Figure {1}: {2}</h3>",
+        identifier, escaped(figure.identifier), escaped(figure.title));
+    if (!figure.drawable())
+        return html + "<p class=\"reason\">Not drawn: " + escaped(figure.reason) + ".</p></section>\n";
+    html += fmt::format(
+        "<div class=\"tools\" role=\"group\" aria-label=\"Figure {0}\">"
+        "<button type=\"button\" data-action=\"x\" aria-pressed=\"false\">log x</button><button type=\"button\" data-action=\"y\" aria-pressed=\"false\">log y</button>"
+        "<button type=\"button\" data-action=\"legend\" aria-pressed=\"true\">legend</button><button type=\"button\" data-action=\"reset\">whole view</button>"
+        "<button type=\"button\" data-action=\"svg\">SVG</button>"
+        "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
+        escaped(figure.identifier));
     html += fmt::format("<div class=\"plots\" data-label=\"{}\"></div>", escaped(figure.title + ". " + figure.caption));
     html += "<p class=\"caption\">" + prose(figure.caption) + "</p>";
-    html += fmt::format("<p class=\"command\">Made again by <code>{}</code></p>", escaped(fmt::format("setae plot {} --figure {}", shell_word(study), shell_word(figure.identifier))));
-    html += fmt::format("<details class=\"data\"><summary>Data of figure {0}</summary><div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Data of figure {0}\"><pre></pre></div></details>",
-                        escaped(figure.identifier));
-    return html + "<script type=\"application/json\" class=\"figure-data\">" + script_json(figure_json(figure)) + "</script></section>\n";
+    html += fmt::format(
+        "<p class=\"command\">Made again by <code>{}</code></p>",
+        escaped(fmt::format("setae plot {} --figure {}", shell_word(study), shell_word(figure.identifier))));
+    html += fmt::format(
+        "<details class=\"data\"><summary>Data of figure {0}</summary><div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Data of figure {0}\"><pre></pre></div></details>",
+        escaped(figure.identifier));
+    return html + "<script type=\"application/json\" class=\"figure-data\">" + script_json(figure_json(figure)) +
+           "</script></section>\n";
 }
 
 }  // namespace

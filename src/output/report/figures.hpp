@@ -8,9 +8,9 @@
 
 namespace setae::report {
 
-/// Every figure with caption, buttons, data and the command that makes it again; of one that cannot be drawn, the reason. report.js draws
-/// them from the JSON beside each.
-/// study: path of the study file, for the commands.
-[[nodiscard]] std::string figures_html(const std::vector<study_figures::StudyFigure>& figures, const std::string& study);
+/// Every figure with caption, buttons, data and the command that makes it again; of one that cannot be drawn, the
+/// reason. report.js draws them from the JSON beside each. study: path of the study file, for the commands.
+[[nodiscard]] std::string figures_html(const std::vector<study_figures::StudyFigure>& figures,
+                                       const std::string& study);
 
 }  // namespace setae::report

@@ -38,7 +38,8 @@ std::string escaped(std::string_view text) {
 }
 
 std::string prose(std::string_view text) {
-    static const std::regex power("(^|[^A-Za-z0-9_./-])(-?[0-9]+(?:\\.[0-9]+)?)e([+-]?)0*([0-9]+)(?![A-Za-z0-9_./-]*[A-Za-z_/])");
+    static const std::regex power(
+        "(^|[^A-Za-z0-9_./-])(-?[0-9]+(?:\\.[0-9]+)?)e([+-]?)0*([0-9]+)(?![A-Za-z0-9_./-]*[A-Za-z_/])");
     static const std::regex symbol("\\b(W|U|A|h|E|C)_(int|app|el|true|rms|loss|iso|1D)\\b");
     static const std::regex energy("\\bmJ/m2\\b");
     std::string whole = escaped(text), result;
@@ -46,7 +47,8 @@ std::string prose(std::string_view text) {
     for (std::sregex_iterator found(whole.cbegin(), whole.cend(), power), end; found != end; ++found) {
         const auto& m = *found;
         result.append(from, m[0].first);
-        result += m[1].str() + (m[2].str() == "1" ? "" : m[2].str() + "×") + "10" + raised((m[3].str() == "-" ? "-" : "") + m[4].str());
+        result += m[1].str() + (m[2].str() == "1" ? "" : m[2].str() + "×") + "10" +
+                  raised((m[3].str() == "-" ? "-" : "") + m[4].str());
         from = m[0].second;
     }
     result.append(from, whole.cend());
@@ -98,7 +100,8 @@ std::string plain(std::string_view quantity) {
 
 std::string typeset_unit(std::string_view unit) {
     std::string result;
-    for (const auto& factor : figures::factors_of(unit)) result += (result.empty() ? "" : " ") + escaped(factor.symbol) + raised(factor.exponent);
+    for (const auto& factor : figures::factors_of(unit))
+        result += (result.empty() ? "" : " ") + escaped(factor.symbol) + raised(factor.exponent);
     return result;
 }
 

@@ -8,12 +8,12 @@
 
 namespace setae::report {
 
-/// Text as HTML shows it letter by letter, in elements and in quoted attributes; control characters as blanks, bytes that are
-/// no UTF-8 as U+FFFD.
+/// Text as HTML shows it letter by letter, in elements and in quoted attributes; control characters as blanks, bytes
+/// that are no UTF-8 as U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// Sentences of alerts and captions as HTML: 5e-06 is 5×10⁻⁶, W_int, U_el and their like are set as symbols, mJ/m2 as mJ m⁻². Everything else
-/// letter by letter.
+/// Sentences of alerts and captions as HTML: 5e-06 is 5×10⁻⁶, W_int, U_el and their like are set as symbols, mJ/m2 as
+/// mJ m⁻². Everything else letter by letter.
 [[nodiscard]] std::string prose(std::string_view text);
 
 /// JSON for an element <script type="application/json">: no text in it can end the element.

@@ -21,7 +21,9 @@ using output::Json;
 Json without_curves(const Json& json) {
     constexpr std::size_t longest = 16;
     if (json.is_array()) {
-        if (json.size() > longest && std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); })) return nullptr;
+        if (json.size() > longest &&
+            std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); }))
+            return nullptr;
         Json copy = Json::array();
         for (const auto& item : json) copy.push_back(without_curves(item));
         return copy;
@@ -44,7 +46,8 @@ std::string tables_html(const study::StudyResult& result, const Json& study) {
 
 }  // namespace
 
-std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run) {
+std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures,
+                    const RunRecord& run) {
     const auto study = output::to_json(result);
     const auto figure_part = figures_html(figures, result.study.path);
     const std::vector<Chapter> chapters{
@@ -52,7 +55,10 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
         {"limits", "What can and cannot be concluded", limits_html(result, study)},
         {"parameters", "Parameters", tables_html(result, study)},
         {"figures", "Figures",
-         figure_part.empty() ? "<p>No figure was asked for.</p>" : "<noscript><p>Figures are drawn by a program in this page, which this browser does not run.</p></noscript>" + figure_part},
+         figure_part.empty()
+             ? "<p>No figure was asked for.</p>"
+             : "<noscript><p>Figures are drawn by a program in this page, which this browser does not run.</p></noscript>" +
+                   figure_part},
         {"cut", "What was cut and why", cut_html(result)},
         {"alerts", "Alerts", alerts_html(result)},
         {"steps", "Steps and methods", steps_html(result) + "<h3>Methods</h3>" + methods_html(result)},
@@ -60,20 +66,28 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
         {"references", "References", references_html()},
     };
     const auto title = escaped(result.study.title.empty() ? "Study" : result.study.title);
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       // nothing but what is in the page, whatever a name in it says
-                       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" content=\"setae " +
-                       escaped(study::version()) + "\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" + title + "</title>\n<style>\n";
+    std::string page =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        // nothing but what is in the page, whatever a name in it says
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" content=\"setae " +
+        escaped(study::version()) + "\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" + title + "</title>\n<style>\n";
     page += assets::style;
-    page += "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">To the text</a>\n<header><h1>" + title + "</h1>";
-    if (!result.study.description.empty()) page += "<p class=\"description\">" + escaped(result.study.description) + "</p>";
-    page += fmt::format("<p class=\"made\">setae {} · {}</p></header>\n<nav aria-label=\"Contents\"><ul>", escaped(study::version()), escaped(run.time));
-    for (const auto& chapter : chapters) page += fmt::format("<li><a href=\"#{}\">{}</a></li>", chapter.identifier, chapter.title);
+    page +=
+        "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">To the text</a>\n<header><h1>" + title + "</h1>";
+    if (!result.study.description.empty())
+        page += "<p class=\"description\">" + escaped(result.study.description) + "</p>";
+    page += fmt::format("<p class=\"made\">setae {} · {}</p></header>\n<nav aria-label=\"Contents\"><ul>",
+                        escaped(study::version()), escaped(run.time));
+    for (const auto& chapter : chapters)
+        page += fmt::format("<li><a href=\"#{}\">{}</a></li>", chapter.identifier, chapter.title);
     page += "</ul></nav>\n<main id=\"main\">\n";
     for (const auto& chapter : chapters)
-        page += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-heading\"><h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n", chapter.identifier, chapter.title, chapter.html);
-    page += "</main>\n<script type=\"application/json\" id=\"study\">" + script_json(without_curves(study)) + "</script>\n<script>\n";
+        page += fmt::format(
+            "<section id=\"{0}\" aria-labelledby=\"{0}-heading\"><h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",
+            chapter.identifier, chapter.title, chapter.html);
+    page += "</main>\n<script type=\"application/json\" id=\"study\">" + script_json(without_curves(study)) +
+            "</script>\n<script>\n";
     page += assets::plotly;
     page += "\n</script>\n<script>\n";
     page += assets::program;

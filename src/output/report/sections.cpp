@@ -20,12 +20,14 @@ using study::MeasurementResult;
 using study::StudyResult;
 
 /// A table of texts, the last column one of sentences.
-std::string plain_table(const std::string& identifier, const std::string& title, const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
+std::string plain_table(const std::string& identifier, const std::string& title,
+                        const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
     DataTable table{identifier, title, "", {}, {}};
     for (const auto& column : columns) table.columns.push_back({column, ""});
     for (const auto& row : rows) {
         table.rows.emplace_back();
-        for (std::size_t i = 0; i < row.size(); ++i) table.rows.back().push_back(i + 1 < row.size() ? Cell(TextCell{row[i]}) : Cell(ProseCell{row[i]}));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            table.rows.back().push_back(i + 1 < row.size() ? Cell(TextCell{row[i]}) : Cell(ProseCell{row[i]}));
     }
     return as_html(table, output::Json());
 }
@@ -33,12 +35,15 @@ std::string plain_table(const std::string& identifier, const std::string& title,
 std::string name_of(const MeasurementResult& m) { return m.file.empty() ? m.name : m.file; }
 
 std::string wavelengths(const MeasurementResult& m) {
-    return format_value(2.0 * pi / m.spectrum.q_max, "m", 3) + " … " + format_value(2.0 * pi / m.spectrum.q_min, "m", 3);
+    return format_value(2.0 * pi / m.spectrum.q_max, "m", 3) + " … " +
+           format_value(2.0 * pi / m.spectrum.q_min, "m", 3);
 }
 
 /// What of the alerts speaks of data that were cut or changed.
 std::string cuts_of(const MeasurementResult& m) {
-    static const std::set<std::string> codes{"TIP_CUTOFF", "REENTRANT", "CONTOUR_STEPS", "TRACE_NOISE", "UNDEFINED", "PIXEL_NOISE", "LIKELIHOOD_FAILED", "NO_BAND", "COVERAGE_GAP"};
+    static const std::set<std::string> codes{"TIP_CUTOFF",        "REENTRANT", "CONTOUR_STEPS",
+                                             "TRACE_NOISE",       "UNDEFINED", "PIXEL_NOISE",
+                                             "LIKELIHOOD_FAILED", "NO_BAND",   "COVERAGE_GAP"};
     std::string text;
     for (const auto& alert : m.alerts)
         if (codes.contains(alert.code)) text += (text.empty() ? "" : "; ") + alert.code + ": " + alert.message;
@@ -46,7 +51,8 @@ std::string cuts_of(const MeasurementResult& m) {
 }
 
 /// What the study says of a measurement's file; null where it came otherwise.
-const study::MeasurementInput* input_of(const StudyResult& result, const std::string& surface, const MeasurementResult& m) {
+const study::MeasurementInput* input_of(const StudyResult& result, const std::string& surface,
+                                        const MeasurementResult& m) {
     const auto* input = result.study.surface(surface);
     if (!input) return nullptr;
     for (const auto& candidate : input->measurements)
@@ -56,16 +62,21 @@ const study::MeasurementInput* input_of(const StudyResult& result, const std::st
 
 std::string steps_of(const MeasurementResult& m, const study::MeasurementInput* input) {
     std::string text = "read" + (m.spectrum.metadata.format.empty() ? "" : " as " + m.spectrum.metadata.format);
-    if (input && !input->references.empty()) text += fmt::format("; the instrument's artefact, found on {} scans of a smooth standard, subtracted", input->references.size());
+    if (input && !input->references.empty())
+        text += fmt::format("; the instrument's artefact, found on {} scans of a smooth standard, subtracted",
+                            input->references.size());
     for (const auto& step : m.processing) text += "; " + step.step;
     for (const auto& alert : m.alerts) {
         if (alert.code == "REENTRANT") text += "; contour cleaned: " + alert.message;
         if (alert.code == "UNDEFINED") text += "; undefined points: " + alert.message;
     }
-    text += m.trend == topography::Trend::none ? "; no trend removed" : fmt::format("; {} removed", topography::name(m.trend));
+    text += m.trend == topography::Trend::none ? "; no trend removed"
+                                               : fmt::format("; {} removed", topography::name(m.trend));
     text += fmt::format("; window {}", m.spectrum.window.empty() ? "none" : m.spectrum.window);
-    if (input && input->tip_radius) text += fmt::format("; tip of {} taken into account", format_value(input->tip_radius->value, "m", 3));
-    if (input && input->resolution) text += fmt::format("; cut at the instrument's resolution of {}", format_value(*input->resolution, "m", 3));
+    if (input && input->tip_radius)
+        text += fmt::format("; tip of {} taken into account", format_value(input->tip_radius->value, "m", 3));
+    if (input && input->resolution)
+        text += fmt::format("; cut at the instrument's resolution of {}", format_value(*input->resolution, "m", 3));
     return text + "; trusted for wavelengths " + wavelengths(m);
 }
 
@@ -77,22 +88,33 @@ std::string cut_html(const StudyResult& result) {
         if (surface.failed()) failed.push_back({"surface", surface.name, surface.name, surface.error});
         for (const auto& m : surface.measurements) {
             if (m.failed()) failed.push_back({"measurement", surface.name, name_of(m), m.error});
-            else rows.push_back({surface.name, name_of(m), m.spectrum.metadata.instrument.type, wavelengths(m), cuts_of(m)});
+            else
+                rows.push_back(
+                    {surface.name, name_of(m), m.spectrum.metadata.instrument.type, wavelengths(m), cuts_of(m)});
         }
     }
     for (const auto& e : result.experiments)
-        if (e.failed()) failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
-    std::string html = failed.empty() ? "<p>Nothing failed.</p>" : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed);
+        if (e.failed())
+            failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
+    std::string html =
+        failed.empty() ? "<p>Nothing failed.</p>"
+                       : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed);
     std::vector<std::vector<std::string>> excluded;
     for (const auto& e : result.experiments)
-        if (e.input.excluded()) excluded.push_back({e.input.reference ? "reference" : e.input.surface, e.input.elastomer, e.input.file, e.input.exclusion});
-    if (!excluded.empty()) html += plain_table("excluded", "Loops left out of every mean, and why", {"surface", "elastomer", "file", "reason"}, excluded);
+        if (e.input.excluded())
+            excluded.push_back({e.input.reference ? "reference" : e.input.surface, e.input.elastomer, e.input.file,
+                                e.input.exclusion});
+    if (!excluded.empty())
+        html += plain_table("excluded", "Loops left out of every mean, and why",
+                            {"surface", "elastomer", "file", "reason"}, excluded);
     const auto& limits = result.study.analysis.limits;
     if (limits.shortest || limits.longest)
-        html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>", limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",
+        html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>",
+                            limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",
                             limits.longest ? format_value(*limits.longest, "m", 3) : "the longest measured");
     if (rows.empty()) return html + "<p>No surface was measured in this study; nothing was cut from measurements.</p>";
-    return html + plain_table("cuts", "Band trusted of each measurement, and what limits it", {"surface", "file", "instrument", "wavelengths trusted", "limited by"}, rows);
+    return html + plain_table("cuts", "Band trusted of each measurement, and what limits it",
+                              {"surface", "file", "instrument", "wavelengths trusted", "limited by"}, rows);
 }
 
 std::string alerts_html(const StudyResult& result) {
@@ -107,11 +129,17 @@ std::string alerts_html(const StudyResult& result) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& row : table.rows)
             if (text(row[0]) == code) rows.push_back({text(row[1]), text(row[2]), text(row[3])});
-        const bool one_action = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[2] == rows.front()[2]; });
-        html += fmt::format("<details class=\"alerts\"{}><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary>", rows.size() <= 3 ? " open" : "", escaped(code),
-                            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()), one_action ? "What to do: " + prose(rows.front()[2]) : "");
+        const bool one_action =
+            std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[2] == rows.front()[2]; });
+        html += fmt::format(
+            "<details class=\"alerts\"{}><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary>",
+            rows.size() <= 3 ? " open" : "", escaped(code),
+            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()),
+            one_action ? "What to do: " + prose(rows.front()[2]) : "");
         html += "<ul>";
-        for (const auto& row : rows) html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), prose(row[1]), one_action ? "" : " — " + prose(row[2]));
+        for (const auto& row : rows)
+            html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), prose(row[1]),
+                                one_action ? "" : " — " + prose(row[2]));
         html += "</ul></details>\n";
     }
     return html;
@@ -121,14 +149,19 @@ std::string steps_html(const StudyResult& result) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& surface : result.surfaces)
         for (const auto& m : surface.measurements)
-            rows.push_back({surface.name, name_of(m), m.failed() ? "failed: " + m.error : steps_of(m, input_of(result, surface.name, m))});
-    return rows.empty() ? "<p>No surface was measured in this study.</p>" : plain_table("steps", "Steps from file to spectrum", {"surface", "file", "steps in order"}, rows);
+            rows.push_back({surface.name, name_of(m),
+                            m.failed() ? "failed: " + m.error : steps_of(m, input_of(result, surface.name, m))});
+    return rows.empty()
+               ? "<p>No surface was measured in this study.</p>"
+               : plain_table("steps", "Steps from file to spectrum", {"surface", "file", "steps in order"}, rows);
 }
 
 std::string methods_html(const StudyResult& result) {
     const auto& options = result.study.analysis;
-    const bool fitted = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& surface) { return surface.fitted.has_value(); });
-    const bool measured = std::any_of(result.surfaces.begin(), result.surfaces.end(), [](const auto& surface) { return !surface.measurements.empty(); });
+    const bool fitted = std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                                    [](const auto& surface) { return surface.fitted.has_value(); });
+    const bool measured = std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                                      [](const auto& surface) { return !surface.measurements.empty(); });
     std::string html = "<ul>";
     const auto say = [&html](const std::string& sentence) { html += "<li>" + sentence + "</li>"; };
     if (measured)
@@ -138,8 +171,10 @@ std::string methods_html(const StudyResult& result) {
         say("The spectrum of a surface is fitted to all its measurements at once, each seen through its window, trend, sampling and tip (Whittle likelihood); the plain average over "
             "measurements stands beside it.");
     say(options.conversion == roughness::Conversion::exact
-            ? std::string("Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area exactly for isotropic surfaces.")
-            : std::string("Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by (11) of [D19]."));
+            ? std::string(
+                  "Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area exactly for isotropic surfaces.")
+            : std::string(
+                  "Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by (11) of [D19]."));
     say("True area: <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> of a surface with Gaussian slopes, (9) of [D19].");
     say("Work of adhesion of loops by JKR [JKR]; energy lost is ∮ <i>F</i> d<i>δ</i>.");
     if (!result.replicates.empty())
@@ -154,22 +189,31 @@ std::string methods_html(const StudyResult& result) {
 std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     const auto& options = result.study.analysis;
     std::string html = "<dl>";
-    const auto line = [&html](const std::string& term, const std::string& definition) { html += "<dt>" + term + "</dt><dd>" + definition + "</dd>"; };
+    const auto line = [&html](const std::string& term, const std::string& definition) {
+        html += "<dt>" + term + "</dt><dd>" + definition + "</dd>";
+    };
     line("Made by", "setae " + escaped(study::version()));
     line("Command", "<code>" + escaped(run.command) + "</code>");
     line("Time", escaped(run.time));
     line("Study", "<code>" + escaped(result.study.path) + "</code>");
-    line("Conversion from line to area", options.conversion == roughness::Conversion::exact ? "exact moments" : "(11) of [D19]");
-    line("Spectrum", options.spectrum ? *options.spectrum == study::SpectrumMethod::likelihood ? "likelihood" : "average" : "likelihood of surfaces with several measurements, average of one alone");
+    line("Conversion from line to area",
+         options.conversion == roughness::Conversion::exact ? "exact moments" : "(11) of [D19]");
+    line("Spectrum", options.spectrum
+                         ? *options.spectrum == study::SpectrumMethod::likelihood ? "likelihood" : "average"
+                         : "likelihood of surfaces with several measurements, average of one alone");
     line("Bootstrap resamples", std::to_string(options.bootstrap_resamples));
     line("Seed", std::to_string(options.seed));
     if (options.tip_percentile > 0.0) line("Tip percentile", fmt::format("{}", options.tip_percentile));
-    line("Rough solid", format_value(result.study.counter_youngs_modulus, "Pa", 4) + fmt::format(", Poisson ratio {}", result.study.counter_poisson_ratio));
-    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2")) : std::string("no"));
+    line("Rough solid", format_value(result.study.counter_youngs_modulus, "Pa", 4) +
+                            fmt::format(", Poisson ratio {}", result.study.counter_poisson_ratio));
+    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion
+                                             ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2"))
+                                             : std::string("no"));
     html += "</dl>";
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)
-        rows.push_back({input.path, input.sha256.empty() ? "could not be read" : fmt::format("{}", input.size), input.sha256});
+        rows.push_back(
+            {input.path, input.sha256.empty() ? "could not be read" : fmt::format("{}", input.size), input.sha256});
     if (rows.empty()) return html;
     return html + plain_table("inputs", "Inputs", {"file", "size [bytes]", "SHA-256"}, rows);
 }

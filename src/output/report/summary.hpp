@@ -8,7 +8,8 @@
 
 namespace setae::report {
 
-/// What was studied, what failed, the intrinsic work of adhesion by both ways and each surface's roughness, in sentences with numbers.
+/// What was studied, what failed, the intrinsic work of adhesion by both ways and each surface's roughness, in
+/// sentences with numbers.
 [[nodiscard]] std::string summary_html(const study::StudyResult& result, const output::Json& study);
 
 /// What the study cannot tell, and why: a list, or a sentence where it has nothing to complain of.

@@ -18,7 +18,9 @@ using output::Json;
 std::string with_minus(std::string text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
 
 /// The number of a JSON entry; nothing for null and text such as "infinity".
-std::optional<double> number_of(const Json& json) { return json.is_number() ? std::optional(json.get<double>()) : std::nullopt; }
+std::optional<double> number_of(const Json& json) {
+    return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+}
 
 double value_or_zero(const Json& json) { return number_of(json).value_or(0.0); }
 
@@ -38,7 +40,8 @@ std::vector<Part> parts_of(const Cell& cell, const Json& study) {
     const auto& json = entry(study, quantity->pointer);
     if (!json.is_object()) return {};
     std::vector<Part> parts{{"value", joined(quantity->pointer, "value")}};
-    if (json.contains("standard_error")) parts.push_back({"standard_error", joined(quantity->pointer, "standard_error")});
+    if (json.contains("standard_error"))
+        parts.push_back({"standard_error", joined(quantity->pointer, "standard_error")});
     if (json.contains("interval")) {
         parts.push_back({"interval_low", joined(quantity->pointer, "interval/lower")});
         parts.push_back({"interval_high", joined(quantity->pointer, "interval/upper")});
@@ -58,7 +61,8 @@ std::string as_power(double value) {
 std::string span(const Json& study, const std::string& pointer, const std::string& part, const std::string& text) {
     const auto& json = entry(study, pointer);
     const std::string full = json.is_string() ? json.get<std::string>() : json.is_null() ? "" : json.dump();
-    return fmt::format("<span data-pointer=\"{}\" data-part=\"{}\" data-value=\"{}\">{}</span>", escaped(pointer), part, escaped(full), text);
+    return fmt::format("<span data-pointer=\"{}\" data-part=\"{}\" data-value=\"{}\">{}</span>", escaped(pointer), part,
+                       escaped(full), text);
 }
 
 /// Value, standard error and interval by the names of their parts.
@@ -69,28 +73,36 @@ std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& un
     if (parts.empty() || entry(study, parts.front().pointer).is_null()) return "<td class=\"number\">–</td>";
     std::map<std::string, std::string> pointers;
     for (const auto& part : parts) pointers[part.name] = part.pointer;
-    const auto html = [&](const std::string& part, int decimals) { return number_html(study, pointers.at(part), unit, decimals, part); };
+    const auto html = [&](const std::string& part, int decimals) {
+        return number_html(study, pointers.at(part), unit, decimals, part);
+    };
     std::string inner;
     if (std::holds_alternative<BandCell>(cell)) {
-        const auto end = [&](const std::string& part) { return span(study, pointers.at(part), part, as_power(value_or_zero(entry(study, pointers.at(part))))); };
+        const auto end = [&](const std::string& part) {
+            return span(study, pointers.at(part), part, as_power(value_or_zero(entry(study, pointers.at(part)))));
+        };
         inner = end("lower") + " … " + end("upper");
     } else if (std::holds_alternative<NumberCell>(cell)) {
         const auto& json = entry(study, pointers.at("value"));
         inner = html("value", json.is_number_integer() ? 0 : decimals_of(value_or_zero(json) / unit.factor, 0.0));
     } else {
-        const double error = pointers.contains("standard_error") ? value_or_zero(entry(study, pointers.at("standard_error"))) / unit.factor : 0.0;
+        const double error = pointers.contains("standard_error")
+                                 ? value_or_zero(entry(study, pointers.at("standard_error"))) / unit.factor
+                                 : 0.0;
         const int decimals = decimals_of(value_or_zero(entry(study, pointers.at("value"))) / unit.factor, error);
         inner = html("value", decimals);
         if (pointers.contains("standard_error")) inner += " ± " + html("standard_error", decimals);
         if (pointers.contains("interval_low"))
-            inner += " <span class=\"interval\">[" + html("interval_low", decimals) + ", " + html("interval_high", decimals) + "]</span>";
+            inner += " <span class=\"interval\">[" + html("interval_low", decimals) + ", " +
+                     html("interval_high", decimals) + "]</span>";
     }
     return "<td class=\"number\">" + inner + "</td>";
 }
 
 DisplayUnit unit_of_column(const DataTable& table, std::size_t column, const Json& study) {
     double largest = 0.0;
-    if (!table.rows.empty() && std::holds_alternative<BandCell>(table.rows.front()[column])) return {table.columns[column].unit, 1.0};
+    if (!table.rows.empty() && std::holds_alternative<BandCell>(table.rows.front()[column]))
+        return {table.columns[column].unit, 1.0};
     for (const auto& row : table.rows)
         for (const auto& part : parts_of(row[column], study))
             if (part.name == "value") largest = std::max(largest, std::abs(value_or_zero(entry(study, part.pointer))));
@@ -120,7 +132,8 @@ DisplayUnit display_unit(const std::string& si_unit, double largest) {
 std::string shown(double value, int decimals) {
     const double size = std::abs(value);
     // small numbers in fixed point only where that shows what is known of them
-    if (size < 1e5 && (size >= 1e-3 || decimals <= 6)) return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
+    if (size < 1e5 && (size >= 1e-3 || decimals <= 6))
+        return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
     if (size == 0.0) return "0";
     auto text = fmt::format("{:.3e}", value);
     const auto split = text.find('e');
@@ -148,10 +161,13 @@ const Json& entry(const Json& study, const std::string& pointer) {
     return study.contains(place) ? study.at(place) : none;
 }
 
-std::string number_html(const Json& study, const std::string& pointer, const DisplayUnit& unit, int decimals, const std::string& part) {
+std::string number_html(const Json& study, const std::string& pointer, const DisplayUnit& unit, int decimals,
+                        const std::string& part) {
     const auto& json = entry(study, pointer);
     const auto value = number_of(json);
-    const std::string text = value ? shown(*value / unit.factor, decimals) : json.is_string() ? escaped(json.get<std::string>()) : "–";
+    const std::string text = value              ? shown(*value / unit.factor, decimals)
+                             : json.is_string() ? escaped(json.get<std::string>())
+                                                : "–";
     return span(study, pointer, part, text);
 }
 
@@ -163,36 +179,44 @@ std::string quantity_html(const Json& study, const std::string& pointer, bool wi
     const auto suffix = name.empty() ? "" : "\u00A0" + name;
     const double error = json.contains("standard_error") ? value_or_zero(json.at("standard_error")) / unit.factor : 0.0;
     const int decimals = decimals_of(value_or_zero(json.at("value")) / unit.factor, error);
-    const auto html = [&](const std::string& key, const std::string& part) { return number_html(study, joined(pointer, key), unit, decimals, part); };
+    const auto html = [&](const std::string& key, const std::string& part) {
+        return number_html(study, joined(pointer, key), unit, decimals, part);
+    };
     std::string text = html("value", "value");
     if (json.contains("standard_error")) text += " ± " + html("standard_error", "standard_error");
     text += suffix;
     if (with_interval && json.contains("interval"))
-        text += fmt::format(" ({:g} % interval {} to {}{})", 100.0 * json.at("interval").at("level").get<double>(), html("interval/lower", "interval_low"),
-                            html("interval/upper", "interval_high"), suffix);
+        text += fmt::format(" ({:g} % interval {} to {}{})", 100.0 * json.at("interval").at("level").get<double>(),
+                            html("interval/lower", "interval_low"), html("interval/upper", "interval_high"), suffix);
     return text;
 }
 
 std::string as_html(const DataTable& table, const Json& study) {
     if (table.rows.empty()) return "";
-    std::string html = fmt::format("<section class=\"table\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">{1}</h3>", table.identifier, escaped(table.title));
+    std::string html =
+        fmt::format("<section class=\"table\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">{1}</h3>",
+                    table.identifier, escaped(table.title));
     if (!table.note.empty()) html += "<p class=\"note\">" + table.note + "</p>";
-    html += fmt::format("<div class=\"tools\"><button type=\"button\" class=\"copy\" data-table=\"{0}\" aria-label=\"Copy table: {1}\">Copy</button>"
-                        "<span class=\"told\" role=\"status\"></span></div>"
-                        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {1}\"><table id=\"{0}\"><thead><tr>",
-                        table.identifier, escaped(table.title));
+    html += fmt::format(
+        "<div class=\"tools\"><button type=\"button\" class=\"copy\" data-table=\"{0}\" aria-label=\"Copy table: {1}\">Copy</button>"
+        "<span class=\"told\" role=\"status\"></span></div>"
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {1}\"><table id=\"{0}\"><thead><tr>",
+        table.identifier, escaped(table.title));
     std::vector<DisplayUnit> units;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         const auto& [heading, unit] = table.columns[column];
         units.push_back(unit_of_column(table, column, study));
         const auto name = typeset_unit(units.back().name);
-        html += fmt::format("<th scope=\"col\" aria-sort=\"none\" data-name=\"{}\" data-unit=\"{}\"{}><button type=\"button\">{}{}</button></th>", plain(heading),
-                            escaped(unit), unit.empty() ? "" : " class=\"number\"", typeset(heading), name.empty() ? "" : " [" + name + "]");
+        html += fmt::format(
+            "<th scope=\"col\" aria-sort=\"none\" data-name=\"{}\" data-unit=\"{}\"{}><button type=\"button\">{}{}</button></th>",
+            plain(heading), escaped(unit), unit.empty() ? "" : " class=\"number\"", typeset(heading),
+            name.empty() ? "" : " [" + name + "]");
     }
     html += "</tr></thead><tbody>\n";
     for (const auto& row : table.rows) {
         html += "<tr>";
-        for (std::size_t column = 0; column < row.size(); ++column) html += cell_html(row[column], study, units[column]);
+        for (std::size_t column = 0; column < row.size(); ++column)
+            html += cell_html(row[column], study, units[column]);
         html += "</tr>\n";
     }
     return html + "</tbody></table></div></section>\n";

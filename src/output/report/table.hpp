@@ -18,8 +18,8 @@ struct DisplayUnit {
 /// The unit with the prefix that puts the largest of the values into [1, 1000), as far as there is one.
 [[nodiscard]] DisplayUnit display_unit(const std::string& si_unit, double largest);
 
-/// A number for readers: fixed point with so many decimals; from 10⁵, and below 10⁻³ where more than six decimals were needed, four digits times a
-/// power of ten, "1.234×10⁻⁷".
+/// A number for readers: fixed point with so many decimals; from 10⁵, and below 10⁻³ where more than six decimals were
+/// needed, four digits times a power of ten, "1.234×10⁻⁷".
 [[nodiscard]] std::string shown(double value, int decimals);
 
 /// Decimals that show two digits of a standard error > 0, else four digits of the value.
@@ -28,17 +28,21 @@ struct DisplayUnit {
 /// A JSON pointer and a path below it: "/surfaces/A" and "rms_height/value".
 [[nodiscard]] std::string joined(const std::string& pointer, const std::string& path);
 
-/// A JSON pointer and a key that users gave, with what means something in a pointer escaped: "/surfaces" and "A/B" are "/surfaces/A~1B".
+/// A JSON pointer and a key that users gave, with what means something in a pointer escaped: "/surfaces" and "A/B" are
+/// "/surfaces/A~1B".
 [[nodiscard]] std::string named(const std::string& pointer, const std::string& key);
 
 /// The entry a pointer names; null where there is none.
 [[nodiscard]] const output::Json& entry(const output::Json& study, const std::string& pointer);
 
-/// A number of the study, which names where in the JSON it stands: <span data-pointer="…" data-value="full precision">shown</span>.
-[[nodiscard]] std::string number_html(const output::Json& study, const std::string& pointer, const DisplayUnit& unit, int decimals, const std::string& part = "value");
+/// A number of the study, which names where in the JSON it stands: <span data-pointer="…" data-value="full
+/// precision">shown</span>.
+[[nodiscard]] std::string number_html(const output::Json& study, const std::string& pointer, const DisplayUnit& unit,
+                                      int decimals, const std::string& part = "value");
 
 /// A quantity within a sentence: "37.09 ± 2.10 mJ m⁻² (95 % interval 32.62 to 41.56 mJ m⁻²)".
-[[nodiscard]] std::string quantity_html(const output::Json& study, const std::string& pointer, bool with_interval = true);
+[[nodiscard]] std::string quantity_html(const output::Json& study, const std::string& pointer,
+                                        bool with_interval = true);
 
 struct TextCell {
     std::string text;

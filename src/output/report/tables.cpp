@@ -28,12 +28,22 @@ std::vector<std::pair<std::string, std::string>> spectra_of(const study::Surface
 }
 
 DataTable surfaces(const StudyResult& result, const Json& study) {
-    DataTable table{"surfaces", "Surfaces",
-                    "Each row is one spectrum; the first of a surface is the one everything else rests on. ± is one standard error, [ ] the 95 % interval, "
-                    "both by the method named. Heights are unfiltered; the band says which wavevectors the numbers rest on, n how many measurements.",
-                    {{"surface", ""}, {"spectrum", ""}, {"*h*_rms", "m"}, {"*h*'_rms", "1"}, {"*h*''_rms", "1/m"}, {"*A*_true/*A*_app", "1"},
-                     {"*U*_el/(*A*_app *E*\\*)", "m"}, {"band *q*", "1/m"}, {"*n*", "1"}, {"± and [ ] by", ""}},
-                    {}};
+    DataTable table{
+        "surfaces",
+        "Surfaces",
+        "Each row is one spectrum; the first of a surface is the one everything else rests on. ± is one standard error, [ ] the 95 % interval, "
+        "both by the method named. Heights are unfiltered; the band says which wavevectors the numbers rest on, n how many measurements.",
+        {{"surface", ""},
+         {"spectrum", ""},
+         {"*h*_rms", "m"},
+         {"*h*'_rms", "1"},
+         {"*h*''_rms", "1/m"},
+         {"*A*_true/*A*_app", "1"},
+         {"*U*_el/(*A*_app *E*\\*)", "m"},
+         {"band *q*", "1/m"},
+         {"*n*", "1"},
+         {"± and [ ] by", ""}},
+        {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
             Row row{TextCell{surface.name}, TextCell{"failed: " + surface.error}};
@@ -44,16 +54,20 @@ DataTable surfaces(const StudyResult& result, const Json& study) {
         for (const auto& [method, base] : spectra_of(surface, study)) {
             const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
             const auto& height = entry(study, joined(base, "rms_height"));
-            table.rows.push_back({TextCell{surface.name}, TextCell{method}, quantity("rms_height"), quantity("rms_slope"), quantity("rms_curvature"),
-                                  quantity("true_area_ratio"), quantity("elastic_energy_per_modulus"), BandCell{joined(base, "rms_height/band")},
-                                  NumberCell{joined(base, "rms_height/n")}, TextCell{height.contains("interval") ? text_of(height.at("method")) : "–"}});
+            table.rows.push_back({TextCell{surface.name}, TextCell{method}, quantity("rms_height"),
+                                  quantity("rms_slope"), quantity("rms_curvature"), quantity("true_area_ratio"),
+                                  quantity("elastic_energy_per_modulus"), BandCell{joined(base, "rms_height/band")},
+                                  NumberCell{joined(base, "rms_height/n")},
+                                  TextCell{height.contains("interval") ? text_of(height.at("method")) : "–"}});
         }
     }
     return table;
 }
 
 DataTable decades(const StudyResult& result, const Json& study) {
-    DataTable table{"decades", "Spectra by decade", "Mean of ln C1D over ln <i>q</i> in each decade of wavevectors, as C1D.",
+    DataTable table{"decades",
+                    "Spectra by decade",
+                    "Mean of ln C1D over ln <i>q</i> in each decade of wavevectors, as C1D.",
                     {{"surface", ""}, {"spectrum", ""}, {"band *q*", "1/m"}, {"*C*_1D", "m3"}, {"± and [ ] by", ""}},
                     {}};
     for (const auto& surface : result.surfaces) {
@@ -62,7 +76,8 @@ DataTable decades(const StudyResult& result, const Json& study) {
             const auto& list = entry(study, joined(base, "decades"));
             for (std::size_t i = 0; i < list.size(); ++i) {
                 const auto place = joined(base, fmt::format("decades/{}", i));
-                table.rows.push_back({TextCell{surface.name}, TextCell{method}, BandCell{joined(place, "band")}, QuantityCell{place}, TextCell{text_of(list[i].value("method", Json()))}});
+                table.rows.push_back({TextCell{surface.name}, TextCell{method}, BandCell{joined(place, "band")},
+                                      QuantityCell{place}, TextCell{text_of(list[i].value("method", Json()))}});
             }
         }
     }
@@ -70,126 +85,209 @@ DataTable decades(const StudyResult& result, const Json& study) {
 }
 
 DataTable agreement(const StudyResult& result, const Json& study) {
-    DataTable table{"agreement", "Instruments against the fitted spectra",
-                    "Measured periodograms over those the fitted spectrum makes this instrument expect; <i>p</i> is the probability of so large a χ² by chance.",
-                    {{"surface", ""}, {"instrument", ""}, {"band *q*", "1/m"}, {"measured/expected", "1"}, {"*χ*²", "1"}, {"groups of modes *n*", "1"}, {"*p*", "1"}},
-                    {}};
+    DataTable table{
+        "agreement",
+        "Instruments against the fitted spectra",
+        "Measured periodograms over those the fitted spectrum makes this instrument expect; <i>p</i> is the probability of so large a χ² by chance.",
+        {{"surface", ""},
+         {"instrument", ""},
+         {"band *q*", "1/m"},
+         {"measured/expected", "1"},
+         {"*χ*²", "1"},
+         {"groups of modes *n*", "1"},
+         {"*p*", "1"}},
+        {}};
     for (const auto& surface : result.surfaces) {
         const auto base = joined(named("/surfaces", surface.name), "likelihood/agreement");
         const auto& list = entry(study, base);
         for (std::size_t i = 0; i < list.size(); ++i) {
             const auto place = joined(base, std::to_string(i));
-            table.rows.push_back({TextCell{surface.name}, TextCell{text_of(list[i].at("instrument"))}, BandCell{joined(place, "band")}, NumberCell{joined(place, "ratio")},
-                                  NumberCell{joined(place, "chi_squared")}, NumberCell{joined(place, "groups")}, NumberCell{joined(place, "probability")}});
+            table.rows.push_back({TextCell{surface.name}, TextCell{text_of(list[i].at("instrument"))},
+                                  BandCell{joined(place, "band")}, NumberCell{joined(place, "ratio")},
+                                  NumberCell{joined(place, "chi_squared")}, NumberCell{joined(place, "groups")},
+                                  NumberCell{joined(place, "probability")}});
         }
     }
     return table;
 }
 
 DataTable elastomers(const StudyResult& result, const Json& study) {
-    DataTable table{"elastomers", "Elastomers", "",
-                    {{"elastomer", ""}, {"*E*", "Pa"}, {"*E*\\*", "Pa"}, {"*γ*_1", "J/m2"}, {"*ρRT*/*M*_c", "Pa"}, {"*E* from", ""}}, {}};
+    DataTable table{"elastomers",
+                    "Elastomers",
+                    "",
+                    {{"elastomer", ""},
+                     {"*E*", "Pa"},
+                     {"*E*\\*", "Pa"},
+                     {"*γ*_1", "J/m2"},
+                     {"*ρRT*/*M*_c", "Pa"},
+                     {"*E* from", ""}},
+                    {}};
     for (const auto& elastomer : result.elastomers) {
         const auto base = named("/elastomers", elastomer.input.name);
-        table.rows.push_back({TextCell{elastomer.input.name}, QuantityCell{joined(base, "youngs_modulus")}, QuantityCell{joined(base, "contact_modulus")},
-                              QuantityCell{joined(base, "surface_energy")}, QuantityCell{joined(base, "network_modulus")},
+        table.rows.push_back({TextCell{elastomer.input.name}, QuantityCell{joined(base, "youngs_modulus")},
+                              QuantityCell{joined(base, "contact_modulus")},
+                              QuantityCell{joined(base, "surface_energy")},
+                              QuantityCell{joined(base, "network_modulus")},
                               TextCell{text_of(entry(study, joined(base, "youngs_modulus/source")))}});
     }
     return table;
 }
 
 DataTable pairs_measured(const StudyResult& result) {
-    DataTable table{"pairs-measured", "Pairs: measured", "Work of adhesion of loading, of pull-off by (S1) and of retraction by (S2); energy lost in a loop and what a smooth sphere would lose; contact at the largest preload.",
-                    {{"surface", ""}, {"elastomer", ""}, {"loops *n*", "1"}, {"*W*_app approach", "J/m2"}, {"*W* pull-off", "J/m2"}, {"*W* retraction", "J/m2"}, {"*E*_loss", "J"},
-                     {"*E*_loss of a smooth sphere", "J"}, {"π*a*_max^2", "m2"}},
-                    {}};
+    DataTable table{
+        "pairs-measured",
+        "Pairs: measured",
+        "Work of adhesion of loading, of pull-off by (S1) and of retraction by (S2); energy lost in a loop and what a smooth sphere would lose; contact at the largest preload.",
+        {{"surface", ""},
+         {"elastomer", ""},
+         {"loops *n*", "1"},
+         {"*W*_app approach", "J/m2"},
+         {"*W* pull-off", "J/m2"},
+         {"*W* retraction", "J/m2"},
+         {"*E*_loss", "J"},
+         {"*E*_loss of a smooth sphere", "J"},
+         {"π*a*_max^2", "m2"}},
+        {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         const auto& pair = result.pairs[i];
         if (!pair.approach && !pair.pull_off && !pair.retraction && !pair.loss && !pair.contact_area) continue;
         const auto base = fmt::format("/pairs/{}", i);
         const auto measured = [&](const char* name) { return QuantityCell{joined(base + "/measured", name)}; };
         table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, NumberCell{joined(base, "experiments")},
-                              measured("work_of_adhesion_approach"), measured("work_of_adhesion_pull_off"), measured("work_of_adhesion_retraction"),
-                              measured("energy_loss"), measured("ideal_smooth_sphere_loss"), measured("contact_area")});
+                              measured("work_of_adhesion_approach"), measured("work_of_adhesion_pull_off"),
+                              measured("work_of_adhesion_retraction"), measured("energy_loss"),
+                              measured("ideal_smooth_sphere_loss"), measured("contact_area")});
     }
     return table;
 }
 
 DataTable pairs_predicted(const StudyResult& result) {
-    DataTable table{"pairs-predicted", "Pairs: predicted from roughness",
-                    "<i>W</i><sub>app</sub> by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
-                    {{"surface", ""}, {"elastomer", ""}, {"*W*_app (7)", "J/m2"}, {"*W*_app (S13)", "J/m2"}, {"*W*_app (2)", "J/m2"}, {"measured − max(0, (7))", "J/m2"},
-                     {"*U*_el/*A*_app", "J/m2"}, {"*A*_true/*A*_app", "1"}, {"*λ*_{1/2}", "m"}, {"*E*_loss (10)", "J"}, {"note", ""}},
-                    {}};
+    DataTable table{
+        "pairs-predicted",
+        "Pairs: predicted from roughness",
+        "<i>W</i><sub>app</sub> by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
+        {{"surface", ""},
+         {"elastomer", ""},
+         {"*W*_app (7)", "J/m2"},
+         {"*W*_app (S13)", "J/m2"},
+         {"*W*_app (2)", "J/m2"},
+         {"measured − max(0, (7))", "J/m2"},
+         {"*U*_el/*A*_app", "J/m2"},
+         {"*A*_true/*A*_app", "1"},
+         {"*λ*_{1/2}", "m"},
+         {"*E*_loss (10)", "J"},
+         {"note", ""}},
+        {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         const auto& pair = result.pairs[i];
         if (!pair.modified) continue;
         const auto base = fmt::format("/pairs/{}", i);
         const auto quantity = [&](const char* name) { return QuantityCell{joined(base, name)}; };
         const bool bridging = pair.scales && pair.scales->bridging;
-        table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, quantity("modified/work_of_adhesion"), quantity("persson_tosatti/work_of_adhesion"),
-                              quantity("without_area_change/work_of_adhesion"), quantity("residual"), quantity("stored_energy"), quantity("true_area_ratio"),
+        table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, quantity("modified/work_of_adhesion"),
+                              quantity("persson_tosatti/work_of_adhesion"),
+                              quantity("without_area_change/work_of_adhesion"), quantity("residual"),
+                              quantity("stored_energy"), quantity("true_area_ratio"),
                               quantity("wavelength_of_half_the_stored_energy"), quantity("predicted_energy_loss"),
-                              TextCell{!pair.modified->work.conforms ? "will not conform" : bridging ? "would rather bridge some wavelengths" : ""}});
+                              TextCell{!pair.modified->work.conforms ? "will not conform"
+                                       : bridging                    ? "would rather bridge some wavelengths"
+                                                                     : ""}});
     }
     return table;
 }
 
 DataTable budget(const StudyResult& result) {
-    DataTable table{"budget", "What the ± of a prediction by (7) is made of", "Each uncertain input alone.",
-                    {{"surface", ""}, {"elastomer", ""}, {"spectrum", "J/m2"}, {"modulus", "J/m2"}, {"surface energy *γ*_1", "J/m2"}, {"*W*_int", "J/m2"}}, {}};
+    DataTable table{"budget",
+                    "What the ± of a prediction by (7) is made of",
+                    "Each uncertain input alone.",
+                    {{"surface", ""},
+                     {"elastomer", ""},
+                     {"spectrum", "J/m2"},
+                     {"modulus", "J/m2"},
+                     {"surface energy *γ*_1", "J/m2"},
+                     {"*W*_int", "J/m2"}},
+                    {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         if (!result.pairs[i].budget) continue;
         const auto base = fmt::format("/pairs/{}/modified/standard_error_budget", i);
         const auto number = [&base](const char* name) { return NumberCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{result.pairs[i].surface}, TextCell{result.pairs[i].elastomer}, number("spectrum"), number("modulus"), number("surface_energy"), number("work_of_adhesion")});
+        table.rows.push_back({TextCell{result.pairs[i].surface}, TextCell{result.pairs[i].elastomer},
+                              number("spectrum"), number("modulus"), number("surface_energy"),
+                              number("work_of_adhesion")});
     }
     return table;
 }
 
 /// Rows of one set of fits; `spectra` says what they rest on.
 void add_fits(DataTable& table, const Json& study, const std::string& base, const std::string& spectra, bool reported) {
-    const auto row = [&](const std::string& fit, const std::string& variant, const std::string& place, const std::string& n) {
+    const auto row = [&](const std::string& fit, const std::string& variant, const std::string& place,
+                         const std::string& n) {
         std::string work, r_squared;
         const auto& list = entry(study, "/reported");
         for (std::size_t i = 0; i < list.size() && reported && variant.empty(); ++i)
-            if (list[i].at("fit") == fit) (list[i].at("reported").at("quantity") == "r_squared" ? r_squared : work) = fmt::format("/reported/{}/reported", i);
-        const auto cell = [](const std::string& pointer) -> Cell { return pointer.empty() ? Cell(TextCell{"–"}) : Cell(QuantityCell{pointer}); };
+            if (list[i].at("fit") == fit)
+                (list[i].at("reported").at("quantity") == "r_squared" ? r_squared : work) =
+                    fmt::format("/reported/{}/reported", i);
+        const auto cell = [](const std::string& pointer) -> Cell {
+            return pointer.empty() ? Cell(TextCell{"–"}) : Cell(QuantityCell{pointer});
+        };
         const bool nested = entry(study, joined(place, "work_of_adhesion")).is_object();
-        table.rows.push_back({TextCell{balance_name(fit)}, TextCell{variant}, TextCell{spectra}, QuantityCell{nested ? joined(place, "work_of_adhesion") : place},
-                              nested ? Cell(QuantityCell{joined(place, "r_squared")}) : TextCell{"–"}, nested ? Cell(QuantityCell{joined(place, "chi_squared")}) : TextCell{"–"},
-                              NumberCell{n}, cell(work), cell(r_squared)});
+        table.rows.push_back({TextCell{balance_name(fit)}, TextCell{variant}, TextCell{spectra},
+                              QuantityCell{nested ? joined(place, "work_of_adhesion") : place},
+                              nested ? Cell(QuantityCell{joined(place, "r_squared")}) : TextCell{"–"},
+                              nested ? Cell(QuantityCell{joined(place, "chi_squared")}) : TextCell{"–"}, NumberCell{n},
+                              cell(work), cell(r_squared)});
     };
-    static constexpr std::array<std::pair<const char*, const char*>, 6> variants{{{"", ""},
-                                                                                {"clustered", "errors clustered by surface and elastomer"},
-                                                                                {"weighted", "weighted by the measured ±"},
-                                                                                {"with_extra_scatter", "with extra scatter"},
-                                                                                {"errors_in_both", "errors in both"},
-                                                                                {"likelihood", "profile likelihood"}}};
+    static constexpr std::array<std::pair<const char*, const char*>, 6> variants{
+        {{"", ""},
+         {"clustered", "errors clustered by surface and elastomer"},
+         {"weighted", "weighted by the measured ±"},
+         {"with_extra_scatter", "with extra scatter"},
+         {"errors_in_both", "errors in both"},
+         {"likelihood", "profile likelihood"}}};
     const auto whole = [&](const std::string& fit, const std::string& place, const std::string& prefix) {
         if (!entry(study, place).is_object()) return;
         for (const auto& [key, name] : variants) {
             const auto where = *key ? joined(place, key) : place;
-            if (entry(study, where).is_object()) row(fit, prefix.empty() || !*name ? prefix + name : prefix + ", " + name, where, joined(place, "n"));
+            if (entry(study, where).is_object())
+                row(fit, prefix.empty() || !*name ? prefix + name : prefix + ", " + name, where, joined(place, "n"));
         }
     };
-    for (const char* fit : {"modified", "persson_tosatti", "without_area_change", "loop"}) whole(fit, joined(base, fit), "");
+    for (const char* fit : {"modified", "persson_tosatti", "without_area_change", "loop"})
+        whole(fit, joined(base, fit), "");
     const auto loop = joined(base, "loop");
     whole("loop", joined(loop, "without_ideal_loss"), "smooth sphere's loss subtracted");
-    for (const auto& [key, name] : {std::pair{"with_intercept", "with intercept"}, {"without_ideal_loss_with_intercept", "smooth sphere's loss subtracted, with intercept"}})
-        if (entry(study, joined(loop, key)).is_object()) row("loop", name, joined(loop, key), joined(loop, std::string(key) + "/n"));
-    if (entry(study, joined(base, "free_energies")).is_object()) row("modified", "stored energy free for each surface", joined(base, "free_energies"), joined(base, "modified/n"));
+    for (const auto& [key, name] :
+         {std::pair{"with_intercept", "with intercept"},
+          {"without_ideal_loss_with_intercept", "smooth sphere's loss subtracted, with intercept"}})
+        if (entry(study, joined(loop, key)).is_object())
+            row("loop", name, joined(loop, key), joined(loop, std::string(key) + "/n"));
+    if (entry(study, joined(base, "free_energies")).is_object())
+        row("modified", "stored energy free for each surface", joined(base, "free_energies"),
+            joined(base, "modified/n"));
 }
 
 /// Means by the mixed model of quantities in one unit.
-DataTable replicate_means(const StudyResult& result, const std::string& unit, const std::string& identifier, const std::string& title) {
-    DataTable table{identifier, title,
-                    "Means over lenses, spots and repeats by a linear mixed model; [ ] the 95 % interval, another one: where 95 % of further measurements with another lens lie. Variances are "
-                    "pooled over the surfaces of an elastomer. <i>n</i> counts the loops behind a mean, beside those left out; <i>I</i>² is the share of their scatter that the fits' own errors do "
-                    "not explain.",
-                    {{"surface", ""}, {"elastomer", ""}, {"quantity", ""}, {"mean", unit}, {"another one, from", unit}, {"to", unit}, {"with the excluded", unit}, {"*n*", "1"}, {"excluded", "1"}, {"*I*²", "1"},
-                     {"note", ""}},
-                    {}};
+DataTable replicate_means(const StudyResult& result, const std::string& unit, const std::string& identifier,
+                          const std::string& title) {
+    DataTable table{
+        identifier,
+        title,
+        "Means over lenses, spots and repeats by a linear mixed model; [ ] the 95 % interval, another one: where 95 % of further measurements with another lens lie. Variances are "
+        "pooled over the surfaces of an elastomer. <i>n</i> counts the loops behind a mean, beside those left out; <i>I</i>² is the share of their scatter that the fits' own errors do "
+        "not explain.",
+        {{"surface", ""},
+         {"elastomer", ""},
+         {"quantity", ""},
+         {"mean", unit},
+         {"another one, from", unit},
+         {"to", unit},
+         {"with the excluded", unit},
+         {"*n*", "1"},
+         {"excluded", "1"},
+         {"*I*²", "1"},
+         {"note", ""}},
+        {}};
     for (std::size_t i = 0; i < result.replicates.size(); ++i) {
         const auto& replicates = result.replicates[i];
         if (replicates.data.unit != unit || !replicates.model) continue;
@@ -197,56 +295,97 @@ DataTable replicate_means(const StudyResult& result, const std::string& unit, co
             const auto& surface = replicates.model->surfaces[k];
             const auto base = fmt::format("/replicates/{}/surfaces/{}", i, k);
             const auto or_none = [](bool there, Cell cell) { return there ? cell : Cell(TextCell{"–"}); };
-            table.rows.push_back({TextCell{surface.surface}, TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, QuantityCell{base + "/mean"},
-                                  or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/lower"}),
-                                  or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/upper"}), or_none(surface.with_excluded.has_value(), QuantityCell{base + "/with_excluded"}),
-                                  NumberCell{base + "/n"}, NumberCell{base + "/excluded"}, or_none(surface.heterogeneity.has_value(), NumberCell{base + "/heterogeneity/I2"}),
-                                  TextCell{fmt::format("{}", fmt::join(surface.notes, "; "))}});
+            table.rows.push_back(
+                {TextCell{surface.surface}, TextCell{replicates.elastomer}, TextCell{replicates.data.quantity},
+                 QuantityCell{base + "/mean"},
+                 or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/lower"}),
+                 or_none(surface.prediction.has_value(), NumberCell{base + "/prediction_interval/upper"}),
+                 or_none(surface.with_excluded.has_value(), QuantityCell{base + "/with_excluded"}),
+                 NumberCell{base + "/n"}, NumberCell{base + "/excluded"},
+                 or_none(surface.heterogeneity.has_value(), NumberCell{base + "/heterogeneity/I2"}),
+                 TextCell{fmt::format("{}", fmt::join(surface.notes, "; "))}});
         }
     }
     return table;
 }
 
-DataTable replicate_variances(const StudyResult& result, const std::string& unit, const std::string& identifier, const std::string& title) {
-    DataTable table{identifier, title, "Standard deviations at the largest restricted likelihood, pooled over the surfaces of an elastomer; levels whose groups are the same are one.",
-                    {{"elastomer", ""}, {"quantity", ""}, {"between", ""}, {"standard deviation", unit}, {"degrees of freedom", "1"}, {"note", ""}}, {}};
+DataTable replicate_variances(const StudyResult& result, const std::string& unit, const std::string& identifier,
+                              const std::string& title) {
+    DataTable table{
+        identifier,
+        title,
+        "Standard deviations at the largest restricted likelihood, pooled over the surfaces of an elastomer; levels whose groups are the same are one.",
+        {{"elastomer", ""},
+         {"quantity", ""},
+         {"between", ""},
+         {"standard deviation", unit},
+         {"degrees of freedom", "1"},
+         {"note", ""}},
+        {}};
     for (std::size_t i = 0; i < result.replicates.size(); ++i) {
         const auto& replicates = result.replicates[i];
         if (replicates.data.unit != unit || !replicates.model) continue;
         const auto& fit = replicates.model->fits.front();
         for (std::size_t k = 0; k < fit.components.size(); ++k) {
             const auto base = fmt::format("/replicates/{}/variances/0/components/{}", i, k);
-            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, TextCell{fmt::format("{}", fmt::join(fit.components[k].includes, " and "))},
-                                  QuantityCell{base + "/standard_deviation"}, NumberCell{base + "/degrees_of_freedom"}, TextCell{fit.components[k].at_bound ? "at its bound" : ""}});
+            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity},
+                                  TextCell{fmt::format("{}", fmt::join(fit.components[k].includes, " and "))},
+                                  QuantityCell{base + "/standard_deviation"}, NumberCell{base + "/degrees_of_freedom"},
+                                  TextCell{fit.components[k].at_bound ? "at its bound" : ""}});
         }
         for (const auto& sentence : fit.not_estimable)
-            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, TextCell{"–"}, TextCell{"–"}, TextCell{"–"}, TextCell{sentence}});
+            table.rows.push_back({TextCell{replicates.elastomer}, TextCell{replicates.data.quantity}, TextCell{"–"},
+                                  TextCell{"–"}, TextCell{"–"}, TextCell{sentence}});
     }
     return table;
 }
 
 DataTable prediction_test(const StudyResult& result, const Json& study) {
-    DataTable table{"prediction-test", "Measured against predicted, both errors", "", {{"surface", ""}, {"elastomer", ""}, {"measured *W*_app", "J/m2"}, {"max(0, (7))", "J/m2"}, {"difference", "J/m2"}, {"in standard errors", "1"}}, {}};
+    DataTable table{"prediction-test",
+                    "Measured against predicted, both errors",
+                    "",
+                    {{"surface", ""},
+                     {"elastomer", ""},
+                     {"measured *W*_app", "J/m2"},
+                     {"max(0, (7))", "J/m2"},
+                     {"difference", "J/m2"},
+                     {"in standard errors", "1"}},
+                    {}};
     if (!result.prediction_test) return table;
-    const auto number = [&study](const std::string& name, int decimals) { return number_html(study, "/prediction_test/" + name, {}, decimals); };
-    table.note = fmt::format("<i>χ</i>² = {} with {} degrees of freedom, <i>p</i> = {}, over the covariance of measured values and predictions: pairs of one surface share its spectrum, those of one "
-                             "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}.",
-                             number("chi_squared/value", 2), number("degrees_of_freedom", 0), number("probability", 4),
-                             result.prediction_test->work_fitted ? "; <i>W</i><sub>int</sub> is fitted to these pairs" : "", quantity_html(study, "/prediction_test/extra_scatter"),
-                             number("chi_squared_with_scatter/value", 2));
+    const auto number = [&study](const std::string& name, int decimals) {
+        return number_html(study, "/prediction_test/" + name, {}, decimals);
+    };
+    table.note = fmt::format(
+        "<i>χ</i>² = {} with {} degrees of freedom, <i>p</i> = {}, over the covariance of measured values and predictions: pairs of one surface share its spectrum, those of one "
+        "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}.",
+        number("chi_squared/value", 2), number("degrees_of_freedom", 0), number("probability", 4),
+        result.prediction_test->work_fitted ? "; <i>W</i><sub>int</sub> is fitted to these pairs" : "",
+        quantity_html(study, "/prediction_test/extra_scatter"), number("chi_squared_with_scatter/value", 2));
     for (std::size_t i = 0; i < result.prediction_test->pairs.size(); ++i) {
         const auto base = fmt::format("/prediction_test/pairs/{}", i);
-        table.rows.push_back({TextCell{result.prediction_test->pairs[i].surface}, TextCell{result.prediction_test->pairs[i].elastomer}, QuantityCell{base + "/measured"}, QuantityCell{base + "/predicted"},
-                              QuantityCell{base + "/residual"}, QuantityCell{base + "/standardised_residual"}});
+        table.rows.push_back({TextCell{result.prediction_test->pairs[i].surface},
+                              TextCell{result.prediction_test->pairs[i].elastomer}, QuantityCell{base + "/measured"},
+                              QuantityCell{base + "/predicted"}, QuantityCell{base + "/residual"},
+                              QuantityCell{base + "/standardised_residual"}});
     }
     return table;
 }
 
 DataTable fits(const StudyResult& result, const Json& study) {
-    DataTable table{"fits", "Intrinsic work of adhesion from all pairs",
-                    "(7) with, (2) without the energy of stretching the soft surface, (S13) without it and with the area of small slopes, energy lost against true area (10). Reported values are what others found.",
-                    {{"fit", ""}, {"variant", ""}, {"spectra", ""}, {"*W*_int", "J/m2"}, {"*R*²", "1"}, {"*χ*²", "1"}, {"*n*", "1"}, {"reported *W*_int", "J/m2"}, {"reported *R*²", "1"}},
-                    {}};
+    DataTable table{
+        "fits",
+        "Intrinsic work of adhesion from all pairs",
+        "(7) with, (2) without the energy of stretching the soft surface, (S13) without it and with the area of small slopes, energy lost against true area (10). Reported values are what others found.",
+        {{"fit", ""},
+         {"variant", ""},
+         {"spectra", ""},
+         {"*W*_int", "J/m2"},
+         {"*R*²", "1"},
+         {"*χ*²", "1"},
+         {"*n*", "1"},
+         {"reported *W*_int", "J/m2"},
+         {"reported *R*²", "1"}},
+        {}};
     add_fits(table, study, "/fits", result.by_average ? "likelihood" : "as given", true);
     if (result.by_average) add_fits(table, study, "/by_average/fits", "average", false);
     if (result.study.reported.empty()) {
@@ -257,37 +396,61 @@ DataTable fits(const StudyResult& result, const Json& study) {
 }
 
 DataTable references(const StudyResult& result) {
-    DataTable table{"references", "Smooth references", "",
-                    {{"elastomer", ""}, {"stage", ""}, {"*W* approach", "J/m2"}, {"*W* retraction", "J/m2"}, {"excess energy", "J"}, {"loss of a smooth sphere", "J"}, {"rough loss/excess", "1"}}, {}};
+    DataTable table{"references",
+                    "Smooth references",
+                    "",
+                    {{"elastomer", ""},
+                     {"stage", ""},
+                     {"*W* approach", "J/m2"},
+                     {"*W* retraction", "J/m2"},
+                     {"excess energy", "J"},
+                     {"loss of a smooth sphere", "J"},
+                     {"rough loss/excess", "1"}},
+                    {}};
     for (std::size_t i = 0; i < result.references.size(); ++i) {
         const auto base = fmt::format("/references/{}", i);
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{result.references[i].elastomer}, TextCell{result.references[i].stage}, quantity("work_of_adhesion_approach"), quantity("work_of_adhesion_retraction"),
+        table.rows.push_back({TextCell{result.references[i].elastomer}, TextCell{result.references[i].stage},
+                              quantity("work_of_adhesion_approach"), quantity("work_of_adhesion_retraction"),
                               quantity("excess_energy"), quantity("ideal_smooth_sphere_loss"), quantity("loss_ratio")});
     }
     return table;
 }
 
 DataTable reference_changes(const StudyResult& result) {
-    DataTable table{"reference-changes", "Smooth references after the rough loops minus before", "",
-                    {{"elastomer", ""}, {"Δ*W* approach", "J/m2"}, {"Δ*W* retraction", "J/m2"}, {"Δ excess energy", "J"}}, {}};
+    DataTable table{
+        "reference-changes",
+        "Smooth references after the rough loops minus before",
+        "",
+        {{"elastomer", ""}, {"Δ*W* approach", "J/m2"}, {"Δ*W* retraction", "J/m2"}, {"Δ excess energy", "J"}},
+        {}};
     for (std::size_t i = 0; i < result.reference_drifts.size(); ++i) {
         const auto base = fmt::format("/reference_changes/{}", i);
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{result.reference_drifts[i].elastomer}, quantity("work_of_adhesion_approach_change"), quantity("work_of_adhesion_retraction_change"),
-                              quantity("excess_energy_change")});
+        table.rows.push_back({TextCell{result.reference_drifts[i].elastomer},
+                              quantity("work_of_adhesion_approach_change"),
+                              quantity("work_of_adhesion_retraction_change"), quantity("excess_energy_change")});
     }
     return table;
 }
 
 DataTable cutoff_scan(const StudyResult& result, const Json& study) {
-    DataTable table{"cutoff-scan", "Intrinsic work of adhesion against the short cutoff", "Every spectrum cut at one shortest wavelength.",
-                    {{"shortest wavelength", "m"}, {"spectra", ""}, {"*W*_int (7)", "J/m2"}, {"*R*² (7)", "1"}, {"*W*_int (S13)", "J/m2"}, {"*R*² (S13)", "1"}}, {}};
+    DataTable table{"cutoff-scan",
+                    "Intrinsic work of adhesion against the short cutoff",
+                    "Every spectrum cut at one shortest wavelength.",
+                    {{"shortest wavelength", "m"},
+                     {"spectra", ""},
+                     {"*W*_int (7)", "J/m2"},
+                     {"*R*² (7)", "1"},
+                     {"*W*_int (S13)", "J/m2"},
+                     {"*R*² (S13)", "1"}},
+                    {}};
     const auto add = [&](const std::string& base, const char* spectra) {
         for (std::size_t i = 0; i < entry(study, base).size(); ++i) {
             const auto place = joined(base, std::to_string(i));
             const auto quantity = [&place](const char* name) { return QuantityCell{joined(place, name)}; };
-            table.rows.push_back({quantity("shortest_wavelength"), TextCell{spectra}, quantity("modified/work_of_adhesion"), quantity("modified/r_squared"),
+            table.rows.push_back({quantity("shortest_wavelength"), TextCell{spectra},
+                                  quantity("modified/work_of_adhesion"), quantity("modified/r_squared"),
                                   quantity("persson_tosatti/work_of_adhesion"), quantity("persson_tosatti/r_squared")});
         }
     };
@@ -306,69 +469,123 @@ std::string balance_name(const std::string& fit) {
 }
 
 DataTable measurement_table(const StudyResult& result) {
-    DataTable table{"measurements", "Measurements",
-                    "Heights as measured, unfiltered: root mean square and mean height (<i>Sq</i>, <i>Sa</i> of maps, <i>Rq</i>, <i>Ra</i> of lines), slope and curvature by differences at the "
-                    "resolution of the data. The band is what the spectrum is trusted in; <i>n</i> counts points.",
-                    {{"surface", ""}, {"file", ""}, {"measurement", ""}, {"instrument", ""}, {"Rq or Sq", "m"}, {"Ra or Sa", "m"}, {"Rdq or Sdq", "1"}, {"curvature", "1/m"},
-                     {"band *q*", "1/m"}, {"*n*", "1"}, {"status", ""}},
-                    {}};
+    DataTable table{
+        "measurements",
+        "Measurements",
+        "Heights as measured, unfiltered: root mean square and mean height (<i>Sq</i>, <i>Sa</i> of maps, <i>Rq</i>, <i>Ra</i> of lines), slope and curvature by differences at the "
+        "resolution of the data. The band is what the spectrum is trusted in; <i>n</i> counts points.",
+        {{"surface", ""},
+         {"file", ""},
+         {"measurement", ""},
+         {"instrument", ""},
+         {"Rq or Sq", "m"},
+         {"Ra or Sa", "m"},
+         {"Rdq or Sdq", "1"},
+         {"curvature", "1/m"},
+         {"band *q*", "1/m"},
+         {"*n*", "1"},
+         {"status", ""}},
+        {}};
     for (const auto& surface : result.surfaces)
         for (std::size_t i = 0; i < surface.measurements.size(); ++i) {
             const auto& m = surface.measurements[i];
             const auto base = joined(named("/surfaces", surface.name), fmt::format("measurements/{}", i));
             const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-            table.rows.push_back({TextCell{surface.name}, TextCell{m.file}, TextCell{m.name}, TextCell{m.spectrum.metadata.instrument.type}, quantity("rms_height"),
-                                  quantity("arithmetic_height"), quantity("rms_slope"), quantity("rms_curvature"), BandCell{joined(base, "band")},
-                                  NumberCell{joined(base, "rms_height/n")}, TextCell{m.failed() ? "failed" : ""}});
+            table.rows.push_back({TextCell{surface.name}, TextCell{m.file}, TextCell{m.name},
+                                  TextCell{m.spectrum.metadata.instrument.type}, quantity("rms_height"),
+                                  quantity("arithmetic_height"), quantity("rms_slope"), quantity("rms_curvature"),
+                                  BandCell{joined(base, "band")}, NumberCell{joined(base, "rms_height/n")},
+                                  TextCell{m.failed() ? "failed" : ""}});
         }
     return table;
 }
 
 DataTable loop_table(const StudyResult& result) {
-    DataTable table{"loops", "Loops",
-                    "Contact modulus and work of adhesion by the JKR fit of loading, work of adhesion of pull-off (S1) and retraction (S2), energy lost; <i>n</i> counts the samples of the loading fit.",
-                    {{"file", ""}, {"surface", ""}, {"elastomer", ""}, {"*E*\\*", "Pa"}, {"*W* approach", "J/m2"}, {"*W* pull-off", "J/m2"}, {"*W* retraction", "J/m2"},
-                     {"*E*_loss", "J"}, {"*a*_max", "m"}, {"*n*", "1"}, {"status", ""}},
-                    {}};
+    DataTable table{
+        "loops",
+        "Loops",
+        "Contact modulus and work of adhesion by the JKR fit of loading, work of adhesion of pull-off (S1) and retraction (S2), energy lost; <i>n</i> counts the samples of the loading fit.",
+        {{"file", ""},
+         {"surface", ""},
+         {"elastomer", ""},
+         {"*E*\\*", "Pa"},
+         {"*W* approach", "J/m2"},
+         {"*W* pull-off", "J/m2"},
+         {"*W* retraction", "J/m2"},
+         {"*E*_loss", "J"},
+         {"*a*_max", "m"},
+         {"*n*", "1"},
+         {"status", ""}},
+        {}};
     for (std::size_t i = 0; i < result.experiments.size(); ++i) {
         const auto& e = result.experiments[i];
         const auto base = fmt::format("/experiments/{}/analysis", i);
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{e.input.file}, TextCell{e.input.reference ? "reference" : e.input.surface}, TextCell{e.input.elastomer}, quantity("loading/contact_modulus"),
-                              quantity("loading/work_of_adhesion"), quantity("pull_off/work_of_adhesion"), quantity("retraction/work_of_adhesion"), quantity("loop/energy"),
-                              quantity("largest_contact_radius"), NumberCell{joined(base, "loading/work_of_adhesion/n")}, TextCell{e.failed() ? "failed" : e.input.excluded() ? "excluded: " + e.input.exclusion : ""}});
+        table.rows.push_back(
+            {TextCell{e.input.file}, TextCell{e.input.reference ? "reference" : e.input.surface},
+             TextCell{e.input.elastomer}, quantity("loading/contact_modulus"), quantity("loading/work_of_adhesion"),
+             quantity("pull_off/work_of_adhesion"), quantity("retraction/work_of_adhesion"), quantity("loop/energy"),
+             quantity("largest_contact_radius"), NumberCell{joined(base, "loading/work_of_adhesion/n")},
+             TextCell{e.failed()           ? "failed"
+                      : e.input.excluded() ? "excluded: " + e.input.exclusion
+                                           : ""}});
     }
     return table;
 }
 
 DataTable loop_check_table(const StudyResult& result) {
-    DataTable table{"loop_checks", "Loops: other routes, contact point and energy",
-                    "The joint fit of force, displacement and contact radius beside the routes above; E* free of W; first touch and how far its estimates lie apart; "
-                    "the loss of an ideal smooth sphere in this machine, and the share of the work of approach that is recovered. Every fit stands in loop_fits.csv, every part of the energy in "
-                    "loop_energies.csv.",
-                    {{"file", ""}, {"*E*\\* joint", "Pa"}, {"*W* joint", "J/m2"}, {"*E*\\* free of *W*", "Pa"}, {"*W* unloading", "J/m2"}, {"contact point", "m"}, {"its spread", "m"},
-                     {"*E*_ideal", "J"}, {"recovered", "1"}},
-                    {}};
+    DataTable table{
+        "loop_checks",
+        "Loops: other routes, contact point and energy",
+        "The joint fit of force, displacement and contact radius beside the routes above; E* free of W; first touch and how far its estimates lie apart; "
+        "the loss of an ideal smooth sphere in this machine, and the share of the work of approach that is recovered. Every fit stands in loop_fits.csv, every part of the energy in "
+        "loop_energies.csv.",
+        {{"file", ""},
+         {"*E*\\* joint", "Pa"},
+         {"*W* joint", "J/m2"},
+         {"*E*\\* free of *W*", "Pa"},
+         {"*W* unloading", "J/m2"},
+         {"contact point", "m"},
+         {"its spread", "m"},
+         {"*E*_ideal", "J"},
+         {"recovered", "1"}},
+        {}};
     for (std::size_t i = 0; i < result.experiments.size(); ++i) {
         const auto& e = result.experiments[i];
         if (e.failed()) continue;
         const auto base = fmt::format("/experiments/{}/analysis", i);
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{e.input.file}, quantity("loading/fits/joint/contact_modulus"), quantity("loading/fits/joint/work_of_adhesion"),
-                              quantity("loading/fits/pointwise/contact_modulus"), quantity("unloading/work_of_adhesion"), quantity("contact_points/contact_point"),
-                              quantity("contact_points/spread"), quantity("ledger/ideal_loss_this_machine"), quantity("ledger/recovered_share")});
+        table.rows.push_back({TextCell{e.input.file}, quantity("loading/fits/joint/contact_modulus"),
+                              quantity("loading/fits/joint/work_of_adhesion"),
+                              quantity("loading/fits/pointwise/contact_modulus"),
+                              quantity("unloading/work_of_adhesion"), quantity("contact_points/contact_point"),
+                              quantity("contact_points/spread"), quantity("ledger/ideal_loss_this_machine"),
+                              quantity("ledger/recovered_share")});
     }
     return table;
 }
 
 std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& study) {
-    std::vector<DataTable> tables{fits(result, study), pairs_measured(result), pairs_predicted(result), prediction_test(result, study), budget(result),
-                                  replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
-                                  replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
-                                  replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),
-                                  replicate_variances(result, "J", "variances-loss", "Scatter of the energy lost"), surfaces(result, study),
-                                  decades(result, study), measurement_table(result), agreement(result, study), elastomers(result, study), loop_table(result), loop_check_table(result),
-                                  references(result), reference_changes(result), cutoff_scan(result, study)};
+    std::vector<DataTable> tables{
+        fits(result, study),
+        pairs_measured(result),
+        pairs_predicted(result),
+        prediction_test(result, study),
+        budget(result),
+        replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
+        replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
+        replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),
+        replicate_variances(result, "J", "variances-loss", "Scatter of the energy lost"),
+        surfaces(result, study),
+        decades(result, study),
+        measurement_table(result),
+        agreement(result, study),
+        elastomers(result, study),
+        loop_table(result),
+        loop_check_table(result),
+        references(result),
+        reference_changes(result),
+        cutoff_scan(result, study)};
     std::erase_if(tables, [](const DataTable& table) { return table.rows.empty(); });
     return tables;
 }

@@ -8,7 +8,8 @@
 
 namespace setae::report {
 
-/// The tables of a study; those without rows are left out. `study` is output::to_json(result): every number is an entry of it.
+/// The tables of a study; those without rows are left out. `study` is output::to_json(result): every number is an entry
+/// of it.
 [[nodiscard]] std::vector<DataTable> parameter_tables(const study::StudyResult& result, const output::Json& study);
 
 /// Every measurement: what was done to it and found on it, or why it failed.

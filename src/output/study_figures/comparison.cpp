@@ -32,13 +32,31 @@ struct Comparison {
 /// Every pair as a point of its own: symbol of its surface, colour of its elastomer.
 void add_points(Comparison& drawn, const StudyResult& result, const std::vector<Point>& points) {
     for (const auto& p : points) {
-        const int symbol = static_cast<int>(place_of_surface(result, p.surface)), colour = colour_of_place(place_of_elastomer(result, p.elastomer));
+        const int symbol = static_cast<int>(place_of_surface(result, p.surface)),
+                  colour = colour_of_place(place_of_elastomer(result, p.elastomer));
         const auto name = p.surface + " on " + p.elastomer;
         const auto one = [](double value) { return Array1D::Constant(1, value); };
-        drawn.values.series.push_back({.label = name, .x = one(p.x), .y = one(p.y), .lower = one(p.y - p.y_error), .upper = one(p.y + p.y_error), .mark = Mark::points,
-                                       .colour = colour, .symbol = symbol, .left = one(p.x_lower), .right = one(p.x_upper), .in_legend = false, .names = {name}});
-        drawn.residuals.series.push_back({.label = name, .x = one(p.x), .y = one(p.y - p.expected), .lower = one(p.y - p.expected - p.y_error),
-                                          .upper = one(p.y - p.expected + p.y_error), .mark = Mark::points, .colour = colour, .symbol = symbol, .in_legend = false,
+        drawn.values.series.push_back({.label = name,
+                                       .x = one(p.x),
+                                       .y = one(p.y),
+                                       .lower = one(p.y - p.y_error),
+                                       .upper = one(p.y + p.y_error),
+                                       .mark = Mark::points,
+                                       .colour = colour,
+                                       .symbol = symbol,
+                                       .left = one(p.x_lower),
+                                       .right = one(p.x_upper),
+                                       .in_legend = false,
+                                       .names = {name}});
+        drawn.residuals.series.push_back({.label = name,
+                                          .x = one(p.x),
+                                          .y = one(p.y - p.expected),
+                                          .lower = one(p.y - p.expected - p.y_error),
+                                          .upper = one(p.y - p.expected + p.y_error),
+                                          .mark = Mark::points,
+                                          .colour = colour,
+                                          .symbol = symbol,
+                                          .in_legend = false,
                                           .names = {name}});
     }
 }
@@ -50,20 +68,34 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
     };
     for (std::size_t i = 0; i < result.surfaces.size(); ++i)
         if (shown(&Point::surface, result.surfaces[i].name))
-            panel.series.push_back({.label = result.surfaces[i].name, .mark = Mark::points, .colour = colour::black, .symbol = static_cast<int>(i),
+            panel.series.push_back({.label = result.surfaces[i].name,
+                                    .mark = Mark::points,
+                                    .colour = colour::black,
+                                    .symbol = static_cast<int>(i),
                                     .legend_only = true});
     for (std::size_t i = 0; i < result.elastomers.size(); ++i) {
         const auto& elastomer = result.elastomers[i];
         if (!shown(&Point::elastomer, elastomer.input.name)) continue;
         const double modulus = elastomer.youngs_modulus.value;
-        panel.series.push_back({.label = elastomer.input.name + (modulus > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * modulus) : ""),
-                                .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .line_width = 4.0, .legend_only = true});
+        panel.series.push_back(
+            {.label = elastomer.input.name + (modulus > 0.0 ? fmt::format(", {:.3g} MPa", 1e-6 * modulus) : ""),
+             .mark = Mark::line,
+             .colour = colour_of_place(i),
+             .dash = 0,
+             .line_width = 4.0,
+             .legend_only = true});
     }
 }
 
 /// A straight line through the origin, between two x.
 Series line(const std::string& label, double slope, double from, double to) {
-    return {.label = label, .x = Array1D{{from, to}}, .y = Array1D{{slope * from, slope * to}}, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.9,
+    return {.label = label,
+            .x = Array1D{{from, to}},
+            .y = Array1D{{slope * from, slope * to}},
+            .mark = Mark::line,
+            .colour = colour::black,
+            .dash = 0,
+            .line_width = 0.9,
             .in_legend = false};
 }
 
@@ -100,18 +132,30 @@ void set_ranges(Comparison& drawn, const std::vector<Point>& points, bool square
 /// Measured against predicted works of adhesion [mJ/m²].
 Comparison against_prediction(const StudyResult& result, const std::vector<Point>& points) {
     Comparison drawn;
-    drawn.values = {.x = {.quantity = "predicted *W*_{app}", .unit = "mJ/m2"}, .y = {.quantity = "measured *W*_{app}", .unit = "mJ/m2"}};
-    drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "mJ/m2"}, .horizontal_lines = {0.0}, .legend = false};
+    drawn.values = {.x = {.quantity = "predicted *W*_{app}", .unit = "mJ/m2"},
+                    .y = {.quantity = "measured *W*_{app}", .unit = "mJ/m2"}};
+    drawn.residuals = {.x = drawn.values.x,
+                       .y = {.quantity = "residual", .unit = "mJ/m2"},
+                       .horizontal_lines = {0.0},
+                       .legend = false};
     set_ranges(drawn, points, true);
     const double from = *drawn.values.x.from, to = *drawn.values.x.to;
-    drawn.values.notes.push_back({.text = "y = x", .x = from + 0.02 * (to - from), .y = to - 0.06 * (to - from), .side = figures::Note::Side::right});
+    drawn.values.notes.push_back({.text = "y = x",
+                                  .x = from + 0.02 * (to - from),
+                                  .y = to - 0.06 * (to - from),
+                                  .side = figures::Note::Side::right});
     drawn.values.series.push_back(line("y = x", 1.0, *drawn.values.x.from, *drawn.values.x.to));
     add_points(drawn, result, points);
     return drawn;
 }
 
 Point point_of(const study::PairResult& pair, double raw, double error, const Estimate& measured) {
-    Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = 1e3 * std::max(0.0, raw), .x_lower = undefined, .x_upper = undefined, .y = 1e3 * measured.value};
+    Point p{.surface = pair.surface,
+            .elastomer = pair.elastomer,
+            .x = 1e3 * std::max(0.0, raw),
+            .x_lower = undefined,
+            .x_upper = undefined,
+            .y = 1e3 * measured.value};
     if (error > 0.0) {
         p.x_lower = 1e3 * std::max(0.0, raw - error);
         p.x_upper = 1e3 * std::max(0.0, raw + error);
@@ -122,34 +166,45 @@ Point point_of(const study::PairResult& pair, double raw, double error, const Es
 }
 
 /// Pairs with a measured and a predicted work of adhesion.
-std::vector<Point> predicted_points(const StudyResult& result, std::optional<study::PredictedWork> study::PairResult::*balance) {
+std::vector<Point> predicted_points(const StudyResult& result,
+                                    std::optional<study::PredictedWork> study::PairResult::*balance) {
     std::vector<Point> points;
     for (const auto& pair : result.pairs)
-        if (pair.approach && pair.*balance) points.push_back(point_of(pair, (pair.*balance)->work.raw, (pair.*balance)->estimate.standard_error, *pair.approach));
+        if (pair.approach && pair.*balance)
+            points.push_back(
+                point_of(pair, (pair.*balance)->work.raw, (pair.*balance)->estimate.standard_error, *pair.approach));
     return points;
 }
 
 std::string why_no_prediction(const StudyResult& result) {
     if (result.pairs.empty()) return "the study has no pair of surface and elastomer";
-    if (std::none_of(result.pairs.begin(), result.pairs.end(), [](const auto& pair) { return pair.approach.has_value(); })) return "no pair has a measured work of adhesion";
-    if (!result.work_of_adhesion) return result.work_of_adhesion.reason.empty() ? "there is no work of adhesion to predict with" : result.work_of_adhesion.reason;
+    if (std::none_of(result.pairs.begin(), result.pairs.end(),
+                     [](const auto& pair) { return pair.approach.has_value(); }))
+        return "no pair has a measured work of adhesion";
+    if (!result.work_of_adhesion)
+        return result.work_of_adhesion.reason.empty() ? "there is no work of adhesion to predict with"
+                                                      : result.work_of_adhesion.reason;
     return "no pair has both a measured and a predicted work of adhesion";
 }
 
 std::string fit_in_words(const adhesion::WorkFit& fit) {
-    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.clustered, 1e3, "mJ/m2"), fit.r_squared, fit.n);
+    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.clustered, 1e3, "mJ/m2"), fit.r_squared,
+                       fit.n);
 }
 
 /// Panels of one or two comparisons, each above its residuals.
 figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& comparisons) {
-    constexpr double upper = 0.68, first = 0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
+    constexpr double upper = 0.68,
+                     first =
+                         0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
     const bool two = comparisons.size() > 1;
     figures::Figure figure;
     const auto add = [&](const Comparison& comparison, const figures::Place& place) {
         figure.panels.push_back(comparison.values);
         figure.panels.back().place = figures::Place{place.left, place.top, place.width, upper * place.height};
         figure.panels.push_back(comparison.residuals);
-        figure.panels.back().place = figures::Place{place.left, place.top + upper * place.height, place.width, (1.0 - upper) * place.height};
+        figure.panels.back().place =
+            figures::Place{place.left, place.top + upper * place.height, place.width, (1.0 - upper) * place.height};
     };
     if (wide(sitting)) {
         figure.width_mm = two ? page_mm : 120.0;
@@ -172,7 +227,12 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     const double slope = 1e3 * fit.work_of_adhesion.value;
     for (const auto& pair : fit.pairs) {
         const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(pair.slope_variance);
-        Point p{.surface = pair.surface, .elastomer = pair.elastomer, .x = area, .x_lower = undefined, .x_upper = undefined, .y = 1e9 * pair.measured.value,
+        Point p{.surface = pair.surface,
+                .elastomer = pair.elastomer,
+                .x = area,
+                .x_lower = undefined,
+                .x_upper = undefined,
+                .y = 1e9 * pair.measured.value,
                 .expected = slope * area};
         if (error > 0.0) {
             p.x_lower = area - error;
@@ -182,12 +242,17 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
         points.push_back(p);
     }
     Comparison drawn;
-    drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"}, .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
-    drawn.residuals = {.x = drawn.values.x, .y = {.quantity = "residual", .unit = "nJ"}, .horizontal_lines = {0.0}, .legend = false};
+    drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"},
+                    .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
+    drawn.residuals = {
+        .x = drawn.values.x, .y = {.quantity = "residual", .unit = "nJ"}, .horizontal_lines = {0.0}, .legend = false};
     set_ranges(drawn, points, false);
     const auto label = fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²"));
     drawn.values.series.push_back(line(label, slope, 0.0, *drawn.values.x.to));
-    drawn.values.notes.push_back({.text = label, .x = 0.02 * *drawn.values.x.to, .y = 0.94 * *drawn.values.y.to, .side = figures::Note::Side::right});
+    drawn.values.notes.push_back({.text = label,
+                                  .x = 0.02 * *drawn.values.x.to,
+                                  .y = 0.94 * *drawn.values.y.to,
+                                  .side = figures::Note::Side::right});
     add_points(drawn, result, points);
     return drawn;
 }
@@ -208,19 +273,23 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
     if (!points.empty()) {
         comparisons.push_back(against_prediction(result, points));
         comparisons.back().values.title = "A";
-        text = fmt::format("A: work of adhesion measured on approach against that predicted by (7), floored at 0, for {}, with W_int = {} ({}); line: y = x{}. ",
-                           counted(points.size(), "pair"), with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), result.work_of_adhesion_source,
-                           result.modified ? fmt::format("; fit of (7): {}", fit_in_words(*result.modified)) : "");
+        text = fmt::format(
+            "A: work of adhesion measured on approach against that predicted by (7), floored at 0, for {}, with W_int = {} ({}); line: y = x{}. ",
+            counted(points.size(), "pair"), with_error(*result.work_of_adhesion, 1e3, "mJ/m2"),
+            result.work_of_adhesion_source,
+            result.modified ? fmt::format("; fit of (7): {}", fit_in_words(*result.modified)) : "");
     } else {
         text = "A is missing: " + why_no_prediction(result) + ". ";
     }
     if (lost) {
         comparisons.push_back(*lost);
         comparisons.back().values.title = "B";
-        text += fmt::format("B: energy lost in a closed loop against the true area at maximum preload, A_true = r π a_max²; line through the origin (10): {}. ",
-                            fit_in_words(result.loop->through_origin));
+        text += fmt::format(
+            "B: energy lost in a closed loop against the true area at maximum preload, A_true = r π a_max²; line through the origin (10): {}. ",
+            fit_in_words(result.loop->through_origin));
     } else {
-        text += "B is missing: " + (result.loop.reason.empty() ? std::string("no loop energies") : result.loop.reason) + ". ";
+        text += "B is missing: " + (result.loop.reason.empty() ? std::string("no loop energies") : result.loop.reason) +
+                ". ";
     }
     auto& explained = comparisons.back().values;
     explain(explained, result, lost ? losses : points);
@@ -230,9 +299,13 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
         comparisons.front().values.legend_beside = true;
     }
     drawn.figure = arranged(sitting, comparisons);
-    drawn.caption = text + fmt::format("Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
-                                       "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
-                                       points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0", reconstruction_note(result) + floored_note(result));
+    drawn.caption =
+        text +
+        fmt::format(
+            "Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
+            "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
+            points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0",
+            reconstruction_note(result) + floored_note(result));
 }
 
 void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
@@ -244,9 +317,11 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
         const double work = fit.work_of_adhesion.value;
         for (const auto& point : fit.pairs) {
             const double raw = point.slope * work - point.offset;
-            const double error = std::sqrt(point.prediction_variance(work) + point.slope * point.slope * fit.clustered.variance());
+            const double error =
+                std::sqrt(point.prediction_variance(work) + point.slope * point.slope * fit.clustered.variance());
             for (const auto& pair : result.pairs)
-                if (pair.surface == point.surface && pair.elastomer == point.elastomer) points.push_back(point_of(pair, raw, error, point.measured));
+                if (pair.surface == point.surface && pair.elastomer == point.elastomer)
+                    points.push_back(point_of(pair, raw, error, point.measured));
         }
         source = "its own fit: " + fit_in_words(fit);
     } else {
@@ -261,10 +336,11 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
     explain(comparison.values, result, points);
     comparison.values.legend_beside = true;
     drawn.figure = arranged(sitting, {comparison});
-    drawn.caption = fmt::format("Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
-                                "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
-                                "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",
-                                counted(points.size(), "pair"), source, reconstruction_note(result));
+    drawn.caption = fmt::format(
+        "Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
+        "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
+        "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",
+        counted(points.size(), "pair"), source, reconstruction_note(result));
 }
 
 }  // namespace setae::study_figures

@@ -12,10 +12,10 @@
 namespace setae::study_figures {
 namespace {
 
-using loops::LoopAnalysis;
 using figures::Mark;
 using figures::Panel;
 using figures::Series;
+using loops::LoopAnalysis;
 using study::ExperimentResult;
 using study::StudyResult;
 
@@ -56,9 +56,15 @@ Series branch(const LoopAnalysis& loop, const loops::IndexRange& range, const Lo
     for (Index i = range.first; i <= range.last; ++i)
         if (std::isfinite(record.contact_radius[i])) frames.push_back(i);
     const Array1D force = taken(record.force, frames), radius = taken(record.contact_radius, frames);
-    for (const Index i : thinned(force, radius, 0, force.size() - 1, symbols_a_branch)) samples.push_back(frames[static_cast<std::size_t>(i)]);
-    return {.label = look.label + (loading ? ", loading" : ", unloading"), .x = taken(record.force, samples) * mN, .y = taken(record.contact_radius, samples) * um,
-            .mark = Mark::points, .colour = look.colour, .hollow = loading, .in_legend = false};
+    for (const Index i : thinned(force, radius, 0, force.size() - 1, symbols_a_branch))
+        samples.push_back(frames[static_cast<std::size_t>(i)]);
+    return {.label = look.label + (loading ? ", loading" : ", unloading"),
+            .x = taken(record.force, samples) * mN,
+            .y = taken(record.contact_radius, samples) * um,
+            .mark = Mark::points,
+            .colour = look.colour,
+            .hollow = loading,
+            .in_legend = false};
 }
 
 /// a(F) of a JKR contact from its pull-off to `most` [N], as drawn; empty where W is not positive.
@@ -73,11 +79,19 @@ Curve jkr_curve(double radius, double modulus, double work, double most) {
     return {force * mN, contact::jkr::contact_radius_at_force(force, contact) * um};
 }
 
-void add_fit(Panel& panel, const StudyResult& result, const ExperimentResult& e, const loops::JkrFit& fit, const Look& look, const std::string& which, int dash) {
-    const auto curve = jkr_curve(sphere_radius(result, e), fit.contact_modulus.value, fit.work_of_adhesion.value, e.analysis->corrected.force.maxCoeff());
+void add_fit(Panel& panel, const StudyResult& result, const ExperimentResult& e, const loops::JkrFit& fit,
+             const Look& look, const std::string& which, int dash) {
+    const auto curve = jkr_curve(sphere_radius(result, e), fit.contact_modulus.value, fit.work_of_adhesion.value,
+                                 e.analysis->corrected.force.maxCoeff());
     if (curve.x.size() == 0) return;
-    panel.series.push_back({.label = look.label + ", JKR " + which, .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = dash,
-                            .line_width = 1.0, .in_legend = false});
+    panel.series.push_back({.label = look.label + ", JKR " + which,
+                            .x = curve.x,
+                            .y = curve.y,
+                            .mark = Mark::line,
+                            .colour = look.colour,
+                            .dash = dash,
+                            .line_width = 1.0,
+                            .in_legend = false});
 }
 
 /// (S2) through the last points before pull-off, drawn somewhat beyond them.
@@ -87,9 +101,16 @@ void add_retraction(Panel& panel, const StudyResult& result, const ExperimentRes
     const auto& force = loop.corrected.force;
     const double least = force[loop.retraction->last], first = force[loop.retraction->first];
     const double beyond = std::max(first + 0.5 * std::abs(first - least), 0.5 * least);
-    const auto curve = jkr_curve(sphere_radius(result, e), loop.retraction->contact_modulus.value, loop.retraction->work_of_adhesion.value, beyond);
+    const auto curve = jkr_curve(sphere_radius(result, e), loop.retraction->contact_modulus.value,
+                                 loop.retraction->work_of_adhesion.value, beyond);
     if (curve.x.size() == 0) return;
-    panel.series.push_back({.label = look.label + ", (S2)", .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.6,
+    panel.series.push_back({.label = look.label + ", (S2)",
+                            .x = curve.x,
+                            .y = curve.y,
+                            .mark = Mark::line,
+                            .colour = look.colour,
+                            .dash = 0,
+                            .line_width = 1.6,
                             .in_legend = false});
 }
 
@@ -100,22 +121,44 @@ void add_branches(Panel& panel, const ExperimentResult& e, const Look& look) {
 }
 
 Panel radius_panel(const std::string& title) {
-    return {.title = title, .x = {.quantity = "force *F*", .unit = "mN"}, .y = {.quantity = "contact radius *a*", .unit = "um"}};
+    return {.title = title,
+            .x = {.quantity = "force *F*", .unit = "mN"},
+            .y = {.quantity = "contact radius *a*", .unit = "um"}};
 }
 
 void explain(Panel& panel, const std::vector<Look>& looks, bool unloading_fit, bool retraction) {
-    for (const auto& look : looks) panel.series.push_back({.label = look.label, .mark = Mark::points, .colour = look.colour, .legend_only = true});
-    panel.series.push_back({.label = "loading", .mark = Mark::points, .colour = colour::black, .symbol = 0, .hollow = true, .legend_only = true});
-    panel.series.push_back({.label = "unloading", .mark = Mark::points, .colour = colour::black, .symbol = 0, .legend_only = true});
-    panel.series.push_back({.label = unloading_fit ? "JKR, loading" : "JKR", .mark = Mark::line, .colour = colour::black, .dash = 1, .legend_only = true});
-    if (unloading_fit) panel.series.push_back({.label = "JKR, unloading", .mark = Mark::line, .colour = colour::black, .dash = 0, .legend_only = true});
-    if (retraction) panel.series.push_back({.label = "(S2)", .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 1.6, .legend_only = true});
+    for (const auto& look : looks)
+        panel.series.push_back({.label = look.label, .mark = Mark::points, .colour = look.colour, .legend_only = true});
+    panel.series.push_back({.label = "loading",
+                            .mark = Mark::points,
+                            .colour = colour::black,
+                            .symbol = 0,
+                            .hollow = true,
+                            .legend_only = true});
+    panel.series.push_back(
+        {.label = "unloading", .mark = Mark::points, .colour = colour::black, .symbol = 0, .legend_only = true});
+    panel.series.push_back({.label = unloading_fit ? "JKR, loading" : "JKR",
+                            .mark = Mark::line,
+                            .colour = colour::black,
+                            .dash = 1,
+                            .legend_only = true});
+    if (unloading_fit)
+        panel.series.push_back(
+            {.label = "JKR, unloading", .mark = Mark::line, .colour = colour::black, .dash = 0, .legend_only = true});
+    if (retraction)
+        panel.series.push_back({.label = "(S2)",
+                                .mark = Mark::line,
+                                .colour = colour::black,
+                                .dash = 0,
+                                .line_width = 1.6,
+                                .legend_only = true});
 }
 
 std::vector<Look> looks_of(const StudyResult& result, const Loops& loops) {
     std::vector<Look> looks;
     for (std::size_t i = 0; i < result.surfaces.size(); ++i)
-        if (std::any_of(loops.begin(), loops.end(), [&](const ExperimentResult* e) { return e->input.surface == result.surfaces[i].name; }))
+        if (std::any_of(loops.begin(), loops.end(),
+                        [&](const ExperimentResult* e) { return e->input.surface == result.surfaces[i].name; }))
             looks.push_back({result.surfaces[i].name, colour_of_place(i)});
     return looks;
 }
@@ -130,7 +173,10 @@ const study::ElastomerResult* elastomer_of_figure_2(const StudyResult& result, c
     const study::ElastomerResult* nearest = nullptr;
     double distance = HUGE_VAL;
     for (const auto& elastomer : result.elastomers) {
-        if (loops_that(result, [&](const ExperimentResult& e) { return e.input.elastomer == elastomer.input.name && wanted(e); }).empty()) continue;
+        if (loops_that(result, [&](const ExperimentResult& e) {
+                return e.input.elastomer == elastomer.input.name && wanted(e);
+            }).empty())
+            continue;
         const double modulus = elastomer.youngs_modulus.value;
         const double here = modulus > 0.0 ? std::abs(std::log(modulus / modulus_of_paper)) : 1e9;
         if (here < distance) {
@@ -160,7 +206,8 @@ Curve closed_loop(const LoopAnalysis& loop) {
 
 std::string why_no_loops(const StudyResult& result, bool reference) {
     const auto kind = reference ? "on a smooth reference" : "on a rough surface";
-    const auto all = std::count_if(result.experiments.begin(), result.experiments.end(), [&](const ExperimentResult& e) { return e.input.reference == reference; });
+    const auto all = std::count_if(result.experiments.begin(), result.experiments.end(),
+                                   [&](const ExperimentResult& e) { return e.input.reference == reference; });
     if (all == 0) return fmt::format("the study has no loop {}", kind);
     const auto analysed = loops_that(result, [&](const ExperimentResult& e) { return e.input.reference == reference; });
     if (analysed.empty()) return fmt::format("every loop {} failed", kind);
@@ -168,14 +215,19 @@ std::string why_no_loops(const StudyResult& result, bool reference) {
 }
 
 std::string modulus_of(const study::ElastomerResult& elastomer) {
-    return elastomer.youngs_modulus.value > 0.0 ? fmt::format("{}, E = {}", elastomer.input.name, with_error(elastomer.youngs_modulus, 1e-6, "MPa")) : elastomer.input.name;
+    return elastomer.youngs_modulus.value > 0.0
+               ? fmt::format("{}, E = {}", elastomer.input.name, with_error(elastomer.youngs_modulus, 1e-6, "MPa"))
+               : elastomer.input.name;
 }
 
 /// Panels of one elastomer each, filled by `fill`.
-figures::Figure panels_of_elastomers(const Sitting& sitting, const Wanted& wanted, const std::function<void(Panel&, const Loops&)>& fill) {
+figures::Figure panels_of_elastomers(const Sitting& sitting, const Wanted& wanted,
+                                     const std::function<void(Panel&, const Loops&)>& fill) {
     figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
     for (const auto& elastomer : sitting.result.elastomers) {
-        const auto loops = loops_that(sitting.result, [&](const ExperimentResult& e) { return wanted(e) && e.input.elastomer == elastomer.input.name; });
+        const auto loops = loops_that(sitting.result, [&](const ExperimentResult& e) {
+            return wanted(e) && e.input.elastomer == elastomer.input.name;
+        });
         if (loops.empty()) continue;
         auto panel = radius_panel(modulus_of(elastomer));
         fill(panel, loops);
@@ -193,22 +245,28 @@ figures::Figure panels_of_elastomers(const Sitting& sitting, const Wanted& wante
 void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
     const auto& result = sitting.result;
     const auto rough = [](const ExperimentResult& e) { return !e.input.reference; };
-    const auto* elastomer = elastomer_of_figure_2(result, [&](const ExperimentResult& e) { return rough(e) && has_radius(e); });
+    const auto* elastomer =
+        elastomer_of_figure_2(result, [&](const ExperimentResult& e) { return rough(e) && has_radius(e); });
     if (!elastomer) {
         drawn.reason = why_no_loops(result, false);
         return;
     }
-    const auto loops = loops_that(result, [&](const ExperimentResult& e) { return rough(e) && e.input.elastomer == elastomer->input.name; });
+    const auto loops = loops_that(
+        result, [&](const ExperimentResult& e) { return rough(e) && e.input.elastomer == elastomer->input.name; });
     Loops with_radius, with_displacement;
     for (const auto* e : loops) {
         if (has_radius(*e)) with_radius.push_back(e);
         if (has_displacement(*e)) with_displacement.push_back(e);
     }
     auto radius = radius_panel("A");
-    for (const auto* e : with_radius) add_fit(radius, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
+    for (const auto* e : with_radius)
+        add_fit(radius, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
     for (const auto* e : with_radius) add_branches(radius, *e, look_of(result, *e));
     explain(radius, looks_of(result, with_radius), false, false);
-    Panel force{.title = "B", .x = {.quantity = "displacement *δ*", .unit = "um"}, .y = {.quantity = "force *F*", .unit = "mN"}, .horizontal_lines = {0.0}};
+    Panel force{.title = "B",
+                .x = {.quantity = "displacement *δ*", .unit = "um"},
+                .y = {.quantity = "force *F*", .unit = "mN"},
+                .horizontal_lines = {0.0}};
     // the loop that loses most shows best what the area means
     const ExperimentResult* shaded = nullptr;
     for (const auto* e : with_displacement)
@@ -219,10 +277,20 @@ void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
         const auto curve = closed_loop(*e->analysis);
         const auto look = look_of(result, *e);
         if (e == shaded)
-            force.series.push_back({.label = look.label + ", lost energy", .x = curve.x, .y = curve.y, .mark = Mark::area, .colour = look.colour,
+            force.series.push_back({.label = look.label + ", lost energy",
+                                    .x = curve.x,
+                                    .y = curve.y,
+                                    .mark = Mark::area,
+                                    .colour = look.colour,
                                     .in_legend = false});
         const bool first = named.insert(look.label).second;
-        force.series.push_back({.label = look.label, .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = look.colour, .dash = 0, .line_width = 1.0,
+        force.series.push_back({.label = look.label,
+                                .x = curve.x,
+                                .y = curve.y,
+                                .mark = Mark::line,
+                                .colour = look.colour,
+                                .dash = 0,
+                                .line_width = 1.0,
                                 .in_legend = first});
         depth = std::max(depth, curve.x.maxCoeff());
         // free flight is of no interest beyond the jumps
@@ -233,41 +301,49 @@ void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
         force.x.from = lift - 0.12 * (depth - lift);
         force.x.to = depth + 0.05 * (depth - lift);
     }
-    drawn.figure = {.panels = {radius}, .columns = wide(sitting) ? 2 : 1, .width_mm = wide(sitting) ? page_mm : column_mm};
+    drawn.figure = {
+        .panels = {radius}, .columns = wide(sitting) ? 2 : 1, .width_mm = wide(sitting) ? page_mm : column_mm};
     if (!with_displacement.empty()) drawn.figure.panels.push_back(force);
     drawn.figure.height_mm = wide(sitting) || drawn.figure.panels.size() == 1 ? 75.0 : 135.0;
     drawn.caption = fmt::format(
         "Contact on {} ({}). A: contact radius against force, loading hollow, unloading filled; dashed: JKR (1) fitted to loading.{}{} Each branch is thinned to about {} "
         "symbols, each loop to at most {} points, jumps kept. Compare Fig. 2 of Dalvi et al. 2019.",
-        modulus_of(*elastomer), counted(with_radius.size(), "loop"), with_displacement.empty() ? "" : " B: force against displacement from first touch.",
-        shaded ? fmt::format(" Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).", shaded->input.surface,
-                             with_error(shaded->analysis->loop->estimate(), nJ, "nJ"))
-               : "",
+        modulus_of(*elastomer), counted(with_radius.size(), "loop"),
+        with_displacement.empty() ? "" : " B: force against displacement from first touch.",
+        shaded
+            ? fmt::format(
+                  " Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).",
+                  shaded->input.surface, with_error(shaded->analysis->loop->estimate(), nJ, "nJ"))
+            : "",
         symbols_a_branch, points_a_loop);
 }
 
 void contact_radius_of_all(const Sitting& sitting, StudyFigure& drawn) {
     const auto& result = sitting.result;
     std::size_t n = 0, retractions = 0;
-    drawn.figure = panels_of_elastomers(sitting, [](const ExperimentResult& e) { return !e.input.reference && has_radius(e); }, [&](Panel& panel, const Loops& loops) {
-        for (const auto* e : loops) add_fit(panel, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
-        for (const auto* e : loops) add_branches(panel, *e, look_of(result, *e));
-        for (const auto* e : loops) {
-            add_retraction(panel, result, *e, look_of(result, *e));
-            ++n;
-            retractions += e->analysis->retraction ? 1 : 0;
-        }
-        explain(panel, looks_of(result, loops), false, true);
-    });
+    drawn.figure = panels_of_elastomers(
+        sitting, [](const ExperimentResult& e) { return !e.input.reference && has_radius(e); },
+        [&](Panel& panel, const Loops& loops) {
+            for (const auto* e : loops)
+                add_fit(panel, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
+            for (const auto* e : loops) add_branches(panel, *e, look_of(result, *e));
+            for (const auto* e : loops) {
+                add_retraction(panel, result, *e, look_of(result, *e));
+                ++n;
+                retractions += e->analysis->retraction ? 1 : 0;
+            }
+            explain(panel, looks_of(result, loops), false, true);
+        });
     if (n == 0) {
         drawn.reason = why_no_loops(result, false);
         return;
     }
     for (std::size_t p = 1; p < drawn.figure.panels.size(); ++p) drawn.figure.panels[p].legend = false;
-    drawn.caption = fmt::format("Contact radius against force on each elastomer ({}), loading hollow, unloading filled; dashed: JKR (1) fitted to loading; solid: (S2) "
-                                "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first. "
-                                "Compare Fig. S5 of Dalvi et al. 2019.",
-                                counted(n, "loop"), counted(retractions, "fit"));
+    drawn.caption = fmt::format(
+        "Contact radius against force on each elastomer ({}), loading hollow, unloading filled; dashed: JKR (1) fitted to loading; solid: (S2) "
+        "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first. "
+        "Compare Fig. S5 of Dalvi et al. 2019.",
+        counted(n, "loop"), counted(retractions, "fit"));
 }
 
 void contact_radius_of_references(const Sitting& sitting, StudyFigure& drawn) {
@@ -275,31 +351,40 @@ void contact_radius_of_references(const Sitting& sitting, StudyFigure& drawn) {
     std::size_t n = 0;
     std::string works;
     const auto look = [](const ExperimentResult& e) {
-        return Look{e.input.stage.empty() ? "reference" : e.input.stage, colour_of_place(e.input.stage == "after" ? 1 : 0)};
+        return Look{e.input.stage.empty() ? "reference" : e.input.stage,
+                    colour_of_place(e.input.stage == "after" ? 1 : 0)};
     };
-    drawn.figure = panels_of_elastomers(sitting, [](const ExperimentResult& e) { return e.input.reference && has_radius(e); }, [&](Panel& panel, const Loops& loops) {
-        std::vector<Look> looks;
-        for (const auto* e : loops) {
-            const auto here = look(*e);
-            add_fit(panel, result, *e, e->analysis->loading.primary(), here, "of loading", 1);
-            if (e->analysis->unloading) add_fit(panel, result, *e, e->analysis->unloading->primary(), here, "of unloading", 0);
-            if (std::none_of(looks.begin(), looks.end(), [&](const Look& other) { return other.label == here.label; })) looks.push_back(here);
-            ++n;
-        }
-        for (const auto* e : loops) add_branches(panel, *e, look(*e));
-        explain(panel, looks, true, false);
-    });
+    drawn.figure = panels_of_elastomers(
+        sitting, [](const ExperimentResult& e) { return e.input.reference && has_radius(e); },
+        [&](Panel& panel, const Loops& loops) {
+            std::vector<Look> looks;
+            for (const auto* e : loops) {
+                const auto here = look(*e);
+                add_fit(panel, result, *e, e->analysis->loading.primary(), here, "of loading", 1);
+                if (e->analysis->unloading)
+                    add_fit(panel, result, *e, e->analysis->unloading->primary(), here, "of unloading", 0);
+                if (std::none_of(looks.begin(), looks.end(),
+                                 [&](const Look& other) { return other.label == here.label; }))
+                    looks.push_back(here);
+                ++n;
+            }
+            for (const auto* e : loops) add_branches(panel, *e, look(*e));
+            explain(panel, looks, true, false);
+        });
     if (n == 0) {
         drawn.reason = why_no_loops(result, true);
         return;
     }
     for (std::size_t p = 1; p < drawn.figure.panels.size(); ++p) drawn.figure.panels[p].legend = false;
     for (const auto& reference : result.references)
-        works += fmt::format("{}{}{}: {} and {}", works.empty() ? "" : "; ", reference.elastomer, reference.stage.empty() ? "" : " " + reference.stage,
-                             with_error(reference.approach, 1e3, "mJ/m2"), with_error(reference.retraction, 1e3, "mJ/m2"));
-    drawn.caption = fmt::format("Contact radius against force on the smooth reference ({}), loading hollow, unloading filled; JKR (1) fitted to loading (dashed) and to "
-                                "unloading (solid). W of loading and unloading: {}; ± is one standard error. Compare Fig. S6 of Dalvi et al. 2019.",
-                                counted(n, "loop"), works);
+        works +=
+            fmt::format("{}{}{}: {} and {}", works.empty() ? "" : "; ", reference.elastomer,
+                        reference.stage.empty() ? "" : " " + reference.stage,
+                        with_error(reference.approach, 1e3, "mJ/m2"), with_error(reference.retraction, 1e3, "mJ/m2"));
+    drawn.caption = fmt::format(
+        "Contact radius against force on the smooth reference ({}), loading hollow, unloading filled; JKR (1) fitted to loading (dashed) and to "
+        "unloading (solid). W of loading and unloading: {}; ± is one standard error. Compare Fig. S6 of Dalvi et al. 2019.",
+        counted(n, "loop"), works);
 }
 
 }  // namespace setae::study_figures

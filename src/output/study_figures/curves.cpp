@@ -17,14 +17,17 @@ constexpr double normal_95 = 1.959963984540054;
 Curve usable(const roughness::SpectrumCurve& curve) {
     std::vector<double> q, values;
     for (Index i = 0; i < curve.wavevector.size(); ++i) {
-        if (!(curve.values[i] > 0.0) || curve.wavevector[i] < curve.band.lower || curve.wavevector[i] > curve.band.upper) continue;
+        if (!(curve.values[i] > 0.0) || curve.wavevector[i] < curve.band.lower ||
+            curve.wavevector[i] > curve.band.upper)
+            continue;
         q.push_back(curve.wavevector[i]);
         values.push_back(curve.values[i]);
     }
     return {array_of(q), array_of(values)};
 }
 
-/// Half the 95 % interval of the average at each node of a curve, t of as many measurements as the bin has; NaN where it has one.
+/// Half the 95 % interval of the average at each node of a curve, t of as many measurements as the bin has; NaN where
+/// it has one.
 Array1D half_widths(const spectra::CombinedSpectrum& combined, const Array1D& wavevector) {
     Array1D widths = Array1D::Constant(wavevector.size(), undefined);
     Index k = 0;
@@ -37,7 +40,8 @@ Array1D half_widths(const spectra::CombinedSpectrum& combined, const Array1D& wa
 }
 
 SurfaceCurve fitted_curve(const study::FittedSpectrum& fitted, const Array1D& values, const Array1D& log_error) {
-    return {fitted.wavevector, values, values * (-normal_95 * log_error).exp(), values * (normal_95 * log_error).exp(), "likelihood"};
+    return {fitted.wavevector, values, values * (-normal_95 * log_error).exp(), values * (normal_95 * log_error).exp(),
+            "likelihood"};
 }
 
 }  // namespace
@@ -79,7 +83,9 @@ std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface, roughn
     const auto& whole = surface.average.curve;
     if (whole.density == roughness::Density::C_iso) {
         const auto nodes = usable(whole);
-        return SurfaceCurve{.wavevector = nodes.x, .values = nodes.y, .method = study::method_name(surface, study::SpectrumMethod::average)};
+        return SurfaceCurve{.wavevector = nodes.x,
+                            .values = nodes.y,
+                            .method = study::method_name(surface, study::SpectrumMethod::average)};
     }
     auto curve = C1D_of(surface);
     if (!curve) return std::nullopt;
@@ -89,8 +95,9 @@ std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface, roughn
     if (below.size() < 2) return std::nullopt;
     const Array1D q = taken(curve->wavevector, below), C1D = taken(curve->values, below);
     curve->wavevector = q;
-    curve->values = conversion == roughness::Conversion::exact ? spectra::isotropic_from_profile(q, C1D, whole.band.upper)
-                                                               : spectra::isotropic_from_profile_eq11(q, C1D, whole.band.upper);
+    curve->values = conversion == roughness::Conversion::exact
+                        ? spectra::isotropic_from_profile(q, C1D, whole.band.upper)
+                        : spectra::isotropic_from_profile_eq11(q, C1D, whole.band.upper);
     curve->lower.resize(0);
     curve->upper.resize(0);
     return curve;

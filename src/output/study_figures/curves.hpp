@@ -23,7 +23,8 @@ struct SurfaceCurve {
 [[nodiscard]] std::optional<SurfaceCurve> C1D_of(const study::SurfaceResult& surface);
 
 /// C_iso of the same spectrum. C1D is converted as the study says: by the inverse Abel integral, or by (11).
-[[nodiscard]] std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface, roughness::Conversion conversion);
+[[nodiscard]] std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface,
+                                                   roughness::Conversion conversion);
 
 /// What a reader calls a method of SurfaceCurve.
 [[nodiscard]] std::string method_in_words(const std::string& method);

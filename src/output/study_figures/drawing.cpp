@@ -9,14 +9,19 @@
 
 namespace setae::study_figures {
 
-Array1D array_of(const std::vector<double>& values) { return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())); }
+Array1D array_of(const std::vector<double>& values) {
+    return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
+}
 
 Curve log_means(const Curve& curve, Index most) {
     if (curve.x.size() <= most) return curve;
-    const double first = std::log(curve.x[0]), step = (std::log(curve.x[curve.x.size() - 1]) - first) / static_cast<double>(most);
+    const double first = std::log(curve.x[0]),
+                 step = (std::log(curve.x[curve.x.size() - 1]) - first) / static_cast<double>(most);
     std::vector<double> x, y;
     for (Index i = 0; i < curve.x.size();) {
-        const auto bin = [&](Index k) { return std::min(static_cast<Index>((std::log(curve.x[k]) - first) / step), most - 1); };
+        const auto bin = [&](Index k) {
+            return std::min(static_cast<Index>((std::log(curve.x[k]) - first) / step), most - 1);
+        };
         const Index here = bin(i);
         double log_x = 0.0, sum = 0.0, n = 0.0;
         for (; i < curve.x.size() && bin(i) == here; ++i) {
@@ -39,12 +44,15 @@ std::vector<Index> thinned(const Array1D& x, const Array1D& y, Index first, Inde
     const Index stride = (n + most - 1) / most;
     const auto spread = [&](const Array1D& values) {
         const auto part = values.segment(first, n);
-        const double least = part.isFinite().select(part, HUGE_VAL).minCoeff(), largest = part.isFinite().select(part, -HUGE_VAL).maxCoeff();
+        const double least = part.isFinite().select(part, HUGE_VAL).minCoeff(),
+                     largest = part.isFinite().select(part, -HUGE_VAL).maxCoeff();
         return largest > least ? largest - least : 1.0;
     };
     const double x_spread = spread(x), y_spread = spread(y);
     constexpr double jump = 0.03;
-    const auto jumps = [&](Index i) { return std::hypot((x[i + 1] - x[i]) / x_spread, (y[i + 1] - y[i]) / y_spread) > jump; };
+    const auto jumps = [&](Index i) {
+        return std::hypot((x[i + 1] - x[i]) / x_spread, (y[i + 1] - y[i]) / y_spread) > jump;
+    };
     for (Index i = first; i <= last; ++i)
         if ((i - first) % stride == 0 || i == last || jumps(i) || (i > first && jumps(i - 1))) samples.push_back(i);
     return samples;
@@ -57,7 +65,8 @@ Array1D taken(const Array1D& values, const std::vector<Index>& samples) {
 }
 
 int colour_of_place(std::size_t place) {
-    constexpr std::array colours{colour::blue, colour::vermilion, colour::green, colour::pink, colour::orange, colour::sky};
+    constexpr std::array colours{colour::blue, colour::vermilion, colour::green,
+                                 colour::pink, colour::orange,    colour::sky};
     return colours[place % colours.size()];
 }
 
@@ -69,7 +78,9 @@ std::size_t place_of_elastomer(const study::StudyResult& result, const std::stri
     return static_cast<std::size_t>(&result.elastomer(name) - result.elastomers.data());
 }
 
-std::string label_of(const study::SurfaceResult& surface) { return surface.name + (surface.reconstructed ? " (reconstruction)" : ""); }
+std::string label_of(const study::SurfaceResult& surface) {
+    return surface.name + (surface.reconstructed ? " (reconstruction)" : "");
+}
 
 std::string instrument_in_words(const std::string& type) {
     if (type == "afm" || type == "tem") return type == "afm" ? "AFM" : "TEM";
@@ -87,11 +98,14 @@ std::vector<InstrumentBand> instrument_bands(const std::vector<const study::Surf
         for (const auto& m : surface->measurements) {
             if (m.failed() || !(m.spectrum.q_max > m.spectrum.q_min)) continue;
             const auto name = instrument_of(m);
-            auto known = std::find_if(found.begin(), found.end(), [&](const InstrumentBand& other) { return other.instrument == name; });
+            auto known = std::find_if(found.begin(), found.end(),
+                                      [&](const InstrumentBand& other) { return other.instrument == name; });
             if (known == found.end()) known = found.insert(found.end(), {name, {m.spectrum.q_min, m.spectrum.q_max}});
-            known->band = {std::min(known->band.lower, m.spectrum.q_min), std::max(known->band.upper, m.spectrum.q_max)};
+            known->band = {std::min(known->band.lower, m.spectrum.q_min),
+                           std::max(known->band.upper, m.spectrum.q_max)};
         }
-    std::stable_sort(found.begin(), found.end(), [](const InstrumentBand& a, const InstrumentBand& b) { return a.band.lower < b.band.lower; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const InstrumentBand& a, const InstrumentBand& b) { return a.band.lower < b.band.lower; });
     return found;
 }
 
@@ -108,7 +122,8 @@ std::string reconstruction_note(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces)
         if (surface.reconstructed) names += (names.empty() ? "" : ", ") + surface.name;
     if (names.empty()) return {};
-    return " Reconstruction: the spectrum of " + names + " is self-affine with the three published moments (rms height, slope and curvature); what lies between them is "
+    return " Reconstruction: the spectrum of " + names +
+           " is self-affine with the three published moments (rms height, slope and curvature); what lies between them is "
            "the model's, the stored energy too.";
 }
 
@@ -117,19 +132,25 @@ std::string floored_note(const study::StudyResult& result) {
     for (const auto& pair : result.pairs) {
         if (!pair.modified || !pair.approach || !result.surface(pair.surface).reconstructed) continue;
         // adhesion was measured beyond two standard errors
-        if (pair.modified->work.conforms || !(pair.approach->value > 2.0 * std::sqrt(pair.approach->variance()))) continue;
+        if (pair.modified->work.conforms || !(pair.approach->value > 2.0 * std::sqrt(pair.approach->variance())))
+            continue;
         const auto& elastomer = result.elastomer(pair.elastomer);
         const double r = pair.area_ratio;
-        const double most = (result.work_of_adhesion->value * r - elastomer.input.surface_energy.value * (r - 1.0)) / elastomer.contact_modulus.value;
-        pairs += fmt::format("{}{} on {} (measured {}; {:.2f} nm, not {:.2f} nm)", pairs.empty() ? "" : ", ", pair.surface, pair.elastomer,
-                             with_error(*pair.approach, 1e3, "mJ/m2"), 1e9 * most, 1e9 * pair.stored_energy.value / elastomer.contact_modulus.value);
+        const double most = (result.work_of_adhesion->value * r - elastomer.input.surface_energy.value * (r - 1.0)) /
+                            elastomer.contact_modulus.value;
+        pairs += fmt::format("{}{} on {} (measured {}; {:.2f} nm, not {:.2f} nm)", pairs.empty() ? "" : ", ",
+                             pair.surface, pair.elastomer, with_error(*pair.approach, 1e3, "mJ/m2"), 1e9 * most,
+                             1e9 * pair.stored_energy.value / elastomer.contact_modulus.value);
     }
     if (pairs.empty()) return {};
-    return fmt::format(" With it (7) is floored at 0 where adhesion was measured: for (7) to give any at W_int = {:.1f} mJ/m2, the surface's own U_el/(A_app E*) must be "
-                       "below the first length: {}.",
-                       1e3 * result.work_of_adhesion->value, pairs);
+    return fmt::format(
+        " With it (7) is floored at 0 where adhesion was measured: for (7) to give any at W_int = {:.1f} mJ/m2, the surface's own U_el/(A_app E*) must be "
+        "below the first length: {}.",
+        1e3 * result.work_of_adhesion->value, pairs);
 }
 
-std::string counted(std::size_t n, const std::string& thing) { return n == 1 ? "one " + thing : fmt::format("{} {}s", n, thing); }
+std::string counted(std::size_t n, const std::string& thing) {
+    return n == 1 ? "one " + thing : fmt::format("{} {}s", n, thing);
+}
 
 }  // namespace setae::study_figures

@@ -54,8 +54,8 @@ struct InstrumentBand {
 
 /// What must be said where a spectrum reconstructed from published moments is shown; empty where none is.
 [[nodiscard]] std::string reconstruction_note(const study::StudyResult& result);
-/// Pairs of such spectra for which (7) is floored although adhesion was measured, and how large the stored energy may be for it not to
-/// be; empty where there is none.
+/// Pairs of such spectra for which (7) is floored although adhesion was measured, and how large the stored energy may
+/// be for it not to be; empty where there is none.
 [[nodiscard]] std::string floored_note(const study::StudyResult& result);
 
 /// "one pair", "3 pairs".

@@ -18,13 +18,13 @@
 namespace setae::study_figures {
 namespace {
 
+using figures::Mark;
+using figures::Panel;
+using figures::Series;
 using loops::BranchAnalysis;
 using loops::IndexRange;
 using loops::JkrFit;
 using loops::LoopAnalysis;
-using figures::Mark;
-using figures::Panel;
-using figures::Series;
 
 constexpr Index symbols_a_branch = 60, points_a_loop = 500, points_a_fit = 160;
 
@@ -49,8 +49,10 @@ DisplayUnit typeset(DisplayUnit unit) {
 
 Units units_of(const DrawnLoop& loop) {
     const auto& record = loop.analysis.corrected;
-    const auto range = record.displacement.size() > 0 ? record.displacement.maxCoeff() - record.displacement.minCoeff() : 0.0;
-    return {display_unit(largest(record.force), "N"), display_unit(range, "m"), display_unit(loop.analysis.context.largest_contact_radius, "m"),
+    const auto range =
+        record.displacement.size() > 0 ? record.displacement.maxCoeff() - record.displacement.minCoeff() : 0.0;
+    return {display_unit(largest(record.force), "N"), display_unit(range, "m"),
+            display_unit(loop.analysis.context.largest_contact_radius, "m"),
             typeset(display_unit(largest(loop.analysis.loading.energy_release_rate.energy_release_rate), "J/m2"))};
 }
 
@@ -75,7 +77,8 @@ FittedCurve fitted_curve(const JkrFit& fit, double radius, double largest_force)
     const Array1D root = Array1D::LinSpaced(points_a_fit, 0.0, std::sqrt(largest_force - least));
     FittedCurve curve{.force = (least + root.square()).max(least)};
     curve.contact_radius = contact::jkr::contact_radius_at_force(curve.force, contact);
-    curve.displacement = curve.contact_radius.unaryExpr([&](double a) { return contact::jkr::displacement(a, contact); });
+    curve.displacement =
+        curve.contact_radius.unaryExpr([&](double a) { return contact::jkr::displacement(a, contact); });
     return curve;
 }
 
@@ -90,7 +93,8 @@ struct BranchLook {
 std::vector<BranchLook> branches_of(const LoopAnalysis& analysis) {
     const auto& contact = analysis.segments.contacts.front();
     std::vector<BranchLook> branches{{&analysis.loading, contact.loading, "loading", colour::blue, true}};
-    if (analysis.unloading && contact.unloading) branches.push_back({&*analysis.unloading.value, *contact.unloading, "unloading", colour::vermilion, false});
+    if (analysis.unloading && contact.unloading)
+        branches.push_back({&*analysis.unloading.value, *contact.unloading, "unloading", colour::vermilion, false});
     return branches;
 }
 
@@ -101,14 +105,31 @@ Panel force_panel(const DrawnLoop& loop, const Units& units) {
     const Array1D x = (record.displacement - origin) / units.displacement.factor, y = record.force / units.force.factor;
     const auto& extent = loop.analysis.segments.contacts.front().extent;
     const auto samples = thinned(x, y, extent.first, extent.last, points_a_loop);
-    if (loop.analysis.loop) panel.series.push_back({.label = "closed loop", .x = taken(x, samples), .y = taken(y, samples), .mark = Mark::area, .colour = colour::sky, .opacity = 0.3});
-    panel.series.push_back({.label = "record", .x = taken(x, samples), .y = taken(y, samples), .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 0.8});
+    if (loop.analysis.loop)
+        panel.series.push_back({.label = "closed loop",
+                                .x = taken(x, samples),
+                                .y = taken(y, samples),
+                                .mark = Mark::area,
+                                .colour = colour::sky,
+                                .opacity = 0.3});
+    panel.series.push_back({.label = "record",
+                            .x = taken(x, samples),
+                            .y = taken(y, samples),
+                            .mark = Mark::line,
+                            .colour = colour::black,
+                            .dash = 0,
+                            .line_width = 0.8});
     for (const auto& branch : branches_of(loop.analysis)) {
         const auto& fit = branch.branch->force_displacement;
         if (!fit) continue;
         const auto curve = fitted_curve(*fit, loop.bodies.radius, record.force.maxCoeff());
-        panel.series.push_back({.label = "JKR, " + branch.name, .x = (curve.displacement + fit->contact_point.value - origin) / units.displacement.factor,
-                                .y = curve.force / units.force.factor, .mark = Mark::line, .colour = branch.colour, .dash = 1});
+        panel.series.push_back(
+            {.label = "JKR, " + branch.name,
+             .x = (curve.displacement + fit->contact_point.value - origin) / units.displacement.factor,
+             .y = curve.force / units.force.factor,
+             .mark = Mark::line,
+             .colour = branch.colour,
+             .dash = 1});
     }
     panel.horizontal_lines = {0.0};
     return panel;
@@ -119,46 +140,78 @@ Panel radius_panel(const DrawnLoop& loop, const Units& units) {
     const auto& record = loop.analysis.corrected;
     for (const auto& branch : branches_of(loop.analysis)) {
         const auto curve = fitted_curve(branch.branch->primary(), loop.bodies.radius, record.force.maxCoeff());
-        panel.series.push_back({.label = "JKR, " + branch.name, .x = curve.force / units.force.factor, .y = curve.contact_radius / units.radius.factor,
-                                .mark = Mark::line, .colour = branch.colour, .dash = 1});
+        panel.series.push_back({.label = "JKR, " + branch.name,
+                                .x = curve.force / units.force.factor,
+                                .y = curve.contact_radius / units.radius.factor,
+                                .mark = Mark::line,
+                                .colour = branch.colour,
+                                .dash = 1});
         if (record.contact_radius.size() == 0) continue;
         std::vector<Index> frames;
         for (Index i = branch.range.first; i <= branch.range.last; ++i)
             if (record.contact_radius[i] > 0.0) frames.push_back(i);
-        const Array1D force = taken(record.force, frames) / units.force.factor, radius = taken(record.contact_radius, frames) / units.radius.factor;
+        const Array1D force = taken(record.force, frames) / units.force.factor,
+                      radius = taken(record.contact_radius, frames) / units.radius.factor;
         const auto shown = thinned(force, radius, 0, force.size() - 1, symbols_a_branch);
-        panel.series.push_back({.label = branch.name, .x = taken(force, shown), .y = taken(radius, shown), .mark = Mark::points, .colour = branch.colour, .hollow = branch.hollow});
+        panel.series.push_back({.label = branch.name,
+                                .x = taken(force, shown),
+                                .y = taken(radius, shown),
+                                .mark = Mark::points,
+                                .colour = branch.colour,
+                                .hollow = branch.hollow});
     }
     return panel;
 }
 
 Panel release_rate_panel(const DrawnLoop& loop, const Units& units) {
-    Panel panel{.title = "C", .x = axis("contact radius *a*", units.radius), .y = axis("energy release rate *G*", units.release_rate)};
+    Panel panel{.title = "C",
+                .x = axis("contact radius *a*", units.radius),
+                .y = axis("energy release rate *G*", units.release_rate)};
     panel.y.from = 0.0;
     for (const auto& branch : branches_of(loop.analysis)) {
         const auto& rates = branch.branch->energy_release_rate;
-        const Array1D radius = rates.contact_radius / units.radius.factor, rate = rates.energy_release_rate / units.release_rate.factor;
+        const Array1D radius = rates.contact_radius / units.radius.factor,
+                      rate = rates.energy_release_rate / units.release_rate.factor;
         if (radius.size() == 0) continue;
         const auto shown = thinned(radius, rate, 0, radius.size() - 1, symbols_a_branch);
-        panel.series.push_back({.label = branch.name, .x = taken(radius, shown), .y = taken(rate, shown), .mark = Mark::points, .colour = branch.colour, .hollow = branch.hollow});
+        panel.series.push_back({.label = branch.name,
+                                .x = taken(radius, shown),
+                                .y = taken(rate, shown),
+                                .mark = Mark::points,
+                                .colour = branch.colour,
+                                .hollow = branch.hollow});
         const double work = branch.branch->primary().work_of_adhesion.value / units.release_rate.factor;
-        panel.series.push_back({.label = "W of " + branch.name, .x = array_of({radius.minCoeff(), radius.maxCoeff()}), .y = array_of({work, work}), .mark = Mark::line,
-                                .colour = branch.colour, .dash = 1, .in_legend = false});
+        panel.series.push_back({.label = "W of " + branch.name,
+                                .x = array_of({radius.minCoeff(), radius.maxCoeff()}),
+                                .y = array_of({work, work}),
+                                .mark = Mark::line,
+                                .colour = branch.colour,
+                                .dash = 1,
+                                .in_legend = false});
     }
     return panel;
 }
 
 /// A fit's residuals over their root mean square, against the contact radius.
 Panel residual_panel(const BranchLook& branch, const char* title, const Units& units) {
-    Panel panel{.title = fmt::format("{} {}", title, branch.name), .x = axis("contact radius *a*", units.radius), .y = {.quantity = "residual / rms", .unit = "1"}};
-    const Array1D radius = branch.branch->energy_release_rate.contact_radius / units.radius.factor;  // of the samples fitted
+    Panel panel{.title = fmt::format("{} {}", title, branch.name),
+                .x = axis("contact radius *a*", units.radius),
+                .y = {.quantity = "residual / rms", .unit = "1"}};
+    const Array1D radius =
+        branch.branch->energy_release_rate.contact_radius / units.radius.factor;  // of the samples fitted
     int colour = 0;
     const auto add = [&](const loops::Outcome<JkrFit>& fit, const char* name) {
         const int own = colour++;
         if (!fit || fit->residuals.size() != radius.size()) return;
         const Array1D residual = fit->residuals / fit->rms_residual;
         const auto shown = thinned(radius, residual, 0, radius.size() - 1, points_a_loop);
-        panel.series.push_back({.label = name, .x = taken(radius, shown), .y = taken(residual, shown), .mark = Mark::line, .colour = own, .dash = 0, .line_width = 0.8});
+        panel.series.push_back({.label = name,
+                                .x = taken(radius, shown),
+                                .y = taken(residual, shown),
+                                .mark = Mark::line,
+                                .colour = own,
+                                .dash = 0,
+                                .line_width = 0.8});
     };
     add(branch.branch->radius_force, "a(F)");
     add(branch.branch->radius_force_effective_variance, "a(F), errors in both");
@@ -173,7 +226,8 @@ std::string works_of(const LoopAnalysis& analysis) {
     std::string text;
     for (const auto& branch : branches_of(analysis)) {
         const auto& fit = branch.branch->primary();
-        text += fmt::format("{}{}: E* {}, W {}, correlation {:.3f}", text.empty() ? "" : "; ", branch.name, with_error(fit.contact_modulus, 1e-6, "MPa"),
+        text += fmt::format("{}{}: E* {}, W {}, correlation {:.3f}", text.empty() ? "" : "; ", branch.name,
+                            with_error(fit.contact_modulus, 1e-6, "MPa"),
                             with_error(fit.work_of_adhesion, 1e3, "mJ/m2"), fit.correlation);
     }
     return text;
@@ -192,24 +246,30 @@ void draw_loop(const DrawnLoop& loop, const Units& units, StudyFigure& drawn) {
     drawn.figure.columns = static_cast<int>(drawn.figure.panels.size());
     drawn.figure.width_mm = page_mm;
     drawn.figure.height_mm = drawn.figure.columns == 3 ? 62.0 : 75.0;
-    drawn.caption = fmt::format("{}. {}Contact radius {}. Dashed: JKR.{} ± is one standard error.", loop.name,
-                                loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first touch; " : "",
-                                loop.analysis.context.radius_measured ? "measured" : "implied by force, displacement and E*",
-                                " " + works_of(loop.analysis) + ".");
+    drawn.caption = fmt::format(
+        "{}. {}Contact radius {}. Dashed: JKR.{} ± is one standard error.", loop.name,
+        loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first touch; "
+                                                        : "",
+        loop.analysis.context.radius_measured ? "measured" : "implied by force, displacement and E*",
+        " " + works_of(loop.analysis) + ".");
     if (loop.analysis.loop) drawn.caption += closed_loop(*loop.analysis.loop);
 }
 
 }  // namespace
 
 void loop_of(const study::ExperimentResult& experiment, StudyFigure& drawn) {
-    const DrawnLoop loop{.name = std::filesystem::path(experiment.input.file).stem().string(), .analysis = *experiment.analysis, .bodies = experiment.bodies, .options = experiment.input.options};
+    const DrawnLoop loop{.name = std::filesystem::path(experiment.input.file).stem().string(),
+                         .analysis = *experiment.analysis,
+                         .bodies = experiment.bodies,
+                         .options = experiment.input.options};
     draw_loop(loop, units_of(loop), drawn);
 }
 
 void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn) {
     constexpr std::size_t most = 7;  // colours that can be told apart
     const auto& experiments = sitting.result.experiments;
-    if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(), [](const auto& e) { return e.analysis.has_value(); })) > most) {
+    if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(),
+                                               [](const auto& e) { return e.analysis.has_value(); })) > most) {
         drawn.reason = fmt::format("more than {} loops; `setae jkr fit --figures` draws those you choose", most);
         return;
     }
@@ -217,7 +277,8 @@ void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn) {
     for (const auto& e : experiments) {
         if (!e.analysis) continue;
         try {
-            scans.push_back({std::filesystem::path(e.input.file).stem().string(), loops::scan_ranges(*e.analysis, e.bodies, e.input.options)});
+            scans.push_back({std::filesystem::path(e.input.file).stem().string(),
+                             loops::scan_ranges(*e.analysis, e.bodies, e.input.options)});
         } catch (const UndefinedDataError&) {
             // its loading has too few samples for a fit of its parts
         }
@@ -230,16 +291,25 @@ void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn) {
 
 std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command) {
     const auto units = units_of(loop);
-    StudyFigure drawn{.identifier = "loop", .name = loop.name + "_loop", .title = fmt::format("{}: force, contact radius and energy release rate", loop.name), .command = command};
+    StudyFigure drawn{.identifier = "loop",
+                      .name = loop.name + "_loop",
+                      .title = fmt::format("{}: force, contact radius and energy release rate", loop.name),
+                      .command = command};
     draw_loop(loop, units, drawn);
 
-    StudyFigure residuals{.identifier = "residuals", .name = loop.name + "_residuals", .title = fmt::format("{}: residuals of every fit", loop.name), .command = command};
+    StudyFigure residuals{.identifier = "residuals",
+                          .name = loop.name + "_residuals",
+                          .title = fmt::format("{}: residuals of every fit", loop.name),
+                          .command = command};
     const char* titles[] = {"A", "B"};
     std::size_t k = 0;
-    for (const auto& branch : branches_of(loop.analysis)) residuals.figure.panels.push_back(residual_panel(branch, titles[k++], units));
+    for (const auto& branch : branches_of(loop.analysis))
+        residuals.figure.panels.push_back(residual_panel(branch, titles[k++], units));
     residuals.figure.columns = static_cast<int>(residuals.figure.panels.size());
     residuals.figure.width_mm = page_mm;
-    residuals.caption = fmt::format("{}: what each fit leaves, over its root mean square. Residuals that follow their neighbours show that the model, not noise, makes them.", loop.name);
+    residuals.caption = fmt::format(
+        "{}: what each fit leaves, over its root mean square. Residuals that follow their neighbours show that the model, not noise, makes them.",
+        loop.name);
     return {drawn, residuals};
 }
 

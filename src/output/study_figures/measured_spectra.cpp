@@ -32,15 +32,24 @@ void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surfac
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true},
                          .y = {.quantity = "power spectral density *C*_{1D}", .unit = "m3", .logarithmic = true}};
     const auto place_of = [&](const std::string& name) {
-        const auto at = std::find_if(instruments.begin(), instruments.end(), [&](const InstrumentBand& band) { return band.instrument == name; });
+        const auto at = std::find_if(instruments.begin(), instruments.end(),
+                                     [&](const InstrumentBand& band) { return band.instrument == name; });
         return static_cast<std::size_t>(at - instruments.begin());
     };
     std::size_t n = 0, failed = 0;
     double least = HUGE_VAL, most = 0.0;  // of what is reliable
-    const auto add = [&](const Curve& curve, const std::string& label, const std::string& name, std::size_t place, bool reliable) {
+    const auto add = [&](const Curve& curve, const std::string& label, const std::string& name, std::size_t place,
+                         bool reliable) {
         if (curve.x.size() < 1) return;
-        panel.series.push_back({.label = label, .x = curve.x, .y = curve.y, .mark = Mark::line, .colour = colour_of_place(place), .dash = reliable ? 0 : 2,
-                                .line_width = reliable ? 0.7 : 0.6, .opacity = reliable ? 0.75 : 0.35, .in_legend = false});
+        panel.series.push_back({.label = label,
+                                .x = curve.x,
+                                .y = curve.y,
+                                .mark = Mark::line,
+                                .colour = colour_of_place(place),
+                                .dash = reliable ? 0 : 2,
+                                .line_width = reliable ? 0.7 : 0.6,
+                                .opacity = reliable ? 0.75 : 0.35,
+                                .in_legend = false});
         panel.series.back().names.assign(static_cast<std::size_t>(curve.x.size()), name);
     };
     for (const auto& m : surface.measurements) {
@@ -50,8 +59,10 @@ void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surfac
         const auto place = place_of(instrument_of(m));
         const Curve whole{m.spectrum.wavevector, m.spectrum.C1D};
         const double lowest = whole.x[0], highest = whole.x[whole.x.size() - 1];
-        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.q_min, 0.0)), points_a_curve), m.name + ", cut", m.name, place, false);
-        add(log_means(part(whole, std::nextafter(m.spectrum.q_max, HUGE_VAL), highest), points_a_curve), m.name + ", cut", m.name, place, false);
+        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.q_min, 0.0)), points_a_curve), m.name + ", cut",
+            m.name, place, false);
+        add(log_means(part(whole, std::nextafter(m.spectrum.q_max, HUGE_VAL), highest), points_a_curve),
+            m.name + ", cut", m.name, place, false);
         const auto kept = log_means(part(whole, m.spectrum.q_min, m.spectrum.q_max), points_a_curve);
         add(kept, m.name, m.name, place, true);
         for (const double value : kept.y)
@@ -61,20 +72,39 @@ void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surfac
             }
     }
     if (n == 0) {
-        drawn.reason = surface.measurements.empty() ? "the surface has no measurements" : "every measurement of the surface failed";
+        drawn.reason = surface.measurements.empty() ? "the surface has no measurements"
+                                                    : "every measurement of the surface failed";
         return;
     }
     const auto curve = C1D_of(surface);
     if (curve) {
         if (curve->lower.size() > 0)
-            panel.series.push_back({.label = "together, 95 %", .x = curve->wavevector, .lower = curve->lower, .upper = curve->upper, .mark = Mark::band,
-                                    .colour = colour::black, .in_legend = false});
-        panel.series.push_back({.label = curve->method == "likelihood" ? "fitted to all" : "average", .x = curve->wavevector, .y = curve->values, .mark = Mark::line,
-                                .colour = colour::black, .dash = 0});
+            panel.series.push_back({.label = "together, 95 %",
+                                    .x = curve->wavevector,
+                                    .lower = curve->lower,
+                                    .upper = curve->upper,
+                                    .mark = Mark::band,
+                                    .colour = colour::black,
+                                    .in_legend = false});
+        panel.series.push_back({.label = curve->method == "likelihood" ? "fitted to all" : "average",
+                                .x = curve->wavevector,
+                                .y = curve->values,
+                                .mark = Mark::line,
+                                .colour = colour::black,
+                                .dash = 0});
     }
     for (std::size_t k = 0; k < instruments.size(); ++k)
-        panel.series.push_back({.label = instruments[k].instrument, .mark = Mark::line, .colour = colour_of_place(k), .dash = 0, .legend_only = true});
-    panel.series.push_back({.label = "cut: not reliable", .mark = Mark::line, .colour = colour::black, .dash = 2, .opacity = 0.5, .legend_only = true});
+        panel.series.push_back({.label = instruments[k].instrument,
+                                .mark = Mark::line,
+                                .colour = colour_of_place(k),
+                                .dash = 0,
+                                .legend_only = true});
+    panel.series.push_back({.label = "cut: not reliable",
+                            .mark = Mark::line,
+                            .colour = colour::black,
+                            .dash = 2,
+                            .opacity = 0.5,
+                            .legend_only = true});
     panel.legend_corner = figures::Corner::bottom_left;
     // what was cut may fall to nothing; it must not squeeze what was kept
     if (most > least) {
@@ -82,14 +112,18 @@ void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surfac
         panel.y.from = least / margin;
         panel.y.to = most * margin;
     }
-    drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? 140.0 : column_mm, .height_mm = wide(sitting) ? 95.0 : 75.0};
-    drawn.caption = fmt::format("C1D of each of {} of {}, coloured by instrument: solid where the instrument is reliable, dotted and pale where it was cut "
-                                "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{} Curves of more than {} points are means "
-                                "over even steps of ln q.",
-                                counted(n, "measurement"), surface.name,
-                                !curve ? "" : curve->method == "likelihood" ? " Black: C1D fitted to all at once, shaded 95 %; it accounts for window, trend, aliases and tips."
-                                                                            : " Black: their average, shaded 95 % where two or more overlap.",
-                                failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_curve);
+    drawn.figure = {
+        .panels = {panel}, .width_mm = wide(sitting) ? 140.0 : column_mm, .height_mm = wide(sitting) ? 95.0 : 75.0};
+    drawn.caption = fmt::format(
+        "C1D of each of {} of {}, coloured by instrument: solid where the instrument is reliable, dotted and pale where it was cut "
+        "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{} Curves of more than {} points are means "
+        "over even steps of ln q.",
+        counted(n, "measurement"), surface.name,
+        !curve ? ""
+        : curve->method == "likelihood"
+            ? " Black: C1D fitted to all at once, shaded 95 %; it accounts for window, trend, aliases and tips."
+            : " Black: their average, shaded 95 % where two or more overlap.",
+        failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_curve);
 }
 
 }  // namespace setae::study_figures

@@ -46,7 +46,8 @@ CommonSurfaceEnergy surface_energy_of(const StudyResult& result) {
         common.mean.value += own.value / n;
         // errors of one and the same liquid's theory are common, too
         common.mean.standard_error += std::sqrt(own.variance()) / n;
-        common.differ = common.differ || std::abs(own.value - result.elastomers.front().input.surface_energy.value) > 1e-9;
+        common.differ =
+            common.differ || std::abs(own.value - result.elastomers.front().input.surface_energy.value) > 1e-9;
     }
     return common;
 }
@@ -69,19 +70,22 @@ void add_measured(Panel& panel, const StudyResult& result, const PairResult& pai
     const auto* residual = residual_of(result, pair);
     const auto place = place_of_elastomer(result, pair.elastomer);
     const double x = MPa * modulus.value, y = mJ * measured.value;
-    panel.series.push_back({.label = pair.elastomer,
-                            .x = Array1D::Constant(1, x),
-                            .y = Array1D::Constant(1, y),
-                            .lower = Array1D::Constant(1, y - mJ * work_error),
-                            .upper = Array1D::Constant(1, y + mJ * work_error),
-                            .mark = Mark::points,
-                            .colour = colour_of_place(place),
-                            .symbol = static_cast<int>(place),
-                            .left = Array1D::Constant(1, x - MPa * modulus_error),
-                            .right = Array1D::Constant(1, x + MPa * modulus_error),
-                            .in_legend = false,
-                            .names = {fmt::format("{}: measured {}, predicted {:.4g} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"), mJ * pair.modified->work.floored,
-                                                  residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
+    panel.series.push_back(
+        {.label = pair.elastomer,
+         .x = Array1D::Constant(1, x),
+         .y = Array1D::Constant(1, y),
+         .lower = Array1D::Constant(1, y - mJ * work_error),
+         .upper = Array1D::Constant(1, y + mJ * work_error),
+         .mark = Mark::points,
+         .colour = colour_of_place(place),
+         .symbol = static_cast<int>(place),
+         .left = Array1D::Constant(1, x - MPa * modulus_error),
+         .right = Array1D::Constant(1, x + MPa * modulus_error),
+         .in_legend = false,
+         .names = {
+             fmt::format("{}: measured {}, predicted {:.4g} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"),
+                         mJ * pair.modified->work.floored,
+                         residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
 }
 
 /// Measured minus predicted in standard errors, above and below the bars in turn, so that neighbours keep apart.
@@ -91,9 +95,12 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     for (const auto* pair : pairs) {
         const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr;
         if (!residual) continue;
-        const double error = std::sqrt(pair->approach->variance()), end = pair->approach->value + (above ? error : -error), apart = residual->standardised();
-        panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", apart < 0.0 ? "−" : "+", std::abs(apart)), .x = MPa * result.elastomer(pair->elastomer).contact_modulus.value,
-                               .y = mJ * end + (above ? away : -away), .side = figures::Note::Side::centre});
+        const double error = std::sqrt(pair->approach->variance()),
+                     end = pair->approach->value + (above ? error : -error), apart = residual->standardised();
+        panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", apart < 0.0 ? "−" : "+", std::abs(apart)),
+                               .x = MPa * result.elastomer(pair->elastomer).contact_modulus.value,
+                               .y = mJ * end + (above ? away : -away),
+                               .side = figures::Note::Side::centre});
         above = !above;
     }
 }
@@ -102,8 +109,12 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
 void add_test(Panel& panel, const study::PredictionTest& test) {
     const double step = 0.065 * (*panel.y.to - *panel.y.from);
     double height = *panel.y.to;
-    const auto write = [&](const std::string& text) { panel.notes.push_back({.text = text, .x = *panel.x.from, .y = height -= step, .side = figures::Note::Side::right}); };
-    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom, test.probability));
+    const auto write = [&](const std::string& text) {
+        panel.notes.push_back(
+            {.text = text, .x = *panel.x.from, .y = height -= step, .side = figures::Note::Side::right});
+    };
+    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom,
+                      test.probability));
     if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
 }
 
@@ -120,11 +131,13 @@ figures::Corner roomier_corner(const Panel& panel) {
 }
 
 std::string test_in_words(const study::PredictionTest& test) {
-    auto text = fmt::format("χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account", test.chi_squared,
-                            test.degrees_of_freedom, test.probability, counted(static_cast<std::size_t>(test.n), "pair"));
+    auto text = fmt::format(
+        "χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account",
+        test.chi_squared, test.degrees_of_freedom, test.probability, counted(static_cast<std::size_t>(test.n), "pair"));
     if (test.work_fitted) text += ", W_int fitted to them";
     if (test.extra_scatter > 0.0)
-        text += fmt::format("; with {:.2g} mJ/m2 more scatter of the model χ² = {:.1f} (p = {:.2g})", mJ * test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
+        text += fmt::format("; with {:.2g} mJ/m2 more scatter of the model χ² = {:.1f} (p = {:.2g})",
+                            mJ * test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
     if (!test.left_out.empty()) text += fmt::format("; left out: {}", fmt::join(test.left_out, ", "));
     return text;
 }
@@ -138,7 +151,9 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         if (!surface.failed() && !pairs_on(result, surface.name).empty()) surfaces.push_back(&surface);
     if (surfaces.empty()) {
         const auto& why = result.work_of_adhesion.reason;
-        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer" : !why.empty() ? why : "no pair has a prediction";
+        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer"
+                       : !why.empty()       ? why
+                                            : "no pair has a prediction";
         return;
     }
     const auto energy = surface_energy_of(result);
@@ -147,13 +162,23 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
     double highest = 0.0, lowest = 0.0;
     for (const auto* surface : surfaces) {
         Panel panel{.title = label_of(*surface),
-                    .x = {.quantity = "contact modulus *E*\\*", .unit = "MPa", .logarithmic = true, .from = MPa * moduli[0], .to = MPa * moduli[moduli.size() - 1]},
+                    .x = {.quantity = "contact modulus *E*\\*",
+                          .unit = "MPa",
+                          .logarithmic = true,
+                          .from = MPa * moduli[0],
+                          .to = MPa * moduli[moduli.size() - 1]},
                     .y = {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2"},
                     .horizontal_lines = {0.0},
                     .legend = figure.panels.empty()};
         const auto curve = study::prediction_curve(*surface, energy.mean, *result.work_of_adhesion, moduli);
-        panel.series.push_back({.label = "predicted by (7), 95 %", .x = MPa * curve.contact_modulus, .y = mJ * curve.work_of_adhesion, .lower = mJ * curve.lower, .upper = mJ * curve.upper,
-                                .mark = Mark::band, .colour = colour::black, .dash = 0});
+        panel.series.push_back({.label = "predicted by (7), 95 %",
+                                .x = MPa * curve.contact_modulus,
+                                .y = mJ * curve.work_of_adhesion,
+                                .lower = mJ * curve.lower,
+                                .upper = mJ * curve.upper,
+                                .mark = Mark::band,
+                                .colour = colour::black,
+                                .dash = 0});
         highest = std::max(highest, mJ * curve.work_of_adhesion.maxCoeff());
         for (const auto* pair : pairs_on(result, surface->name)) {
             if (!pair->approach) continue;
@@ -164,7 +189,11 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         }
         if (figure.panels.empty()) {
             for (std::size_t e = 0; e < result.elastomers.size(); ++e)
-                panel.series.push_back({.label = result.elastomers[e].input.name, .mark = Mark::points, .colour = colour_of_place(e), .symbol = static_cast<int>(e), .legend_only = true});
+                panel.series.push_back({.label = result.elastomers[e].input.name,
+                                        .mark = Mark::points,
+                                        .colour = colour_of_place(e),
+                                        .symbol = static_cast<int>(e),
+                                        .legend_only = true});
         }
         figure.panels.push_back(std::move(panel));
     }
@@ -188,7 +217,10 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
         result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
-        energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.", with_error(energy.mean, mJ, "mJ/m2")) : "", reconstruction_note(result));
+        energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.",
+                                    with_error(energy.mean, mJ, "mJ/m2"))
+                      : "",
+        reconstruction_note(result));
 }
 
 }  // namespace setae::study_figures

@@ -12,18 +12,20 @@
 namespace setae::study_figures {
 namespace {
 
-using loops::RangeFit;
 using figures::Mark;
 using figures::Panel;
 using figures::Place;
 using figures::Series;
+using loops::RangeFit;
 
 constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
-constexpr double one_standard_error = 0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose shadow on each axis is one standard error
+constexpr double one_standard_error =
+    0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose shadow on each axis is one standard error
 
 /// One quantity of the fits that could be made, with one standard error.
 template <class Abscissa, class Value>
-Series series_of(const std::string& name, int colour, const std::vector<RangeFit>& fits, const Abscissa& abscissa, const Value& value, double factor) {
+Series series_of(const std::string& name, int colour, const std::vector<RangeFit>& fits, const Abscissa& abscissa,
+                 const Value& value, double factor) {
     std::vector<double> x, y, error;
     for (const auto& f : fits) {
         if (!f.fit || !f.fit->converged) continue;
@@ -32,7 +34,13 @@ Series series_of(const std::string& name, int colour, const std::vector<RangeFit
         error.push_back(factor * value(*f.fit).standard_error);
     }
     const Array1D values = array_of(y), errors = array_of(error);
-    return {.label = name, .x = array_of(x), .y = values, .lower = values - errors, .upper = values + errors, .mark = Mark::both, .colour = colour};
+    return {.label = name,
+            .x = array_of(x),
+            .y = values,
+            .lower = values - errors,
+            .upper = values + errors,
+            .mark = Mark::both,
+            .colour = colour};
 }
 
 const Estimate& modulus(const loops::JkrFit& fit) { return fit.contact_modulus; }
@@ -47,15 +55,26 @@ void add_plane(Panel& panel, const NamedScan& named, int colour) {
             x.push_back(MPa * f.fit->contact_modulus.value);
             y.push_back(mJ * f.fit->work_of_adhesion.value);
         }
-        panel.series.push_back({.label = named.name + (hollow ? ", start of the range" : ", end of the range"), .x = array_of(x), .y = array_of(y),
-                                .mark = Mark::points, .colour = colour, .hollow = hollow, .in_legend = false});
+        panel.series.push_back({.label = named.name + (hollow ? ", start of the range" : ", end of the range"),
+                                .x = array_of(x),
+                                .y = array_of(y),
+                                .mark = Mark::points,
+                                .colour = colour,
+                                .hollow = hollow,
+                                .in_legend = false});
     };
     add(named.scan.by_start, true);
     add(named.scan.by_end, false);
     const auto& whole = *named.scan.by_end.back().fit;
     try {
         const auto ellipse = loops::error_ellipse(whole, one_standard_error);
-        panel.series.push_back({.label = named.name + ", one standard error", .x = ellipse.contact_modulus * MPa, .y = ellipse.work_of_adhesion * mJ, .mark = Mark::line, .colour = colour, .dash = 0, .in_legend = false});
+        panel.series.push_back({.label = named.name + ", one standard error",
+                                .x = ellipse.contact_modulus * MPa,
+                                .y = ellipse.work_of_adhesion * mJ,
+                                .mark = Mark::line,
+                                .colour = colour,
+                                .dash = 0,
+                                .in_legend = false});
     } catch (const UndefinedDataError&) {
         // a fit without covariance has no ellipse; its point stands
     }
@@ -64,19 +83,29 @@ void add_plane(Panel& panel, const NamedScan& named, int colour) {
 }  // namespace
 
 StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command) {
-    StudyFigure drawn{.identifier = "ranges", .name = "ranges", .title = "E* and W of loading against the range of the fit", .command = command};
+    StudyFigure drawn{.identifier = "ranges",
+                      .name = "ranges",
+                      .title = "E* and W of loading against the range of the fit",
+                      .command = command};
     if (scans.empty()) {
         drawn.reason = "no loop has a loading branch to fit";
         return drawn;
     }
-    const figures::Axis modulus_axis{.quantity = "*E*\\*", .unit = "MPa"}, work_axis{.quantity = "*W*", .unit = "mJ/m2"};
-    const figures::Axis start{.quantity = "samples dropped after the jump", .unit = "1"}, end{.quantity = "largest force of the range / *F*_max", .unit = "1"};
+    const figures::Axis modulus_axis{.quantity = "*E*\\*", .unit = "MPa"},
+        work_axis{.quantity = "*W*", .unit = "mJ/m2"};
+    const figures::Axis start{.quantity = "samples dropped after the jump", .unit = "1"},
+        end{.quantity = "largest force of the range / *F*_max", .unit = "1"};
     const double third = 1.0 / 3.0;
-    std::vector<Panel> panels{{.title = "A", .x = start, .y = work_axis, .place = Place{0.0, 0.0, third, 0.5}},
-                              {.title = "B", .x = end, .y = work_axis, .legend = false, .place = Place{third, 0.0, third, 0.5}},
-                              {.title = "C", .x = modulus_axis, .y = work_axis, .legend = false, .place = Place{2.0 * third, 0.0, third, 1.0}},
-                              {.title = "D", .x = start, .y = modulus_axis, .legend = false, .place = Place{0.0, 0.5, third, 0.5}},
-                              {.title = "E", .x = end, .y = modulus_axis, .legend = false, .place = Place{third, 0.5, third, 0.5}}};
+    std::vector<Panel> panels{
+        {.title = "A", .x = start, .y = work_axis, .place = Place{0.0, 0.0, third, 0.5}},
+        {.title = "B", .x = end, .y = work_axis, .legend = false, .place = Place{third, 0.0, third, 0.5}},
+        {.title = "C",
+         .x = modulus_axis,
+         .y = work_axis,
+         .legend = false,
+         .place = Place{2.0 * third, 0.0, third, 1.0}},
+        {.title = "D", .x = start, .y = modulus_axis, .legend = false, .place = Place{0.0, 0.5, third, 0.5}},
+        {.title = "E", .x = end, .y = modulus_axis, .legend = false, .place = Place{third, 0.5, third, 0.5}}};
     const auto dropped = [](const RangeFit& f) { return static_cast<double>(f.dropped); };
     const auto share = [](const RangeFit& f) { return f.force_share; };
     std::string slopes;
@@ -88,13 +117,15 @@ StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string&
         add_plane(panels[2], scans[i], colour);
         panels[3].series.push_back(series_of(name, colour, scan.by_start, dropped, modulus, MPa));
         panels[4].series.push_back(series_of(name, colour, scan.by_end, share, modulus, MPa));
-        slopes += fmt::format("{}{}: {:.3g} and {:.3g}", slopes.empty() ? "" : "; ", name, scan.slope * mJ / MPa, scan.ellipse_slope * mJ / MPa);
+        slopes += fmt::format("{}{}: {:.3g} and {:.3g}", slopes.empty() ? "" : "; ", name, scan.slope * mJ / MPa,
+                              scan.ellipse_slope * mJ / MPa);
     }
     drawn.figure = {.panels = std::move(panels), .columns = 3, .width_mm = page_mm, .height_mm = 110.0};
-    drawn.caption = fmt::format("E* and W of the loading fit against where its range begins (A, D) and ends (B, E), bars one standard error, and against each other (C; hollow: other "
-                                "starts, filled: other ends; line: one standard error of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "
-                                "Where both agree, W and E* trade against each other, and a W that grows with the range is no growth of adhesion.",
-                                slopes);
+    drawn.caption = fmt::format(
+        "E* and W of the loading fit against where its range begins (A, D) and ends (B, E), bars one standard error, and against each other (C; hollow: other "
+        "starts, filled: other ends; line: one standard error of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "
+        "Where both agree, W and E* trade against each other, and a W that grows with the range is no growth of adhesion.",
+        slopes);
     return drawn;
 }
 

@@ -24,7 +24,8 @@ void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn) {
             why = replicates.model.reason;
             continue;
         }
-        auto plot = statistics::forest_plot(replicates.data, *replicates.model, {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
+        auto plot = statistics::forest_plot(replicates.data, *replicates.model,
+                                            {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
         auto& panel = plot.panels.front();
         panel.title = replicates.elastomer;
         // files stand in the data alone
@@ -47,7 +48,10 @@ void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn) {
     drawn.caption = fmt::format(
         "Work of adhesion of approach of {}, by elastomer and surface. Points: fits with the 95 % interval of their own standard errors; diamonds: means of surfaces by a linear mixed model with "
         "their 95 % interval, its variances pooled over the surfaces of an elastomer; thin lines: where 95 % of further measurements with another lens lie.{}",
-        counted(loops, "loop"), excluded > 0 ? fmt::format(" Hollow: {} excluded, with the reason; hollow diamonds are means with them.", counted(excluded, "loop")) : "");
+        counted(loops, "loop"),
+        excluded > 0 ? fmt::format(" Hollow: {} excluded, with the reason; hollow diamonds are means with them.",
+                                   counted(excluded, "loop"))
+                     : "");
 }
 
 }  // namespace setae::study_figures

@@ -19,7 +19,9 @@ const study::ElastomerResult* elastomer_with_scales(const StudyResult& result) {
     const study::ElastomerResult* best = nullptr;
     std::ptrdiff_t most = 0;
     for (const auto& elastomer : result.elastomers) {
-        const auto n = std::count_if(result.pairs.begin(), result.pairs.end(), [&](const auto& pair) { return pair.scales && pair.elastomer == elastomer.input.name; });
+        const auto n = std::count_if(result.pairs.begin(), result.pairs.end(), [&](const auto& pair) {
+            return pair.scales && pair.elastomer == elastomer.input.name;
+        });
         if (n > most || (n == most && n > 0 && elastomer.contact_modulus.value > best->contact_modulus.value)) {
             most = n;
             best = &elastomer;
@@ -35,12 +37,15 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
     const auto* elastomer = elastomer_with_scales(result);
     if (!elastomer) {
         const auto& why = result.work_of_adhesion.reason;
-        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer" : !why.empty() ? why : "no pair has a balance scale by scale";
+        drawn.reason = result.pairs.empty() ? "the study has no pair of surface and elastomer"
+                       : !why.empty()       ? why
+                                            : "no pair has a balance scale by scale";
         return;
     }
     const figures::Axis q{.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true};
     const figures::Axis share_axis{.unit = "%", .from = 0.0, .to = 103.0};
-    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false}, area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left};
+    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false},
+        area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left};
     Panel work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
     energy.y.quantity = "share of *U*_{el} below *q*";
     area.y.quantity = "share of excess area below *q*";
@@ -54,14 +59,19 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
         const auto& scales = *pair.scales;
         const auto place = place_of_surface(result, pair.surface);
         const auto add = [&](Panel& panel, const Array1D& share) {
-            panel.series.push_back({.label = pair.surface, .x = scales.wavevector, .y = 100.0 * share, .mark = Mark::line, .colour = colour_of_place(place),
+            panel.series.push_back({.label = pair.surface,
+                                    .x = scales.wavevector,
+                                    .y = 100.0 * share,
+                                    .mark = Mark::line,
+                                    .colour = colour_of_place(place),
                                     .symbol = static_cast<int>(place)});
         };
         add(energy, scales.stored_share);
         add(area, scales.area_share);
         add(work, scales.work_share);
         for (Index i = 0; i < scales.wavevector.size(); ++i)
-            if (scales.stored_share[i] > 1e-3 || scales.area_share[i] > 1e-3) lowest = std::min(lowest, scales.wavevector[i]);
+            if (scales.stored_share[i] > 1e-3 || scales.area_share[i] > 1e-3)
+                lowest = std::min(lowest, scales.wavevector[i]);
         highest = std::max(highest, scales.wavevector[scales.wavevector.size() - 1]);
     }
     for (auto* panel : {&energy, &area, &work})
@@ -69,12 +79,16 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
             panel->x.from = lowest;
             panel->x.to = 1.3 * highest;
         }
-    drawn.figure = {.panels = {energy, area, work}, .columns = wide(sitting) ? 3 : 1, .width_mm = wide(sitting) ? page_mm : column_mm, .height_mm = wide(sitting) ? 66.0 : 165.0};
+    drawn.figure = {.panels = {energy, area, work},
+                    .columns = wide(sitting) ? 3 : 1,
+                    .width_mm = wide(sitting) ? page_mm : column_mm,
+                    .height_mm = wide(sitting) ? 66.0 : 165.0};
     drawn.caption = fmt::format(
         "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
         "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
         "different scales have different signs it leaves 0 … 100 %.{}",
-        counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"), reconstruction_note(result) + floored_note(result));
+        counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"),
+        reconstruction_note(result) + floored_note(result));
 }
 
 void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
@@ -105,12 +119,20 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     std::vector<std::string> order;
     for (const auto& band : bands) order.push_back(band.instrument);
     for (const auto* surface : fitted) {
-        Panel panel{.title = surface->name, .x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true, .from = std::pow(10.0, lowest), .to = std::pow(10.0, highest)},
-                    .y = {.quantity = "measured/expected *P*/*E*", .logarithmic = true, .from = least, .to = most}, .horizontal_lines = {1.0}, .legend = figure.panels.empty()};
+        Panel panel{.title = surface->name,
+                    .x = {.quantity = "wavevector *q*",
+                          .unit = "1/m",
+                          .logarithmic = true,
+                          .from = std::pow(10.0, lowest),
+                          .to = std::pow(10.0, highest)},
+                    .y = {.quantity = "measured/expected *P*/*E*", .logarithmic = true, .from = least, .to = most},
+                    .horizontal_lines = {1.0},
+                    .legend = figure.panels.empty()};
         std::map<std::string, std::vector<const spectral_fit::Agreement*>> by_instrument;
         for (const auto& a : surface->fitted->agreement) {
             by_instrument[instrument_in_words(a.instrument)].push_back(&a);
-            if (std::find(order.begin(), order.end(), instrument_in_words(a.instrument)) == order.end()) order.push_back(instrument_in_words(a.instrument));
+            if (std::find(order.begin(), order.end(), instrument_in_words(a.instrument)) == order.end())
+                order.push_back(instrument_in_words(a.instrument));
         }
         for (std::size_t place = 0; place < order.size(); ++place) {
             if (!by_instrument.contains(order[place])) continue;
@@ -122,10 +144,18 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
                 y.push_back(a->ratio);
                 lower.push_back(a->ratio - a->standard_error);
                 upper.push_back(a->ratio + a->standard_error);
-                names.push_back(fmt::format("chi2 {:.3g} of {} groups, p = {:.2g}", a->chi_squared, a->groups, a->probability));
+                names.push_back(
+                    fmt::format("chi2 {:.3g} of {} groups, p = {:.2g}", a->chi_squared, a->groups, a->probability));
             }
-            panel.series.push_back({.label = order[place], .x = array_of(x), .y = array_of(y), .lower = array_of(lower), .upper = array_of(upper), .mark = Mark::both,
-                                    .colour = colour_of_place(place), .symbol = static_cast<int>(place), .names = names});
+            panel.series.push_back({.label = order[place],
+                                    .x = array_of(x),
+                                    .y = array_of(y),
+                                    .lower = array_of(lower),
+                                    .upper = array_of(upper),
+                                    .mark = Mark::both,
+                                    .colour = colour_of_place(place),
+                                    .symbol = static_cast<int>(place),
+                                    .names = names});
         }
         figure.panels.push_back(panel);
     }
@@ -134,9 +164,10 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;
     figure.height_mm = 55.0 * static_cast<double>(rows);
     drawn.figure = figure;
-    drawn.caption = "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "
-                    "of one surface. Bars: one standard error of an instrument that agrees. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its "
-                    "probability stand with the data.";
+    drawn.caption =
+        "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "
+        "of one surface. Bars: one standard error of an instrument that agrees. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its "
+        "probability stand with the data.";
 }
 
 }  // namespace setae::study_figures

@@ -12,7 +12,8 @@ namespace {
 using study::MeasurementResult;
 
 bool is_scan(const MeasurementResult& m) {
-    return !m.failed() && instrument_of(m) == "stylus" && m.preview.positions.size() > 1 && m.preview.heights.size() == m.preview.positions.size();
+    return !m.failed() && instrument_of(m) == "stylus" && m.preview.positions.size() > 1 &&
+           m.preview.heights.size() == m.preview.positions.size();
 }
 
 /// The longest stylus scan of a surface.
@@ -51,7 +52,8 @@ void stylus_scans(const Sitting& sitting, StudyFigure& drawn) {
     double highest = 0.0, longest = 0.0;
     for (const auto& surface : sitting.result.surfaces)
         if (const auto* scan = scan_of(surface)) {
-            highest = std::max(highest, scan->preview.heights.isFinite().select(scan->preview.heights.abs(), 0.0).maxCoeff());
+            highest =
+                std::max(highest, scan->preview.heights.isFinite().select(scan->preview.heights.abs(), 0.0).maxCoeff());
             longest = std::max(longest, scan->preview.size[0]);
         }
     if (longest == 0.0) {
@@ -65,22 +67,31 @@ void stylus_scans(const Sitting& sitting, StudyFigure& drawn) {
         const auto* scan = scan_of(surface);
         if (!scan) continue;
         const auto curve = extremes(scan->preview.positions - scan->preview.positions[0], scan->preview.heights, 200);
-        figures::Panel panel{.title = surface.name, .x = {.quantity = "*x*", .unit = millimetres ? "mm" : "um"},
-                             .y = {.quantity = "height *h*", .unit = micrometres ? "um" : "nm"}, .legend = false};
-        panel.series.push_back({.label = scan->name, .x = curve.x * (millimetres ? 1e3 : 1e6), .y = curve.y * (micrometres ? 1e6 : 1e9), .mark = figures::Mark::line,
-                                .colour = colour_of_place(i), .dash = 0, .line_width = 0.8});
+        figures::Panel panel{.title = surface.name,
+                             .x = {.quantity = "*x*", .unit = millimetres ? "mm" : "um"},
+                             .y = {.quantity = "height *h*", .unit = micrometres ? "um" : "nm"},
+                             .legend = false};
+        panel.series.push_back({.label = scan->name,
+                                .x = curve.x * (millimetres ? 1e3 : 1e6),
+                                .y = curve.y * (micrometres ? 1e6 : 1e9),
+                                .mark = figures::Mark::line,
+                                .colour = colour_of_place(i),
+                                .dash = 0,
+                                .line_width = 0.8});
         panel.x.from = 0.0;
         panel.x.to = scan->preview.size[0] * (millimetres ? 1e3 : 1e6);
         figure.panels.push_back(panel);
         names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", surface.name, scan->name);
     }
-    const auto rows = static_cast<double>((figure.panels.size() + static_cast<std::size_t>(figure.columns) - 1) / static_cast<std::size_t>(figure.columns));
+    const auto rows = static_cast<double>((figure.panels.size() + static_cast<std::size_t>(figure.columns) - 1) /
+                                          static_cast<std::size_t>(figure.columns));
     figure.width_mm = wide(sitting) ? page_mm : column_mm;
     figure.height_mm = 40.0 * rows;
     drawn.figure = figure;
-    drawn.caption = fmt::format("The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches. "
-                                "Compare Fig. S1 of Dalvi et al. 2019.",
-                                names);
+    drawn.caption = fmt::format(
+        "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches. "
+        "Compare Fig. S1 of Dalvi et al. 2019.",
+        names);
 }
 
 }  // namespace setae::study_figures

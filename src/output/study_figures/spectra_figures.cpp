@@ -33,9 +33,15 @@ std::vector<const SurfaceResult*> surfaces_of(const StudyResult& result) {
 void add_curve(Panel& panel, const SurfaceCurve& curve, const std::string& label, int place) {
     const int colour = colour_of_place(static_cast<std::size_t>(place));
     if (curve.lower.size() > 0)
-        panel.series.push_back({.label = label + ", 95 %", .x = curve.wavevector, .lower = curve.lower, .upper = curve.upper, .mark = Mark::band, .colour = colour,
+        panel.series.push_back({.label = label + ", 95 %",
+                                .x = curve.wavevector,
+                                .lower = curve.lower,
+                                .upper = curve.upper,
+                                .mark = Mark::band,
+                                .colour = colour,
                                 .in_legend = false});
-    panel.series.push_back({.label = label, .x = curve.wavevector, .y = curve.values, .mark = Mark::line, .colour = colour, .dash = 0});
+    panel.series.push_back(
+        {.label = label, .x = curve.wavevector, .y = curve.values, .mark = Mark::line, .colour = colour, .dash = 0});
 }
 
 /// What a study's curves are, "NAME fitted to …".
@@ -75,12 +81,23 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
     const double decades = std::log10(most / least), step = 0.065 * decades;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto& [name, band] = bands[i];
-        const double height = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size() - 1 - i) + 0.6));
-        panel.series.push_back({.label = "reliable band of " + name, .x = Array1D{{band.lower, band.upper}}, .y = Array1D{{height, height}}, .mark = Mark::line,
-                                .colour = colour::black, .dash = 0, .line_width = 3.5, .in_legend = false});
+        const double height =
+            most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size() - 1 - i) + 0.6));
+        panel.series.push_back({.label = "reliable band of " + name,
+                                .x = Array1D{{band.lower, band.upper}},
+                                .y = Array1D{{height, height}},
+                                .mark = Mark::line,
+                                .colour = colour::black,
+                                .dash = 0,
+                                .line_width = 3.5,
+                                .in_legend = false});
         // to the left of a bar that leaves no room to its right
-        const bool right = std::log(band.upper / bands.front().band.lower) < 0.8 * std::log(highest / bands.front().band.lower);
-        panel.notes.push_back({.text = name, .x = right ? band.upper : band.lower, .y = height, .side = right ? figures::Note::Side::right : figures::Note::Side::left});
+        const bool right =
+            std::log(band.upper / bands.front().band.lower) < 0.8 * std::log(highest / bands.front().band.lower);
+        panel.notes.push_back({.text = name,
+                               .x = right ? band.upper : band.lower,
+                               .y = height,
+                               .side = right ? figures::Note::Side::right : figures::Note::Side::left});
     }
     panel.y.from = least * std::pow(10.0, -0.04 * decades);
     panel.y.to = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size()) + 0.3));
@@ -97,7 +114,9 @@ LengthUnit length_unit(double length) {
 }
 
 bool is_map(const MeasurementResult& m) { return !m.failed() && m.preview.map.size() > 0; }
-bool is_contour(const MeasurementResult& m) { return !m.failed() && instrument_of(m) == "TEM" && m.preview.heights.size() > 1 && m.preview.positions.size() > 1; }
+bool is_contour(const MeasurementResult& m) {
+    return !m.failed() && instrument_of(m) == "TEM" && m.preview.heights.size() > 1 && m.preview.positions.size() > 1;
+}
 
 /// The first surface that has both kinds of picture, else the first that has one.
 const SurfaceResult* pictured_surface(const StudyResult& result) {
@@ -105,7 +124,8 @@ const SurfaceResult* pictured_surface(const StudyResult& result) {
     int most = 0;
     for (const auto& surface : result.surfaces) {
         const auto& all = surface.measurements;
-        const int kinds = (std::any_of(all.begin(), all.end(), is_map) ? 1 : 0) + (std::any_of(all.begin(), all.end(), is_contour) ? 1 : 0);
+        const int kinds = (std::any_of(all.begin(), all.end(), is_map) ? 1 : 0) +
+                          (std::any_of(all.begin(), all.end(), is_contour) ? 1 : 0);
         if (kinds > most) {
             most = kinds;
             best = &surface;
@@ -120,19 +140,31 @@ Panel map_panel(const std::string& title, const MeasurementResult& m) {
     const auto heights = length_unit(preview.map.isFinite().select(preview.map.abs(), 0.0).maxCoeff());
     const figures::Axis length{.quantity = "*x*", .unit = across.name};
     Panel panel{.title = title, .x = length, .y = {.quantity = "*y*", .unit = across.name}, .legend = false};
-    panel.map = figures::HeatMap{preview.map * heights.per_metre, preview.size[0] * across.per_metre, preview.size[1] * across.per_metre,
+    panel.map = figures::HeatMap{preview.map * heights.per_metre,
+                                 preview.size[0] * across.per_metre,
+                                 preview.size[1] * across.per_metre,
                                  {.quantity = "height *h*", .unit = heights.name}};
     return panel;
 }
 
 Panel contour_panel(const std::string& title, const MeasurementResult& m) {
     const auto& preview = m.preview;
-    const auto across = length_unit(preview.size[0]), heights = length_unit(preview.heights.isFinite().select(preview.heights.abs(), 0.0).maxCoeff());
-    Panel panel{.title = title, .x = {.quantity = "*x*", .unit = across.name}, .y = {.quantity = "height *h*", .unit = heights.name}, .legend = false};
+    const auto across = length_unit(preview.size[0]),
+               heights = length_unit(preview.heights.isFinite().select(preview.heights.abs(), 0.0).maxCoeff());
+    Panel panel{.title = title,
+                .x = {.quantity = "*x*", .unit = across.name},
+                .y = {.quantity = "height *h*", .unit = heights.name},
+                .legend = false};
     const Array1D x = (preview.positions - preview.positions[0]) * across.per_metre;
     panel.x.from = 0.0;
     panel.x.to = x[x.size() - 1];
-    panel.series.push_back({.label = m.name, .x = x, .y = preview.heights * heights.per_metre, .mark = Mark::line, .colour = colour::black, .dash = 0, .line_width = 1.0});
+    panel.series.push_back({.label = m.name,
+                            .x = x,
+                            .y = preview.heights * heights.per_metre,
+                            .mark = Mark::line,
+                            .colour = colour::black,
+                            .dash = 0,
+                            .line_width = 1.0});
     return panel;
 }
 
@@ -143,9 +175,11 @@ std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
     std::vector<std::pair<Panel, std::string>> pictures;
     const auto& all = surface->measurements;
     if (const auto map = std::find_if(all.begin(), all.end(), is_map); map != all.end())
-        pictures.emplace_back(map_panel("B", *map), fmt::format("{} map {} of {}", instrument_of(*map), map->name, surface->name));
+        pictures.emplace_back(map_panel("B", *map),
+                              fmt::format("{} map {} of {}", instrument_of(*map), map->name, surface->name));
     if (const auto contour = std::find_if(all.begin(), all.end(), is_contour); contour != all.end())
-        pictures.emplace_back(contour_panel(pictures.empty() ? "B" : "C", *contour), fmt::format("TEM contour {} of {}", contour->name, surface->name));
+        pictures.emplace_back(contour_panel(pictures.empty() ? "B" : "C", *contour),
+                              fmt::format("TEM contour {} of {}", contour->name, surface->name));
     constexpr double share = 0.64;
     figure.panels[0].title = "A";
     figure.panels[0].place = figures::Place{0.0, 0.0, share, 1.0};
@@ -154,7 +188,8 @@ std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
         auto& [panel, text] = pictures[i];
         // a map wants a square, a contour what is left
         const double upper = pictures.size() == 1 ? 1.0 : 0.56;
-        panel.place = i == 0 ? figures::Place{share, 0.0, 1.0 - share, upper} : figures::Place{share, upper, 1.0 - share, 1.0 - upper};
+        panel.place = i == 0 ? figures::Place{share, 0.0, 1.0 - share, upper}
+                             : figures::Place{share, upper, 1.0 - share, 1.0 - upper};
         words += fmt::format(" {}: {}.", panel.title, text);
         figure.panels.push_back(panel);
     }
@@ -170,7 +205,8 @@ std::string failed_surfaces(const StudyResult& result) {
 
 bool nothing_to_show(const Sitting& sitting, StudyFigure& drawn) {
     if (sitting.result.surfaces.empty()) drawn.reason = "the study has no surface";
-    else if (std::all_of(sitting.result.surfaces.begin(), sitting.result.surfaces.end(), [](const SurfaceResult& s) { return s.failed(); }))
+    else if (std::all_of(sitting.result.surfaces.begin(), sitting.result.surfaces.end(),
+                         [](const SurfaceResult& s) { return s.failed(); }))
         drawn.reason = "every surface failed";
     return !drawn.drawable();
 }
@@ -179,7 +215,8 @@ bool nothing_to_show(const Sitting& sitting, StudyFigure& drawn) {
 std::optional<SurfaceCurve> curve_of_instrument(const SurfaceResult& surface, const std::string& instrument) {
     std::vector<spectra::PowerSpectrum1D> spectra;
     for (const auto& m : surface.measurements)
-        if (!m.failed() && instrument_of(m) == instrument && m.spectrum.q_max > m.spectrum.q_min) spectra.push_back(m.spectrum);
+        if (!m.failed() && instrument_of(m) == instrument && m.spectrum.q_max > m.spectrum.q_min)
+            spectra.push_back(m.spectrum);
     if (spectra.empty()) return std::nullopt;
     const auto combined = spectra::combine(spectra);
     return SurfaceCurve{.wavevector = combined.wavevector, .values = combined.C1D, .method = "average"};
@@ -211,19 +248,27 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     panel.legend_corner = figures::Corner::bottom_left;
     add_bars(panel, instruments);
     const bool pictures = wide(sitting) && pictured_surface(result) != nullptr;
-    drawn.figure = {.panels = {panel}, .width_mm = !wide(sitting) ? column_mm : pictures ? page_mm : 120.0, .height_mm = !wide(sitting) ? 75.0 : pictures ? 95.0 : 85.0};
+    drawn.figure = {.panels = {panel},
+                    .width_mm = !wide(sitting) ? column_mm
+                                : pictures     ? page_mm
+                                               : 120.0,
+                    .height_mm = !wide(sitting) ? 75.0
+                                 : pictures     ? 95.0
+                                                : 85.0};
     const auto pictured = pictures ? add_pictures(drawn.figure, result) : std::string();
-    drawn.caption = fmt::format("{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
-                                pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
-                                instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.", pictured,
-                                failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+    drawn.caption = fmt::format(
+        "{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
+        pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
+        instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.",
+        pictured, failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
     if (nothing_to_show(sitting, drawn)) return;
     const auto& result = sitting.result;
     const auto conversion = result.study.analysis.conversion;
-    Panel panel{.x = wavevector_axis, .y = {.quantity = "isotropic power spectral density *C*_{iso}", .unit = "m4", .logarithmic = true}};
+    Panel panel{.x = wavevector_axis,
+                .y = {.quantity = "isotropic power spectral density *C*_{iso}", .unit = "m4", .logarithmic = true}};
     Methods methods;
     bool bands = false, converted = false;
     std::size_t n = 0;
@@ -241,12 +286,15 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
         return;
     }
     panel.legend_corner = figures::Corner::bottom_left;
-    drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 85.0 : 70.0};
-    drawn.caption = fmt::format("C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"), methods.text(),
-                                !converted                                      ? ""
-                                : conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral."
-                                                                             : " Averages become C_iso by (11).",
-                                bands ? " Shaded: 95 %." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+    drawn.figure = {
+        .panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 85.0 : 70.0};
+    drawn.caption = fmt::format(
+        "C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"),
+        methods.text(),
+        !converted                                   ? ""
+        : conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral."
+                                                     : " Averages become C_iso by (11).",
+        bands ? " Shaded: 95 %." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {
@@ -265,19 +313,34 @@ void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {
             const auto curve = curve_of_instrument(surface, instruments[k].instrument);
             if (!curve) continue;
             any = true;
-            panel.series.push_back({.label = surface.name + ", " + instruments[k].instrument, .x = curve->wavevector, .y = curve->values, .mark = Mark::line,
-                                    .colour = colour_of_place(i), .dash = static_cast<int>(k), .in_legend = false});
+            panel.series.push_back({.label = surface.name + ", " + instruments[k].instrument,
+                                    .x = curve->wavevector,
+                                    .y = curve->values,
+                                    .mark = Mark::line,
+                                    .colour = colour_of_place(i),
+                                    .dash = static_cast<int>(k),
+                                    .in_legend = false});
         }
         if (any)
-            panel.series.push_back({.label = surface.name, .mark = Mark::line, .colour = colour_of_place(i), .dash = 0, .legend_only = true});
+            panel.series.push_back({.label = surface.name,
+                                    .mark = Mark::line,
+                                    .colour = colour_of_place(i),
+                                    .dash = 0,
+                                    .legend_only = true});
     }
     for (std::size_t k = 0; k < instruments.size(); ++k)
-        panel.series.push_back({.label = instruments[k].instrument, .mark = Mark::line, .colour = colour::black, .dash = static_cast<int>(k), .legend_only = true});
+        panel.series.push_back({.label = instruments[k].instrument,
+                                .mark = Mark::line,
+                                .colour = colour::black,
+                                .dash = static_cast<int>(k),
+                                .legend_only = true});
     panel.legend_corner = figures::Corner::bottom_left;
-    drawn.figure = {.panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 90.0 : 75.0};
-    drawn.caption = fmt::format("C1D of each surface (colour) by technique (line): the mean over the measurements of that technique, each within its own reliable band, "
-                                "in ten bins a decade. Where lines of one colour part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
-                                failed_surfaces(result));
+    drawn.figure = {
+        .panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 90.0 : 75.0};
+    drawn.caption = fmt::format(
+        "C1D of each surface (colour) by technique (line): the mean over the measurements of that technique, each within its own reliable band, "
+        "in ten bins a decade. Where lines of one colour part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
+        failed_surfaces(result));
 }
 
 }  // namespace setae::study_figures

@@ -35,8 +35,10 @@ void add_loops(const study::StudyResult& result, std::vector<Entry>& entries) {
     for (std::size_t i = 0; i < result.experiments.size(); ++i) {
         if (!result.experiments[i].analysis) continue;
         const auto name = std::filesystem::path(result.experiments[i].input.file).stem().string();
-        entries.push_back({"loop:" + name, free_stem("loop_" + output::as_file_name(name), i, entries), "Force, contact radius and energy release rate of " + name,
-                           [i](const Sitting& sitting, StudyFigure& drawn) { loop_of(sitting.result.experiments[i], drawn); }});
+        entries.push_back(
+            {"loop:" + name, free_stem("loop_" + output::as_file_name(name), i, entries),
+             "Force, contact radius and energy release rate of " + name,
+             [i](const Sitting& sitting, StudyFigure& drawn) { loop_of(sitting.result.experiments[i], drawn); }});
     }
     entries.push_back({"ranges", "ranges", "E* and W of loading against the range of the fit", ranges_of_loops});
 }
@@ -52,17 +54,22 @@ std::vector<Entry> entries_of(const study::StudyResult& result) {
         {"S5", "figure_S5", "Contact radius against force on every elastomer", contact_radius_of_all},
         {"S6", "figure_S6", "Contact radius against force on the smooth reference", contact_radius_of_references},
         {"S7", "figure_S7", "True area against slope", true_area},
-        {"S8", "figure_S8", "Work of adhesion measured and predicted by Persson and Tosatti's balance", persson_tosatti_prediction},
+        {"S8", "figure_S8", "Work of adhesion measured and predicted by Persson and Tosatti's balance",
+         persson_tosatti_prediction},
     };
     for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
         if (result.surfaces[i].measurements.empty()) continue;
         const auto& name = result.surfaces[i].name;
-        entries.push_back({"spectra:" + name, free_stem("spectra_" + output::as_file_name(name), i, entries), "Every measurement of " + name,
-                           [i](const Sitting& sitting, StudyFigure& drawn) { measured_spectra(sitting, sitting.result.surfaces[i], drawn); }});
+        entries.push_back({"spectra:" + name, free_stem("spectra_" + output::as_file_name(name), i, entries),
+                           "Every measurement of " + name, [i](const Sitting& sitting, StudyFigure& drawn) {
+                               measured_spectra(sitting, sitting.result.surfaces[i], drawn);
+                           }});
     }
     entries.push_back({"scales", "scales", "Which scales cost the energy", scales_of_cost});
-    entries.push_back({"prediction", "prediction", "Work of adhesion measured and predicted against the modulus", prediction_against_modulus});
-    entries.push_back({"replicates", "replicates", "Every replicate and the means of its surface", replicates_of_pairs});
+    entries.push_back({"prediction", "prediction", "Work of adhesion measured and predicted against the modulus",
+                       prediction_against_modulus});
+    entries.push_back(
+        {"replicates", "replicates", "Every replicate and the means of its surface", replicates_of_pairs});
     entries.push_back({"agreement", "agreement", "Measured over expected periodograms", agreement_of_instruments});
     add_loops(result, entries);
     return entries;
@@ -89,14 +96,16 @@ std::vector<StudyFigure> study_figures(const study::StudyResult& result, const G
     return figures;
 }
 
-StudyFigure study_figure(const study::StudyResult& result, const std::string& identifier, const GalleryOptions& options) {
+StudyFigure study_figure(const study::StudyResult& result, const std::string& identifier,
+                         const GalleryOptions& options) {
     std::vector<std::string> identifiers;
     for (const auto& entry : entries_of(result)) {
         if (entry.identifier == identifier) return built(entry, {result, options});
         identifiers.push_back(entry.identifier);
     }
     const auto nearest = nearest_match(identifier, identifiers);
-    throw InvalidArgument(fmt::format("unknown figure '{}'{}; this study has {}", identifier, nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
+    throw InvalidArgument(fmt::format("unknown figure '{}'{}; this study has {}", identifier,
+                                      nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
                                       fmt::join(identifiers, ", ")));
 }
 

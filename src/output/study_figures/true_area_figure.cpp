@@ -7,8 +7,8 @@
 #include "drawing.hpp"
 #include "setae/cache/key.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/study_figures/true_area_of_maps.hpp"
 #include "setae/roughness/true_area.hpp"
+#include "setae/study_figures/true_area_of_maps.hpp"
 
 namespace setae::study_figures {
 namespace {
@@ -26,7 +26,9 @@ Series formula_curve(const std::string& label, const Array1D& x, int colour, int
 
 std::string as_text(const std::vector<MeanArea>& areas) {
     std::string text;
-    for (const auto& a : areas) text += fmt::format("{} {} {} {} {}\n", a.hurst_exponent, a.rms_slope, a.excess_area, a.deviation, a.standard_error);
+    for (const auto& a : areas)
+        text += fmt::format("{} {} {} {} {}\n", a.hurst_exponent, a.rms_slope, a.excess_area, a.deviation,
+                            a.standard_error);
     return text;
 }
 
@@ -34,16 +36,22 @@ std::vector<MeanArea> from_text(const std::string& text) {
     std::vector<MeanArea> areas;
     std::istringstream lines(text);
     MeanArea a;
-    while (lines >> a.hurst_exponent >> a.rms_slope >> a.excess_area >> a.deviation >> a.standard_error) areas.push_back(a);
+    while (lines >> a.hurst_exponent >> a.rms_slope >> a.excess_area >> a.deviation >> a.standard_error)
+        areas.push_back(a);
     return areas;
 }
 
 std::vector<MeanArea> areas_of_maps(const Sitting& sitting) {
     const Index map_points = sitting.options.area_map_points;
-    const auto compute = [&] { return means(true_area_of_maps({.points = map_points, .seed = map_seed, .threads = sitting.options.threads})); };
+    const auto compute = [&] {
+        return means(true_area_of_maps({.points = map_points, .seed = map_seed, .threads = sitting.options.threads}));
+    };
     const auto* store = sitting.options.store;
     if (!store) return compute();
-    const auto key = cache::KeyBuilder("true area of maps").add("points", fmt::format("{}", map_points)).add("seed", fmt::format("{}", map_seed)).key();
+    const auto key = cache::KeyBuilder("true area of maps")
+                         .add("points", fmt::format("{}", map_points))
+                         .add("seed", fmt::format("{}", map_seed))
+                         .key();
     if (const auto kept = store->find(key))
         if (auto areas = from_text(*kept); !areas.empty()) return areas;
     const auto areas = compute();
@@ -54,13 +62,20 @@ std::vector<MeanArea> areas_of_maps(const Sitting& sitting) {
 }  // namespace
 
 void true_area(const Sitting& sitting, StudyFigure& drawn) {
-    Panel factor{.title = "A", .x = {.quantity = "rms slope *h*'_{rms}", .from = 0.0, .to = 5.0}, .y = {.quantity = "*g*(*h*'_{rms})", .from = 0.0, .to = 1.05}};
-    factor.series.push_back(formula_curve("g of (S12)", Array1D::LinSpaced(101, 0.0, 5.0), colour::black, 0, [](double h) { return roughness::area_excess_factor(h); }));
-    Panel area{.title = "B", .x = {.quantity = "rms slope *h*'_{rms}", .logarithmic = true, .from = 0.007, .to = 14.0},
-               .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
+    Panel factor{.title = "A",
+                 .x = {.quantity = "rms slope *h*'_{rms}", .from = 0.0, .to = 5.0},
+                 .y = {.quantity = "*g*(*h*'_{rms})", .from = 0.0, .to = 1.05}};
+    factor.series.push_back(formula_curve("g of (S12)", Array1D::LinSpaced(101, 0.0, 5.0), colour::black, 0,
+                                          [](double h) { return roughness::area_excess_factor(h); }));
+    Panel area{
+        .title = "B",
+        .x = {.quantity = "rms slope *h*'_{rms}", .logarithmic = true, .from = 0.007, .to = 14.0},
+        .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
     const Array1D slopes = Array1D::LinSpaced(121, std::log(0.008), std::log(12.0)).exp();
-    area.series.push_back(formula_curve("equation (9)", slopes, colour::black, 0, [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }));
-    area.series.push_back(formula_curve("h'²/2", slopes, colour::black, 2, [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }));
+    area.series.push_back(formula_curve("equation (9)", slopes, colour::black, 0,
+                                        [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }));
+    area.series.push_back(formula_curve("h'²/2", slopes, colour::black, 2,
+                                        [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }));
     const auto areas = areas_of_maps(sitting);
     double largest = 0.0;
     for (const auto& a : areas) largest = std::max(largest, std::abs(a.deviation));
@@ -71,15 +86,24 @@ void true_area(const Sitting& sitting, StudyFigure& drawn) {
                 x.push_back(a.rms_slope);
                 y.push_back(a.excess_area);
             }
-        area.series.push_back({.label = fmt::format("maps, H = {}", hurst), .x = array_of(x), .y = array_of(y), .mark = Mark::points,
-                               .colour = hurst < 0.5 ? colour::vermilion : colour::blue, .symbol = hurst < 0.5 ? 1 : 0, .hollow = hurst > 0.5});
+        area.series.push_back({.label = fmt::format("maps, H = {}", hurst),
+                               .x = array_of(x),
+                               .y = array_of(y),
+                               .mark = Mark::points,
+                               .colour = hurst < 0.5 ? colour::vermilion : colour::blue,
+                               .symbol = hurst < 0.5 ? 1 : 0,
+                               .hollow = hurst > 0.5});
     }
-    drawn.figure = {.panels = {factor, area}, .columns = wide(sitting) ? 2 : 1, .width_mm = wide(sitting) ? page_mm : column_mm, .height_mm = wide(sitting) ? 72.0 : 130.0};
-    drawn.caption = fmt::format("A: g of (S12), the excess area of Gaussian slopes over its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
-                                "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
-                                "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {:.2g} % of (9). This figure does not depend on "
-                                "the study. Compare Fig. S7 of Dalvi et al. 2019.",
-                                sitting.options.area_map_points, sitting.options.area_map_points, 100.0 * largest);
+    drawn.figure = {.panels = {factor, area},
+                    .columns = wide(sitting) ? 2 : 1,
+                    .width_mm = wide(sitting) ? page_mm : column_mm,
+                    .height_mm = wide(sitting) ? 72.0 : 130.0};
+    drawn.caption = fmt::format(
+        "A: g of (S12), the excess area of Gaussian slopes over its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
+        "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
+        "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {:.2g} % of (9). This figure does not depend on "
+        "the study. Compare Fig. S7 of Dalvi et al. 2019.",
+        sitting.options.area_map_points, sitting.options.area_map_points, 100.0 * largest);
 }
 
 }  // namespace setae::study_figures

@@ -10,17 +10,18 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/cache/key.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/study/provenance.hpp"
 
 namespace setae::study_figures {
 namespace {
 
 std::string on_one_line(std::string text) {
-    std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
 }
 
@@ -33,15 +34,22 @@ std::string command_of(const StudyFigure& figure, const std::string& study, Figu
 }
 
 std::string data_of(const StudyFigure& figure, const std::string& study, FigureWidth width) {
-    return on_one_line(fmt::format("# title: {}", figure.title)) + "\n" + on_one_line(fmt::format("# figure: {}", figure.identifier)) + "\n" +
-           on_one_line(fmt::format("# caption: {}", figure.caption)) + "\n" + fmt::format("# written by: setae {}\n", study::version()) +
-           on_one_line(fmt::format("# made again by: {}", command_of(figure, study, width))) + "\n" + figures::data_text(figure.figure);
+    return on_one_line(fmt::format("# title: {}", figure.title)) + "\n" +
+           on_one_line(fmt::format("# figure: {}", figure.identifier)) + "\n" +
+           on_one_line(fmt::format("# caption: {}", figure.caption)) + "\n" +
+           fmt::format("# written by: setae {}\n", study::version()) +
+           on_one_line(fmt::format("# made again by: {}", command_of(figure, study, width))) + "\n" +
+           figures::data_text(figure.figure);
 }
 
 std::string bytes_of(const StudyFigure& figure, const std::string& ending, const cache::Store* store) {
     const auto program = store && store->enabled() ? figures::drawing_program() : std::string();
     if (program.empty()) return figures::drawn(figure.figure, ending);
-    const auto key = cache::KeyBuilder("figure").add("script", figures::gnuplot_script(figure.figure, ending, "figure")).add("ending", ending).add("gnuplot", program).key();
+    const auto key = cache::KeyBuilder("figure")
+                         .add("script", figures::gnuplot_script(figure.figure, ending, "figure"))
+                         .add("ending", ending)
+                         .add("gnuplot", program)
+                         .key();
     if (auto kept = store->find(key)) return *kept;
     auto bytes = figures::drawn(figure.figure, ending);
     store->keep(key, bytes);
@@ -51,7 +59,9 @@ std::string bytes_of(const StudyFigure& figure, const std::string& ending, const
 std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures, const WriteOptions& options) {
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
-    if (error) throw FileError(fmt::format("{}: cannot be made: {}; check that the folder above is writable", options.folder, error.message()));
+    if (error)
+        throw FileError(fmt::format("{}: cannot be made: {}; check that the folder above is writable", options.folder,
+                                    error.message()));
     std::vector<const StudyFigure*> drawable;
     for (const auto& figure : figures)
         if (figure.drawable()) drawable.push_back(&figure);
@@ -66,7 +76,8 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
         const auto& ending = options.endings[job % endings];
         try {
             const auto path = (std::filesystem::path(options.folder) / (figure.name + "." + ending)).string();
-            bytes::write_whole_file(path, ending == "csv" ? data_of(figure, options.study, options.width) : bytes_of(figure, ending, options.store));
+            bytes::write_whole_file(path, ending == "csv" ? data_of(figure, options.study, options.width)
+                                                          : bytes_of(figure, ending, options.store));
         } catch (const Error& failure) {
             errors[job] = failure.what();
         }
@@ -81,7 +92,8 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
             const auto& failure = errors[i * endings + k];
             if (failure.empty()) result.files.push_back(result.name + "." + options.endings[k]);
             // the same for every ending where there is no gnuplot: said once
-            else if (result.error.find(failure) == std::string::npos) result.error += (result.error.empty() ? "" : "; ") + failure;
+            else if (result.error.find(failure) == std::string::npos)
+                result.error += (result.error.empty() ? "" : "; ") + failure;
         }
         written.push_back(result);
     }

@@ -21,9 +21,12 @@ void each_fitted(const study::StudyResult& result, Visit visit) {
         if (!surface.failed() && surface.fitted) visit(surface.name, *surface.fitted);
 }
 
-Band decade_of(const spectral_fit::Agreement& row) { return {std::pow(10.0, row.decade), std::pow(10.0, row.decade + 1)}; }
+Band decade_of(const spectral_fit::Agreement& row) {
+    return {std::pow(10.0, row.decade), std::pow(10.0, row.decade + 1)};
+}
 
-void add_curve(Table& table, const std::string& name, const std::string& unit, const Array1D& values, const Array1D& log_error) {
+void add_curve(Table& table, const std::string& name, const std::string& unit, const Array1D& values,
+               const Array1D& log_error) {
     const Array1D factor = (normal_quantile(0.5 * (1.0 + level)) * log_error).exp();
     table.columns.push_back({name, unit, values});
     table.columns.push_back({name + "_standard_error", unit, values * log_error});
@@ -68,24 +71,30 @@ tables::TidyTable decade_table(const study::StudyResult& result) {
 }
 
 tables::TidyTable agreement_table(const study::StudyResult& result) {
-    tables::TidyTable table{"", {"surface", "instrument", "decade_low [1/m]", "decade_high [1/m]", "measured/expected [1]", "standard_error [1]", "chi2", "groups", "probability"}, {}};
+    tables::TidyTable table{"",
+                            {"surface", "instrument", "decade_low [1/m]", "decade_high [1/m]", "measured/expected [1]",
+                             "standard_error [1]", "chi2", "groups", "probability"},
+                            {}};
     each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
         for (const auto& a : fitted.agreement) {
             const auto decade = decade_of(a);
-            table.rows.push_back({surface, a.instrument, decade.lower, decade.upper, a.ratio, a.standard_error, a.chi_squared, static_cast<double>(a.groups), a.probability});
+            table.rows.push_back({surface, a.instrument, decade.lower, decade.upper, a.ratio, a.standard_error,
+                                  a.chi_squared, static_cast<double>(a.groups), a.probability});
         }
     });
     return table;
 }
 
 tables::TidyTable tip_factor_table(const study::StudyResult& result) {
-    tables::TidyTable table{"", {"surface", "instrument", "group", "tip_radius [m]", "wavevector [1/m]", "tip factor [1]"}, {}};
+    tables::TidyTable table{
+        "", {"surface", "instrument", "group", "tip_radius [m]", "wavevector [1/m]", "tip factor [1]"}, {}};
     each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
         double group = 0.0;
         for (const auto& tip : fitted.tips) {
             ++group;
             for (Index k = 0; k < tip.wavevector.size(); ++k)
-                table.rows.push_back({surface, tip.instrument, group, tip.tip_radius, tip.wavevector[k], tip.transfer[k]});
+                table.rows.push_back(
+                    {surface, tip.instrument, group, tip.tip_radius, tip.wavevector[k], tip.transfer[k]});
         }
     });
     return table;
@@ -104,7 +113,9 @@ std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface, con
     if (surface.measurements.empty()) return found;
     for (std::size_t d = 0; d < spectrum.parameters.decade_C1D.size(); ++d) {
         if (!std::isfinite(spectrum.parameters.decade_C1D[d])) continue;
-        auto q = quantity("decade_mean_C1D", "C1D", spectrum.estimate([d](const roughness::SpectralParameters& p) { return p.decade_C1D[d]; }), "m3");
+        auto q =
+            quantity("decade_mean_C1D", "C1D",
+                     spectrum.estimate([d](const roughness::SpectralParameters& p) { return p.decade_C1D[d]; }), "m3");
         const int decade = roughness::first_decade + static_cast<int>(d);
         q.band = Band{std::pow(10.0, decade), std::pow(10.0, decade + 1)};
         q.source = "exp of the mean of ln C1D over ln q";
@@ -121,7 +132,8 @@ Json to_json(const study::FittedSpectrum& fitted) {
     for (const auto& row : fitted.agreement) json["agreement"].push_back(agreement_json(row));
     json["tip_factors"] = Json::array();
     for (const auto& tip : fitted.tips) json["tip_factors"].push_back(tip_json(tip));
-    for (const auto& column : fitted_spectrum_table(fitted).columns) json["spectrum"][column.name] = {{"values", numbers(column.values)}, {"unit", column.unit}};
+    for (const auto& column : fitted_spectrum_table(fitted).columns)
+        json["spectrum"][column.name] = {{"values", numbers(column.values)}, {"unit", column.unit}};
     json["spectrum"]["level"] = level;
     return json;
 }

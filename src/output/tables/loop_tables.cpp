@@ -23,10 +23,13 @@ struct Part {
 };
 
 std::vector<tables::TidyTable::Cell> beginning(const Part& part, const std::string& method) {
-    return {part.labels.file, part.labels.surface, part.labels.elastomer, part.labels.lens, part.labels.spot, part.contact, part.cycle, part.branch, method};
+    return {part.labels.file, part.labels.surface, part.labels.elastomer,
+            part.labels.lens, part.labels.spot,    part.contact,
+            part.cycle,       part.branch,         method};
 }
 
-void add_fit(tables::TidyTable& table, const Part& part, const BranchAnalysis& branch, const char* method, const Outcome<JkrFit>& fit) {
+void add_fit(tables::TidyTable& table, const Part& part, const BranchAnalysis& branch, const char* method,
+             const Outcome<JkrFit>& fit) {
     auto row = beginning(part, method);
     const auto add = [&row](const Estimate& estimate) {
         row.emplace_back(estimate.value);
@@ -37,7 +40,9 @@ void add_fit(tables::TidyTable& table, const Part& part, const BranchAnalysis& b
         add(fit->youngs_modulus);
         add(fit->work_of_adhesion);
         add(fit->contact_point);
-        for (const double value : {fit->correlation, fit->chi2_reduced, fit->runs.p_value, fit->relative_residual, fit->correlated_samples}) row.emplace_back(value);
+        for (const double value :
+             {fit->correlation, fit->chi2_reduced, fit->runs.p_value, fit->relative_residual, fit->correlated_samples})
+            row.emplace_back(value);
     } else {
         row.resize(table.columns.size() - 8, undefined);
     }
@@ -68,7 +73,8 @@ void add_branch(tables::TidyTable& table, const Part& part, const Outcome<Branch
 }
 
 std::vector<tables::TidyTable::Cell> energies_beginning(const LoopLabels& labels, std::size_t contact, double cycle) {
-    return {labels.file, labels.surface, labels.elastomer, labels.lens, labels.spot, static_cast<double>(contact), cycle};
+    return {labels.file, labels.surface, labels.elastomer, labels.lens, labels.spot, static_cast<double>(contact),
+            cycle};
 }
 
 /// Ends a row whose further numbers are not known.
@@ -80,7 +86,8 @@ void add_reason(tables::TidyTable& table, std::vector<tables::TidyTable::Cell> r
 
 /// The ledger of one touch: the first, which stands for the record, or a further one.
 template <class Contact>
-void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std::size_t number, const Contact& contact) {
+void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std::size_t number,
+                        const Contact& contact) {
     auto row = energies_beginning(labels, number, undefined);
     if (!contact.ledger) {
         add_reason(table, std::move(row), contact.ledger.reason);
@@ -92,11 +99,30 @@ void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std:
     const auto part = [](const std::optional<loops::WorkEntry>& entry) { return entry ? entry->energy : undefined; };
     const auto& loading = contact.loading.primary().work_of_adhesion;
     const Estimate unloading = contact.unloading ? contact.unloading->primary().work_of_adhesion : Estimate{undefined};
-    for (const double value : {estimate.value, estimate.standard_error, estimate.interval ? estimate.interval->lower : undefined, estimate.interval ? estimate.interval->upper : undefined,
-                               budget.noise, budget.drift, budget.compliance, budget.sampling, budget.discretisation,
-                               part(ledger.jump_in), ledger.approach.energy, ledger.retraction.energy, part(ledger.jump_out), ledger.ideal_fixed_grips, ledger.ideal_this_machine,
-                               ledger.largest_contact_area, ledger.largest_true_area(), ledger.loss_per_apparent_area, ledger.loss_per_true_area,
-                               loading.value, loading.standard_error, unloading.value, unloading.standard_error, contact.pull_off ? contact.pull_off->force.value : undefined})
+    for (const double value : {estimate.value,
+                               estimate.standard_error,
+                               estimate.interval ? estimate.interval->lower : undefined,
+                               estimate.interval ? estimate.interval->upper : undefined,
+                               budget.noise,
+                               budget.drift,
+                               budget.compliance,
+                               budget.sampling,
+                               budget.discretisation,
+                               part(ledger.jump_in),
+                               ledger.approach.energy,
+                               ledger.retraction.energy,
+                               part(ledger.jump_out),
+                               ledger.ideal_fixed_grips,
+                               ledger.ideal_this_machine,
+                               ledger.largest_contact_area,
+                               ledger.largest_true_area(),
+                               ledger.loss_per_apparent_area,
+                               ledger.loss_per_true_area,
+                               loading.value,
+                               loading.standard_error,
+                               unloading.value,
+                               unloading.standard_error,
+                               contact.pull_off ? contact.pull_off->force.value : undefined})
         row.emplace_back(value);
     add_reason(table, std::move(row), "");
 }
@@ -104,15 +130,42 @@ void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std:
 }  // namespace
 
 LoopLabels labels_stated_in(const Table& loop, const std::string& file) {
-    return {file, metadata(loop, "surface"), metadata(loop, "elastomer"), metadata(loop, "lens"), metadata(loop, "spot")};
+    return {file, metadata(loop, "surface"), metadata(loop, "elastomer"), metadata(loop, "lens"),
+            metadata(loop, "spot")};
 }
 
 tables::TidyTable fits_table() {
     return {"fits",
-            {"file", "surface", "elastomer", "lens", "spot", "contact", "cycle", "branch", "method",
-             "E_star [Pa]", "E_star_standard_error [Pa]", "E [Pa]", "E_standard_error [Pa]", "W [J/m2]", "W_standard_error [J/m2]",
-             "contact_point [m]", "contact_point_standard_error [m]", "correlation", "chi2_reduced", "runs_p_value", "relative_residual", "correlated_samples",
-             "n", "first_sample", "last_sample", "force_first [N]", "force_last [N]", "range", "primary", "reason"},
+            {"file",
+             "surface",
+             "elastomer",
+             "lens",
+             "spot",
+             "contact",
+             "cycle",
+             "branch",
+             "method",
+             "E_star [Pa]",
+             "E_star_standard_error [Pa]",
+             "E [Pa]",
+             "E_standard_error [Pa]",
+             "W [J/m2]",
+             "W_standard_error [J/m2]",
+             "contact_point [m]",
+             "contact_point_standard_error [m]",
+             "correlation",
+             "chi2_reduced",
+             "runs_p_value",
+             "relative_residual",
+             "correlated_samples",
+             "n",
+             "first_sample",
+             "last_sample",
+             "force_first [N]",
+             "force_last [N]",
+             "range",
+             "primary",
+             "reason"},
             {}};
 }
 
@@ -132,11 +185,38 @@ void add_fits(tables::TidyTable& table, const LoopLabels& labels, const loops::L
 
 tables::TidyTable energies_table() {
     return {"energies",
-            {"file", "surface", "elastomer", "lens", "spot", "contact", "cycle", "E_loss [J]", "E_loss_standard_error [J]", "E_loss_low [J]", "E_loss_high [J]",
-             "se_noise [J]", "se_drift [J]", "se_compliance [J]", "se_sampling [J]", "se_discretisation [J]",
-             "jump_in [J]", "approach [J]", "retraction [J]", "jump_out [J]", "ideal_fixed_grips [J]", "ideal_this_machine [J]",
-             "contact_area [m2]", "true_area [m2]", "E_loss_per_contact_area [J/m2]", "E_loss_per_true_area [J/m2]",
-             "W_loading [J/m2]", "W_loading_standard_error [J/m2]", "W_unloading [J/m2]", "W_unloading_standard_error [J/m2]", "F_pull_off [N]", "reason"},
+            {"file",
+             "surface",
+             "elastomer",
+             "lens",
+             "spot",
+             "contact",
+             "cycle",
+             "E_loss [J]",
+             "E_loss_standard_error [J]",
+             "E_loss_low [J]",
+             "E_loss_high [J]",
+             "se_noise [J]",
+             "se_drift [J]",
+             "se_compliance [J]",
+             "se_sampling [J]",
+             "se_discretisation [J]",
+             "jump_in [J]",
+             "approach [J]",
+             "retraction [J]",
+             "jump_out [J]",
+             "ideal_fixed_grips [J]",
+             "ideal_this_machine [J]",
+             "contact_area [m2]",
+             "true_area [m2]",
+             "E_loss_per_contact_area [J/m2]",
+             "E_loss_per_true_area [J/m2]",
+             "W_loading [J/m2]",
+             "W_loading_standard_error [J/m2]",
+             "W_unloading [J/m2]",
+             "W_unloading_standard_error [J/m2]",
+             "F_pull_off [N]",
+             "reason"},
             {}};
 }
 
@@ -150,7 +230,8 @@ void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loop
     if (analysis.cycles.size() < 2) return;
     for (std::size_t i = 0; i < analysis.cycles.size(); ++i) {
         const auto& cycle = analysis.cycles[i];
-        auto row = energies_beginning(labels, static_cast<std::size_t>(cycle.cycle.contact) + 1, static_cast<double>(i + 1));
+        auto row =
+            energies_beginning(labels, static_cast<std::size_t>(cycle.cycle.contact) + 1, static_cast<double>(i + 1));
         if (cycle.energy) {
             row.emplace_back(*cycle.energy);
             row.emplace_back(cycle.energy_standard_error);

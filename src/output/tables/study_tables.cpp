@@ -15,7 +15,8 @@ namespace {
 
 double value_of(const std::optional<Estimate>& value) { return value ? value->value : undefined; }
 
-const study::ReportedValue* reported(const study::StudyResult& result, const std::string& fit, const std::string& quantity) {
+const study::ReportedValue* reported(const study::StudyResult& result, const std::string& fit,
+                                     const std::string& quantity) {
     for (const auto& r : result.study.reported)
         if (r.fit == fit && r.quantity == quantity) return &r;
     return nullptr;
@@ -24,15 +25,18 @@ const study::ReportedValue* reported(const study::StudyResult& result, const std
 /// Rows of the fit table.
 class FitRows {
 public:
-    FitRows(tables::TidyTable& table, const study::StudyResult& result) : table_(table), result_(result), method_(method_name(result)) {}
+    FitRows(tables::TidyTable& table, const study::StudyResult& result)
+        : table_(table), result_(result), method_(method_name(result)) {}
 
-    void add(const std::string& fit, const std::string& variant, const Estimate& work, double r_squared, double chi_squared, double extra_scatter, int n) {
+    void add(const std::string& fit, const std::string& variant, const Estimate& work, double r_squared,
+             double chi_squared, double extra_scatter, int n) {
         const auto* work_reported = variant.empty() ? reported(result_, fit, "work_of_adhesion") : nullptr;
         const auto* r_reported = variant.empty() ? reported(result_, fit, "r_squared") : nullptr;
         Cells row;
         add_cells(row, fit, variant, method_, work.value);
         append(row, uncertainty_cells(work));
-        add_cells(row, r_squared, chi_squared, extra_scatter, static_cast<double>(n), work_reported ? work_reported->value.value : undefined,
+        add_cells(row, r_squared, chi_squared, extra_scatter, static_cast<double>(n),
+                  work_reported ? work_reported->value.value : undefined,
                   work_reported && work_reported->value.uncertain() ? work_reported->value.standard_error : undefined,
                   r_reported ? r_reported->value.value : undefined);
         table_.rows.push_back(std::move(row));
@@ -75,7 +79,8 @@ std::vector<const study::StudyResult*> by_method(const study::StudyResult& resul
 
 std::string method_name(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces)
-        if (!surface.failed() && surface.method == study::SpectrumMethod::likelihood) return method_name(surface, surface.method);
+        if (!surface.failed() && surface.method == study::SpectrumMethod::likelihood)
+            return method_name(surface, surface.method);
     for (const auto& surface : result.surfaces)
         if (!surface.failed()) return method_name(surface, surface.method);
     return "";
@@ -83,16 +88,19 @@ std::string method_name(const study::StudyResult& result) {
 
 std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
     const std::string of = name.empty() ? "" : " " + name, in = unit.empty() ? "" : " [" + unit + "]";
-    return {"standard_error" + of + in, "interval_low" + of + in, "interval_high" + of + in, "level" + of, "interval_method" + of, "seed" + of};
+    return {"standard_error" + of + in, "interval_low" + of + in,
+            "interval_high" + of + in,  "level" + of,
+            "interval_method" + of,     "seed" + of};
 }
 
 Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
     const auto interval = estimate ? interval_of(*estimate) : std::nullopt;
     const bool uncertain = estimate && estimate->uncertain(), known = uncertain || interval;
     Cells cells;
-    add_cells(cells, uncertain ? estimate->standard_error : undefined, interval ? interval->lower : undefined, interval ? interval->upper : undefined,
-        interval ? interval->level : undefined, known ? estimate->method : std::string(),
-        known && estimate->seed ? std::to_string(*estimate->seed) : std::string());
+    add_cells(cells, uncertain ? estimate->standard_error : undefined, interval ? interval->lower : undefined,
+              interval ? interval->upper : undefined, interval ? interval->level : undefined,
+              known ? estimate->method : std::string(),
+              known && estimate->seed ? std::to_string(*estimate->seed) : std::string());
     return cells;
 }
 
@@ -107,7 +115,8 @@ tables::TidyTable surface_table(const study::StudyResult& result) {
                 Cells row;
                 add_cells(row, surface.name, method, q.quantity, q.symbol, q.estimate.value);
                 append(row, uncertainty_cells(q.estimate));
-                add_cells(row, q.unit, q.band->lower, q.band->upper, q.n ? static_cast<double>(*q.n) : undefined, q.source);
+                add_cells(row, q.unit, q.band->lower, q.band->upper, q.n ? static_cast<double>(*q.n) : undefined,
+                          q.source);
                 table.rows.push_back(std::move(row));
             }
     }
@@ -134,10 +143,12 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
             Cells row;
             add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
             append(row, uncertainty_cells(p.approach));
-            add_cells(row, predicted ? p.modified->work.floored : undefined, predicted ? p.modified->work.raw : undefined);
+            add_cells(row, predicted ? p.modified->work.floored : undefined,
+                      predicted ? p.modified->work.raw : undefined);
             append(row, uncertainty_cells(predicted ? std::optional(p.modified->estimate) : std::nullopt));
-            add_cells(row, predicted ? p.persson_tosatti->work.floored : undefined, predicted ? p.without_area_change->work.floored : undefined,
-                         predicted ? p.area_ratio : undefined, predicted ? p.stored_energy.value : undefined);
+            add_cells(row, predicted ? p.persson_tosatti->work.floored : undefined,
+                      predicted ? p.without_area_change->work.floored : undefined, predicted ? p.area_ratio : undefined,
+                      predicted ? p.stored_energy.value : undefined);
             append(row, uncertainty_cells(predicted ? std::optional(p.stored_energy) : std::nullopt));
             add_cells(row, value_of(p.pull_off), value_of(p.retraction), value_of(p.loss));
             append(row, uncertainty_cells(p.loss));
@@ -152,20 +163,24 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
 tables::TidyTable fit_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"fit", "variant", "method", "W_int [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("", "J/m2"));
-    append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]", "reported standard_error [J/m2]", "reported R2"});
+    append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
+                           "reported standard_error [J/m2]", "reported R2"});
     for (const auto* study : by_method(result)) {
         FitRows rows(table, *study);
         if (study->modified) rows.add("modified", *study->modified);
         if (study->persson_tosatti) rows.add("persson_tosatti", *study->persson_tosatti);
         if (study->without_area_change) rows.add("without_area_change", *study->without_area_change);
         if (study->free_energies)
-            rows.add("modified", "stored energy free for each surface", Estimate{.value = study->free_energies->work_of_adhesion}, study->free_energies->r_squared,
+            rows.add("modified", "stored energy free for each surface",
+                     Estimate{.value = study->free_energies->work_of_adhesion}, study->free_energies->r_squared,
                      undefined, undefined, study->modified->n);
         if (study->loop) {
             rows.add("loop", study->loop->through_origin);
             rows.add("loop", study->loop->with_intercept, "with intercept");
-            if (const auto& reduced = study->loop->through_origin_without_ideal_loss) rows.add("loop", *reduced, "without the smooth sphere's loss");
-            rows.add("loop", study->loop->with_intercept_without_ideal_loss, "without the smooth sphere's loss, with intercept");
+            if (const auto& reduced = study->loop->through_origin_without_ideal_loss)
+                rows.add("loop", *reduced, "without the smooth sphere's loss");
+            rows.add("loop", study->loop->with_intercept_without_ideal_loss,
+                     "without the smooth sphere's loss, with intercept");
         }
     }
     return table;
@@ -173,15 +188,17 @@ tables::TidyTable fit_table(const study::StudyResult& result) {
 
 tables::TidyTable measurement_table(const study::StudyResult& result) {
     tables::TidyTable table{"",
-                    {"surface", "file", "name", "instrument", "trend", "window", "band_low [1/m]", "band_high [1/m]", "rms_height [m]", "rms_slope [1]",
-                     "rms_curvature [1/m]", "error"},
-                    {}};
+                            {"surface", "file", "name", "instrument", "trend", "window", "band_low [1/m]",
+                             "band_high [1/m]", "rms_height [m]", "rms_slope [1]", "rms_curvature [1/m]", "error"},
+                            {}};
     for (const auto& surface : result.surfaces)
         for (const auto& m : surface.measurements) {
             const bool fine = !m.failed();
-            table.rows.push_back({surface.name, m.file, m.name, m.spectrum.metadata.instrument.type, fine ? topography::name(m.trend) : "", m.spectrum.window,
-                                  fine ? m.spectrum.q_min : undefined, fine ? m.spectrum.q_max : undefined, fine ? m.real_space.rms_height : undefined,
-                                  fine ? m.real_space.rms_slope : undefined, fine ? m.real_space.rms_curvature : undefined, m.error});
+            table.rows.push_back({surface.name, m.file, m.name, m.spectrum.metadata.instrument.type,
+                                  fine ? topography::name(m.trend) : "", m.spectrum.window,
+                                  fine ? m.spectrum.q_min : undefined, fine ? m.spectrum.q_max : undefined,
+                                  fine ? m.real_space.rms_height : undefined, fine ? m.real_space.rms_slope : undefined,
+                                  fine ? m.real_space.rms_curvature : undefined, m.error});
         }
     return table;
 }
@@ -200,13 +217,17 @@ tables::TidyTable alert_table(const study::StudyResult& result) {
 }
 
 tables::TidyTable cumulative_table(const study::StudyResult& result) {
-    tables::TidyTable table{"", {"surface", "method", "wavevector [1/m]", "rms_height below [m]", "rms_slope below [1]", "rms_curvature below [1/m]", "U_el/(A E*) below [m]"}, {}};
+    tables::TidyTable table{"",
+                            {"surface", "method", "wavevector [1/m]", "rms_height below [m]", "rms_slope below [1]",
+                             "rms_curvature below [1/m]", "U_el/(A E*) below [m]"},
+                            {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
         for (const auto& [method, spectrum] : study::spectra_of(surface)) {
             const auto c = roughness::cumulative_parameters(spectrum->curve);
             for (Index i = 0; i < c.wavevector.size(); ++i)
-                table.rows.push_back({surface.name, method, c.wavevector[i], c.rms_height[i], c.rms_slope[i], c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
+                table.rows.push_back({surface.name, method, c.wavevector[i], c.rms_height[i], c.rms_slope[i],
+                                      c.rms_curvature[i], c.elastic_energy_per_modulus[i]});
         }
     }
     return table;
@@ -252,7 +273,9 @@ tables::TidyTable cutoff_table(const study::StudyResult& result) {
 namespace {
 
 /// Tables of single elastomers under each other, the elastomer in front.
-tables::TidyTable of_all_elastomers(const study::StudyResult& result, const std::function<std::optional<tables::TidyTable>(const study::ElastomerReplicates&)>& table_of) {
+tables::TidyTable of_all_elastomers(
+    const study::StudyResult& result,
+    const std::function<std::optional<tables::TidyTable>(const study::ElastomerReplicates&)>& table_of) {
     tables::TidyTable all;
     for (const auto& replicates : result.replicates) {
         const auto table = table_of(replicates);
@@ -273,26 +296,36 @@ tables::TidyTable of_all_elastomers(const study::StudyResult& result, const std:
 }  // namespace
 
 tables::TidyTable replicate_table(const study::StudyResult& result) {
-    return of_all_elastomers(result, [](const study::ElastomerReplicates& r) { return std::optional(replicate_table(r.data)); });
+    return of_all_elastomers(
+        result, [](const study::ElastomerReplicates& r) { return std::optional(replicate_table(r.data)); });
 }
 
 tables::TidyTable replicate_mean_table(const study::StudyResult& result) {
-    return of_all_elastomers(result, [](const study::ElastomerReplicates& r) { return r.model ? std::optional(replicate_mean_table(r.data, *r.model)) : std::nullopt; });
+    return of_all_elastomers(result, [](const study::ElastomerReplicates& r) {
+        return r.model ? std::optional(replicate_mean_table(r.data, *r.model)) : std::nullopt;
+    });
 }
 
 tables::TidyTable prediction_test_table(const study::StudyResult& result) {
-    tables::TidyTable table{"", {"surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]", "W_app (7) [J/m2]", "standard_error (7) [J/m2]",
-                         "residual [J/m2]", "standard_error residual [J/m2]", "residual [standard errors]", "chi2", "degrees_of_freedom", "probability",
-                         "extra_scatter [J/m2]", "chi2 with scatter", "probability with scatter"}, {}};
+    tables::TidyTable table{
+        "",
+        {"surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]",
+         "W_app (7) [J/m2]", "standard_error (7) [J/m2]", "residual [J/m2]", "standard_error residual [J/m2]",
+         "residual [standard errors]", "chi2", "degrees_of_freedom", "probability", "extra_scatter [J/m2]",
+         "chi2 with scatter", "probability with scatter"},
+        {}};
     for (const auto* study : by_method(result)) {
         if (!study->prediction_test) continue;
         const auto& test = *study->prediction_test;
         for (const auto& p : test.pairs)
-            table.rows.push_back({p.surface, p.elastomer, method_name(*study), p.measured.value, p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
-                                  p.standard_error, p.standardised(), undefined, undefined, undefined, undefined, undefined, undefined});
+            table.rows.push_back({p.surface, p.elastomer, method_name(*study), p.measured.value,
+                                  p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
+                                  p.standard_error, p.standardised(), undefined, undefined, undefined, undefined,
+                                  undefined, undefined});
         Cells row{std::string("all"), std::string("all"), method_name(*study)};
         for (int i = 0; i < 7; ++i) row.emplace_back(undefined);
-        add_cells(row, test.chi_squared, static_cast<double>(test.degrees_of_freedom), test.probability, test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
+        add_cells(row, test.chi_squared, static_cast<double>(test.degrees_of_freedom), test.probability,
+                  test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
         table.rows.push_back(std::move(row));
     }
     return table;

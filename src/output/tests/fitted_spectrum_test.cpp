@@ -12,10 +12,10 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/estimate.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::output {
 namespace {
@@ -38,7 +38,9 @@ protected:
         return input;
     }
 
-    study::SurfaceInput surface(const std::string& name, std::vector<study::MeasurementInput> measurements) { return {name, "", std::move(measurements), {}, {}}; }
+    study::SurfaceInput surface(const std::string& name, std::vector<study::MeasurementInput> measurements) {
+        return {name, "", std::move(measurements), {}, {}};
+    }
 
     study::Study study() {
         study::Study study;
@@ -46,7 +48,8 @@ protected:
         study.counter_youngs_modulus = 1e12;
         study.work_of_adhesion = Estimate{.value = 0.04};
         study.analysis.cutoff_scan = {};
-        study.surfaces = {surface("two", {walk(1), walk(2)}), surface("three", {walk(3), walk(4), walk(5, 400, 0.02e-6)}), surface("one", {walk(6)})};
+        study.surfaces = {surface("two", {walk(1), walk(2)}),
+                          surface("three", {walk(3), walk(4), walk(5, 400, 0.02e-6)}), surface("one", {walk(6)})};
         study::ElastomerInput soft;
         soft.name = "soft";
         soft.youngs_modulus.value = 1e6;
@@ -62,11 +65,13 @@ protected:
         return study;
     }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_fitted_" + std::to_string(::getpid()));
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("setae_fitted_" + std::to_string(::getpid()));
 };
 
 bool has_alert(const study::SurfaceResult& surface, const std::string& code) {
-    return std::any_of(surface.alerts.begin(), surface.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+    return std::any_of(surface.alerts.begin(), surface.alerts.end(),
+                       [&](const Alert& alert) { return alert.code == code; });
 }
 
 TEST_F(FittedSpectrum, IsUsedOfSeveralMeasurements) {
@@ -84,8 +89,12 @@ TEST_F(FittedSpectrum, IsNotUsedOfOneMeasurementUnlessAskedFor) {
     EXPECT_EQ(alone.method, study::SpectrumMethod::average);
     EXPECT_FALSE(alone.fitted);
     EXPECT_FALSE(has_alert(alone, "LIKELIHOOD_FAILED"));
-    EXPECT_EQ(study::analyse_surface(surface("one", {walk(6)}), {.spectrum = study::SpectrumMethod::likelihood}, {1}).method, study::SpectrumMethod::likelihood);
-    EXPECT_FALSE(study::analyse_surface(surface("two", {walk(1), walk(2)}), {.spectrum = study::SpectrumMethod::average}, {1}).likelihood);
+    EXPECT_EQ(
+        study::analyse_surface(surface("one", {walk(6)}), {.spectrum = study::SpectrumMethod::likelihood}, {1}).method,
+        study::SpectrumMethod::likelihood);
+    EXPECT_FALSE(
+        study::analyse_surface(surface("two", {walk(1), walk(2)}), {.spectrum = study::SpectrumMethod::average}, {1})
+            .likelihood);
 }
 
 TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
@@ -98,7 +107,8 @@ TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
 
 // Increments of variance s² a step Δ: C1D = s²/(Δ q²) up to the turn of sampling; here over the decade 2e5 … 2e6 1/m.
 TEST_F(FittedSpectrum, HoldsTheSpectrumOfRandomWalks) {
-    const auto result = study::analyse_surface(surface("six", {walk(1), walk(2), walk(3), walk(4), walk(5), walk(6)}), {}, {1});
+    const auto result =
+        study::analyse_surface(surface("six", {walk(1), walk(2), walk(3), walk(4), walk(5), walk(6)}), {}, {1});
     ASSERT_TRUE(result.fitted);
     const auto& f = *result.fitted;
     double deviation = 0.0, error = 0.0;
@@ -144,10 +154,12 @@ TEST_F(FittedSpectrum, StandsBesideTheAverageInEveryTable) {
     const auto rows = [](const tables::TidyTable& table, const std::string& surface, const std::string& method) {
         const auto column = std::find(table.columns.begin(), table.columns.end(), "method") - table.columns.begin();
         return std::count_if(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-            return std::get<std::string>(row[0]) == surface && std::get<std::string>(row[static_cast<std::size_t>(column)]) == method;
+            return std::get<std::string>(row[0]) == surface &&
+                   std::get<std::string>(row[static_cast<std::size_t>(column)]) == method;
         });
     };
-    for (const auto& table : {surface_table(result), pair_table(result), cumulative_table(result), decade_table(result)}) {
+    for (const auto& table :
+         {surface_table(result), pair_table(result), cumulative_table(result), decade_table(result)}) {
         EXPECT_GT(rows(table, "two", "likelihood"), 0);
         EXPECT_GT(rows(table, "two", "average"), 0);
         EXPECT_EQ(rows(table, "one", "likelihood"), 0);
@@ -155,7 +167,9 @@ TEST_F(FittedSpectrum, StandsBesideTheAverageInEveryTable) {
     }
     EXPECT_EQ(rows(pair_table(result), "one", "average"), 1) << "once, not once by each method";
     const auto fits = fit_table(result);
-    EXPECT_GT(std::count_if(fits.rows.begin(), fits.rows.end(), [](const auto& row) { return std::get<std::string>(row[2]) == "average"; }), 0);
+    EXPECT_GT(std::count_if(fits.rows.begin(), fits.rows.end(),
+                            [](const auto& row) { return std::get<std::string>(row[2]) == "average"; }),
+              0);
     const auto text = summary(result);
     EXPECT_NE(text.find("Instruments agree with the fitted spectra."), std::string::npos);
     EXPECT_NE(text.find("likelihood"), std::string::npos);
@@ -177,16 +191,19 @@ TEST_F(FittedSpectrum, SaysHowWellInstrumentsAgree) {
     const auto& likelihood = json["surfaces"]["three"]["likelihood"];
     EXPECT_EQ(likelihood["agreement"].size(), result.surface("three").fitted->agreement.size());
     EXPECT_EQ(likelihood["spectrum"]["C1D"]["unit"], "m3");
-    EXPECT_EQ(likelihood["spectrum"]["C1D_high"]["values"].size(), likelihood["spectrum"]["wavevector"]["values"].size());
+    EXPECT_EQ(likelihood["spectrum"]["C1D_high"]["values"].size(),
+              likelihood["spectrum"]["wavevector"]["values"].size());
     EXPECT_FALSE(json["surfaces"]["one"].contains("likelihood"));
-    for (const char* key : {"fits", "pairs", "cutoff_scan", "work_of_adhesion"}) EXPECT_TRUE(json["by_average"].contains(key)) << key;
+    for (const char* key : {"fits", "pairs", "cutoff_scan", "work_of_adhesion"})
+        EXPECT_TRUE(json["by_average"].contains(key)) << key;
 }
 
 TEST_F(FittedSpectrum, BandsHoldTheCurveAtNinetyFivePercent) {
     const auto result = study::analyse_surface(surface("two", {walk(1), walk(2)}), {}, {1});
     const auto table = fitted_spectrum_table(*result.fitted);
     for (const std::string name : {"C_iso", "C1D"}) {
-        const auto &value = table.at(name), &error = table.at(name + "_standard_error"), &low = table.at(name + "_low"), &high = table.at(name + "_high");
+        const auto &value = table.at(name), &error = table.at(name + "_standard_error"), &low = table.at(name + "_low"),
+                   &high = table.at(name + "_high");
         EXPECT_LT((low * high / value.square() - 1.0).abs().maxCoeff(), 1e-12);
         EXPECT_LT(((high / low).log() / (2.0 * 1.959963985 * error / value) - 1.0).abs().maxCoeff(), 1e-9);
     }

@@ -18,7 +18,8 @@ topography::HeightMap with_round_hole(Index n, double radius) {
     const double middle = 0.5 * static_cast<double>(n);
     for (Index i = 0; i < n; ++i)
         for (Index j = 0; j < n; ++j)
-            if (std::hypot(static_cast<double>(i) - middle, static_cast<double>(j) - middle) < radius) map.heights(i, j) = undefined_height;
+            if (std::hypot(static_cast<double>(i) - middle, static_cast<double>(j) - middle) < radius)
+                map.heights(i, j) = undefined_height;
     return map;
 }
 
@@ -28,7 +29,10 @@ topography::HeightMap with_small_holes(Index n) {
     const Index side = n / 22;
     for (Index k = 0; k < side; ++k)
         for (Index m = 0; m < side && k * side + m < 2000 * n * n / (1024 * 1024); ++m)
-            map.heights.block(22 * k + static_cast<Index>(generator() % 17), 22 * m + static_cast<Index>(generator() % 17), 4, 4).setConstant(undefined_height);
+            map.heights
+                .block(22 * k + static_cast<Index>(generator() % 17), 22 * m + static_cast<Index>(generator() % 17), 4,
+                       4)
+                .setConstant(undefined_height);
     return map;
 }
 
@@ -55,7 +59,14 @@ void small_holes(benchmark::State& state) {
 }
 
 BENCHMARK(copy_1024)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(one_hole)->Arg(512)->Arg(1024)->Arg(2048)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime()->Complexity(benchmark::oN);
+BENCHMARK(one_hole)
+    ->Arg(512)
+    ->Arg(1024)
+    ->Arg(2048)
+    ->Arg(4096)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
 BENCHMARK(small_holes)->Args({1024, 1})->Args({1024, 2})->Args({4096, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -17,7 +17,9 @@ topography::HeightMap map_of(Index n) {
     std::normal_distribution<double> normal(0.0, 1e-9);
     topography::HeightMap map{Array2D(n, n), {1e-5, 1e-5}};
     for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j) map.heights(i, j) = 1e-8 * std::sin(0.01 * static_cast<double>(i + 2 * j)) + 1e-10 * static_cast<double>(i) + normal(engine);
+        for (Index j = 0; j < n; ++j)
+            map.heights(i, j) = 1e-8 * std::sin(0.01 * static_cast<double>(i + 2 * j)) +
+                                1e-10 * static_cast<double>(i) + normal(engine);
     return map;
 }
 
@@ -44,7 +46,9 @@ void step(benchmark::State& state, const S& parameters, int threads) {
 }
 
 template <class S>
-void with_defaults(benchmark::State& state) { step(state, S{}, 1); }
+void with_defaults(benchmark::State& state) {
+    step(state, S{}, 1);
+}
 BENCHMARK(with_defaults<LevelPlane>)->Name("level_plane")->Arg(2048)->Arg(4096)->Unit(benchmark::kMillisecond);
 BENCHMARK(with_defaults<LevelPolynomial>)->Name("level_polynomial_2")->Arg(2048)->Unit(benchmark::kMillisecond);
 BENCHMARK(with_defaults<LevelLines>)->Name("level_lines")->Arg(2048)->Unit(benchmark::kMillisecond);

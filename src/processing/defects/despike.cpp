@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "order_statistic.hpp"
+#include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -41,9 +41,10 @@ struct Tilt {
     double down = 0.0, along = 0.0;
 };
 
-/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN where there is none. Points that `left_out` marks do not
-/// count, and with `symmetric` nor do those that lie opposite to them.
-double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j, const Mask* left_out, bool symmetric) {
+/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN where there is none. Points
+/// that `left_out` marks do not count, and with `symmetric` nor do those that lie opposite to them.
+double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j,
+                    const Mask* left_out, bool symmetric) {
     std::array<double, (2 * largest_reach + 1) * (2 * largest_reach + 1)> values;
     Index n = 0;
     const double here = field.at(i, j);
@@ -52,7 +53,8 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
         for (Index b = j - reach_j; b <= j + reach_j; ++b) {
             const double rise = field.at(a, b) - here;
             if (rise != rise || (a == i && b == j) || out(a, b) || (symmetric && out(2 * i - a, 2 * j - b))) continue;
-            values[static_cast<std::size_t>(n++)] = rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along;
+            values[static_cast<std::size_t>(n++)] =
+                rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along;
         }
     return n > 0 ? median_in_place(values.data(), n) : undefined;
 }
@@ -62,7 +64,9 @@ Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads
     const auto median = [&](Index down, Index along) {
         for_each_row(field.rows, field.columns, threads, [&](Index i) {
             for (Index j = 0; j < field.columns; ++j)
-                scratch(i, j) = i + down < field.rows && j + along < field.columns ? field.at(i + down, j + along) - field.at(i, j) : undefined;
+                scratch(i, j) = i + down < field.rows && j + along < field.columns
+                                    ? field.at(i + down, j + along) - field.at(i, j)
+                                    : undefined;
         });
         const OrderStatistics differences(scratch.data(), scratch.size(), false);
         return differences.defined() > 0 ? differences.quantile(0.5) : 0.0;
@@ -74,11 +78,13 @@ Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads
 void find_differences(const Field& field, const Tilt& tilt, Index reach, parallel::Threads threads, Array2D& r) {
     for_each_row(field.rows, field.columns * (2 * reach + 1), threads, [&](Index i) {
         const Index reach_i = narrowed(reach, i, field.rows);
-        for (Index j = 0; j < field.columns; ++j) r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
+        for (Index j = 0; j < field.columns; ++j)
+            r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
     });
 }
 
-/// Whether a third of the points around (i, j) lie at its own height, to within `width`: the edge of a step, the corner of an island.
+/// Whether a third of the points around (i, j) lie at its own height, to within `width`: the edge of a step, the corner
+/// of an island.
 bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index reach, double width) {
     const Index reach_i = narrowed(reach, i, field.rows), reach_j = narrowed(reach, j, field.columns);
     Index around = 0, level = 0;
@@ -87,25 +93,30 @@ bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index r
             const double rise = field.at(a, b) - field.at(i, j);
             if (rise != rise || (a == i && b == j)) continue;
             ++around;
-            level += std::fabs(rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along) <= width;
+            level += std::fabs(rise - static_cast<double>(a - i) * tilt.down -
+                               static_cast<double>(b - j) * tilt.along) <= width;
         }
     return 3 * level >= around;
 }
 
-/// Marks the points with |r| > threshold, the largest first: a point counts only if it stands out of those around it that are no spikes
-/// (and of none that lies opposite to one: the median on a slope stays).
+/// Marks the points with |r| > threshold, the largest first: a point counts only if it stands out of those around it
+/// that are no spikes (and of none that lies opposite to one: the median on a slope stays).
 void mark_spikes(const Field& field, const Tilt& tilt, const Array2D& r, Index reach, Spikes& spikes) {
     // where surroundings agree to the last bit, what differs by rounding alone is no spike
     constexpr double rounding = 1e-14;
-    const auto stands_out = [&](double difference, Index k) { return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(field.heights[k])); };
+    const auto stands_out = [&](double difference, Index k) {
+        return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(field.heights[k]));
+    };
     std::vector<Index> candidates;
     for (Index k = 0; k < r.size(); ++k)
         if (stands_out(r.data()[k], k)) candidates.push_back(k);
-    std::stable_sort(candidates.begin(), candidates.end(), [&](Index a, Index b) { return std::fabs(r.data()[a]) > std::fabs(r.data()[b]); });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](Index a, Index b) { return std::fabs(r.data()[a]) > std::fabs(r.data()[b]); });
     for (const Index k : candidates) {
         const Index i = k / field.columns, j = k % field.columns;
         if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(r.data()[k]))) continue;
-        const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes.mask, true);
+        const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows),
+                                           narrowed(reach, j, field.columns), &spikes.mask, true);
         if (median == median && !stands_out(median, k)) continue;
         spikes.mask.data()[k] = 1;
         ++spikes.count;
@@ -117,20 +128,26 @@ double robust_deviation(const Array2D& r) {
     const OrderStatistics statistics(r.data(), r.size(), true);
     if (statistics.defined() == 0) return 0.0;
     for (const double probability : {0.5, 0.9, 0.99})
-        if (const double quantile = statistics.quantile(probability); quantile > 0.0) return quantile / normal_quantile(0.5 + 0.5 * probability);
+        if (const double quantile = statistics.quantile(probability); quantile > 0.0)
+            return quantile / normal_quantile(0.5 + 0.5 * probability);
     return 0.0;
 }
 
 void require_domain(double threshold, Index reach) {
-    if (!(threshold > 0.0) || !std::isfinite(threshold)) throw InvalidArgument(fmt::format("threshold of spikes {}; expected a number > 0, such as 6", threshold));
-    if (reach < 1 || reach > largest_reach) throw InvalidArgument(fmt::format("reach of the local median {}; expected 1 … {} points", reach, largest_reach));
+    if (!(threshold > 0.0) || !std::isfinite(threshold))
+        throw InvalidArgument(fmt::format("threshold of spikes {}; expected a number > 0, such as 6", threshold));
+    if (reach < 1 || reach > largest_reach)
+        throw InvalidArgument(
+            fmt::format("reach of the local median {}; expected 1 … {} points", reach, largest_reach));
 }
 
-Spikes spikes_of(const Field& field, const SpikeOptions& options, const topography::Metadata& metadata, parallel::Threads threads) {
+Spikes spikes_of(const Field& field, const SpikeOptions& options, const topography::Metadata& metadata,
+                 parallel::Threads threads) {
     require_domain(options.threshold, options.reach);
     const Index points = field.rows * field.columns;
     if (!std::any_of(field.heights, field.heights + points, [](double h) { return h == h; }))
-        throw UndefinedDataError(fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
+        throw UndefinedDataError(
+            fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
     Array2D r(field.rows, field.columns);
     const auto tilt = median_tilt(field, r, threads);
     find_differences(field, tilt, options.reach, threads, r);
@@ -148,7 +165,8 @@ Field field_of(const LineScan& scan) { return {scan.heights.data(), 1, scan.heig
 /// Median of the points around a spike that are none, from as far as it takes to find some.
 double replacement(const Field& field, Index i, Index j, Index reach, const Mask& spikes) {
     for (; reach <= largest_reach; ++reach) {
-        const double rise = local_median(field, {}, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns), &spikes, false);
+        const double rise = local_median(field, {}, i, j, narrowed(reach, i, field.rows),
+                                         narrowed(reach, j, field.columns), &spikes, false);
         if (rise == rise) return field.at(i, j) + rise;
     }
     return undefined;
@@ -161,7 +179,10 @@ void take_out(const Despike& step, const Spikes& spikes, Uniform& uniform) {
     std::vector<std::pair<Index, double>> changes;
     for (Index k = 0; k < spikes.mask.size(); ++k)
         if (spikes.mask.data()[k])
-            changes.emplace_back(k, step.replace_by == SpikeReplacement::undefined ? undefined : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
+            changes.emplace_back(
+                k, step.replace_by == SpikeReplacement::undefined
+                       ? undefined
+                       : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
     for (const auto& [k, height] : changes) uniform.heights.data()[k] = height;
 }
 
@@ -173,7 +194,9 @@ Spikes as_line(Spikes spikes) {
 
 }  // namespace
 
-Spikes find_spikes(const HeightMap& map, const SpikeOptions& options, parallel::Threads threads) { return spikes_of(field_of(map), options, map.metadata, threads); }
+Spikes find_spikes(const HeightMap& map, const SpikeOptions& options, parallel::Threads threads) {
+    return spikes_of(field_of(map), options, map.metadata, threads);
+}
 
 Spikes find_spikes(const LineScan& scan, const SpikeOptions& options, parallel::Threads threads) {
     return as_line(spikes_of(field_of(scan), options, scan.metadata, threads));
@@ -181,18 +204,24 @@ Spikes find_spikes(const LineScan& scan, const SpikeOptions& options, parallel::
 
 Processed apply(const Despike& step, topography::Measurement measurement, parallel::Threads threads) {
     if (std::holds_alternative<topography::Profile>(measurement))
-        throw InvalidArgument(fmt::format("despike: {} is a polyline, whose points have no equal steps; resample it first", topography::label(topography::metadata(measurement))));
+        throw InvalidArgument(
+            fmt::format("despike: {} is a polyline, whose points have no equal steps; resample it first",
+                        topography::label(topography::metadata(measurement))));
     StepRecord record{std::string(step_name(step)), {}, {}};
     const auto before = rms_height(measurement, threads);
     const auto treat = [&](auto& uniform) {
         const auto spikes = find_spikes(uniform, {step.threshold, step.reach}, threads);
         take_out(step, spikes, uniform);
-        record.numbers = {recorded_count("spikes", spikes.count), recorded("spike_threshold", "t", spikes.threshold, "m"), recorded("robust_deviation", "s", spikes.deviation, "m")};
+        record.numbers = {recorded_count("spikes", spikes.count),
+                          recorded("spike_threshold", "t", spikes.threshold, "m"),
+                          recorded("robust_deviation", "s", spikes.deviation, "m")};
     };
     if (auto* map = std::get_if<HeightMap>(&measurement)) treat(*map);
     else treat(std::get<LineScan>(measurement));
-    for (const auto& [when, rms] : {std::pair{"_before", before}, std::pair{"_after", rms_height(measurement, threads)}})
-        if (rms) record.numbers.push_back(recorded("rms_height" + std::string(when), rms->symbol, rms->estimate.value, "m"));
+    for (const auto& [when, rms] :
+         {std::pair{"_before", before}, std::pair{"_after", rms_height(measurement, threads)}})
+        if (rms)
+            record.numbers.push_back(recorded("rms_height" + std::string(when), rms->symbol, rms->estimate.value, "m"));
     return {std::move(measurement), std::move(record)};
 }
 

@@ -63,13 +63,14 @@ void fill_patch(const Patch& patch, Array2D& heights, bool periodic, const Coupl
     const std::array<Index, 2> shape{heights.rows(), heights.cols()};
     const PatchGraph graph = patch_graph(patch, shape, periodic);
     const PatchBoundary boundary = patch_boundary(graph, heights, periodic, couplings);
-    const Array1D values = boundary.range == 0.0              ? Array1D(Array1D::Zero(graph.points))
+    const Array1D values = boundary.range == 0.0            ? Array1D(Array1D::Zero(graph.points))
                            : graph.bandwidth <= widest_band ? solve_by_band(graph, boundary, couplings)
                                                             : solve_by_multigrid(graph, boundary, couplings);
     for (std::size_t r = 0; r < graph.runs.size(); ++r) {
         const Index i = (graph.runs[r].i + graph.box.origin[0]) % shape[0];
         for (Index k = 0; k < graph.runs[r].count; ++k)
-            heights(i, (graph.runs[r].first + k + graph.box.origin[1]) % shape[1]) = boundary.centre + values[graph.run_first[r] + k];
+            heights(i, (graph.runs[r].first + k + graph.box.origin[1]) % shape[1]) =
+                boundary.centre + values[graph.run_first[r] + k];
     }
 }
 
@@ -79,7 +80,8 @@ struct Filling {
 };
 
 [[noreturn]] void refuse_empty(const topography::Metadata& metadata) {
-    throw UndefinedDataError(fmt::format("{}: no height is defined, so there is nothing to fill from", topography::label(metadata)));
+    throw UndefinedDataError(
+        fmt::format("{}: no height is defined, so there is nothing to fill from", topography::label(metadata)));
 }
 
 Filling fill_in_place(HeightMap& map, parallel::Threads threads) {
@@ -89,11 +91,14 @@ Filling fill_in_place(HeightMap& map, parallel::Threads threads) {
     if (filling.points == map.heights.size()) refuse_empty(map.metadata);
     const auto pixel = map.pixel_size();
     // up to a factor, so that square pixels have 1
-    const Couplings couplings{std::max(1.0, (pixel[1] * pixel[1]) / (pixel[0] * pixel[0])), std::max(1.0, (pixel[0] * pixel[0]) / (pixel[1] * pixel[1]))};
-    parallel::for_each_index((patches.size() + patches_per_task - 1) / patches_per_task, threads, [&](std::size_t task) {
-        const std::size_t end = std::min(patches.size(), (task + 1) * patches_per_task);
-        for (std::size_t p = task * patches_per_task; p < end; ++p) fill_patch(patches[p], map.heights, map.periodic, couplings);
-    });
+    const Couplings couplings{std::max(1.0, (pixel[1] * pixel[1]) / (pixel[0] * pixel[0])),
+                              std::max(1.0, (pixel[0] * pixel[0]) / (pixel[1] * pixel[1]))};
+    parallel::for_each_index((patches.size() + patches_per_task - 1) / patches_per_task, threads,
+                             [&](std::size_t task) {
+                                 const std::size_t end = std::min(patches.size(), (task + 1) * patches_per_task);
+                                 for (std::size_t p = task * patches_per_task; p < end; ++p)
+                                     fill_patch(patches[p], map.heights, map.periodic, couplings);
+                             });
     return filling;
 }
 
@@ -129,9 +134,18 @@ Filling fill_in_place(LineScan& scan) {
 StepRecord record_of(const Filling& filling, Index points) {
     StepRecord record{.step = std::string(step_name(FillUndefined{}))};
     const auto share = static_cast<double>(filling.points) / static_cast<double>(points);
-    record.numbers.push_back({.quantity = "filled_points", .symbol = "n", .estimate = {.value = static_cast<double>(filling.points), .standard_error = 0.0}, .unit = "1"});
-    record.numbers.push_back({.quantity = "filled_share", .symbol = "n/N", .estimate = {.value = share, .standard_error = 0.0}, .unit = "1"});
-    record.numbers.push_back({.quantity = "filled_patches", .symbol = "n_p", .estimate = {.value = static_cast<double>(filling.patches), .standard_error = 0.0}, .unit = "1"});
+    record.numbers.push_back({.quantity = "filled_points",
+                              .symbol = "n",
+                              .estimate = {.value = static_cast<double>(filling.points), .standard_error = 0.0},
+                              .unit = "1"});
+    record.numbers.push_back({.quantity = "filled_share",
+                              .symbol = "n/N",
+                              .estimate = {.value = share, .standard_error = 0.0},
+                              .unit = "1"});
+    record.numbers.push_back({.quantity = "filled_patches",
+                              .symbol = "n_p",
+                              .estimate = {.value = static_cast<double>(filling.patches), .standard_error = 0.0},
+                              .unit = "1"});
     return record;
 }
 

@@ -42,7 +42,8 @@ private:
 bool overlap(const Run& a, const Run& b) { return a.first < b.first + b.count && b.first < a.first + a.count; }
 
 /// Joins the runs of two neighbouring rows, both in order.
-void join_rows(const std::vector<Run>& runs, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end, Joined& joined) {
+void join_rows(const std::vector<Run>& runs, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end,
+               Joined& joined) {
     while (a < a_end && b < b_end) {
         if (overlap(runs[a], runs[b])) joined.join(a, b);
         if (runs[a].first + runs[a].count < runs[b].first + runs[b].count) ++a;
@@ -75,9 +76,11 @@ std::vector<Patch> undefined_patches(const ArrayView2D& heights, bool periodic) 
             }
         }
         row_begin[extent(i) + 1] = runs.size();
-        if (i > 0) join_rows(runs, row_begin[extent(i) - 1], row_begin[extent(i)], row_begin[extent(i)], runs.size(), joined);
+        if (i > 0)
+            join_rows(runs, row_begin[extent(i) - 1], row_begin[extent(i)], row_begin[extent(i)], runs.size(), joined);
         const std::size_t first = row_begin[extent(i)];
-        if (periodic && runs.size() > first && runs[first].first == 0 && runs.back().first + runs.back().count == ny) joined.join(first, runs.size() - 1);
+        if (periodic && runs.size() > first && runs[first].first == 0 && runs.back().first + runs.back().count == ny)
+            joined.join(first, runs.size() - 1);
     }
     if (periodic && nx > 1) join_rows(runs, row_begin[0], row_begin[1], row_begin[extent(nx) - 1], runs.size(), joined);
     std::vector<Patch> patches;

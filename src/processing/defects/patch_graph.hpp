@@ -29,7 +29,7 @@ struct PatchGraph {
     std::vector<Run> runs;         ///< in coordinates of the box, sorted, none touching another of its row
     std::vector<Index> run_first;  ///< number of the first point of a run
     Index points = 0;
-    Index bandwidth = 0;           ///< largest difference of the numbers of neighbours
+    Index bandwidth = 0;  ///< largest difference of the numbers of neighbours
 };
 
 [[nodiscard]] PatchGraph patch_graph(const Patch& patch, std::array<Index, 2> map_shape, bool periodic);
@@ -45,6 +45,7 @@ struct PatchBoundary {
     double range = 0.0;      ///< largest difference of their heights
 };
 
-[[nodiscard]] PatchBoundary patch_boundary(const PatchGraph& graph, const ArrayView2D& heights, bool periodic, const Couplings& couplings);
+[[nodiscard]] PatchBoundary patch_boundary(const PatchGraph& graph, const ArrayView2D& heights, bool periodic,
+                                           const Couplings& couplings);
 
 }  // namespace setae::processing

@@ -43,7 +43,8 @@ struct Steps {
     }
 };
 
-/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings 0 where a point is none of the unknowns.
+/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings 0 where a point is none
+/// of the unknowns.
 struct Level {
     Index nx, ny;
     std::array<bool, 2> wraps;
@@ -51,10 +52,11 @@ struct Level {
     Couplings nominal;
     Array2D to_x, to_y;  ///< coupling with the next point along x, y (the last one's: across the wrap)
     Array2D leak_x, leak_y;
-    Array2D inverse;     ///< 1/diagonal, 0 for no unknown
+    Array2D inverse;  ///< 1/diagonal, 0 for no unknown
     Array2D value, right, rest;
 
-    Level(Index rows, Index columns, const PatchBox& box, const Couplings& couplings) : nx(rows), ny(columns), wraps(box.wraps), ends(box.ends), nominal(couplings) {
+    Level(Index rows, Index columns, const PatchBox& box, const Couplings& couplings)
+        : nx(rows), ny(columns), wraps(box.wraps), ends(box.ends), nominal(couplings) {
         for (Array2D* field : {&to_x, &to_y, &leak_x, &leak_y, &inverse, &value, &right, &rest}) field->setZero(nx, ny);
     }
 
@@ -121,7 +123,8 @@ struct Level {
                     continue;
                 }
                 const bool inner = i > 0 && j > 0 && i + 1 < nx && j + 1 < ny;
-                const double sum = inner ? inner_neighbours(&field(i, j), &to_x(i, j), &to_y(i, j)) : neighbours(field, i, j);
+                const double sum =
+                    inner ? inner_neighbours(&field(i, j), &to_x(i, j), &to_y(i, j)) : neighbours(field, i, j);
                 product(i, j) = field(i, j) / inverse(i, j) - sum;
             }
     }
@@ -140,12 +143,15 @@ public:
         for (std::size_t r = 0; r < graph.runs.size(); ++r) {
             const Run& run = graph.runs[r];
             unknown.row(run.i).segment(run.first, run.count) = 1.0;
-            finest.leak_x.row(run.i).segment(run.first, run.count) = boundary.leak_x.segment(graph.run_first[r], run.count).transpose();
-            finest.leak_y.row(run.i).segment(run.first, run.count) = boundary.leak_y.segment(graph.run_first[r], run.count).transpose();
+            finest.leak_x.row(run.i).segment(run.first, run.count) =
+                boundary.leak_x.segment(graph.run_first[r], run.count).transpose();
+            finest.leak_y.row(run.i).segment(run.first, run.count) =
+                boundary.leak_y.segment(graph.run_first[r], run.count).transpose();
         }
         for (Index i = 0; i < finest.nx; ++i)
             for (Index j = 0; j < finest.ny; ++j) {
-                const bool next_x = i + 1 < finest.nx || (finest.wraps[0] && finest.nx > 1), next_y = j + 1 < finest.ny || (finest.wraps[1] && finest.ny > 1);
+                const bool next_x = i + 1 < finest.nx || (finest.wraps[0] && finest.nx > 1),
+                           next_y = j + 1 < finest.ny || (finest.wraps[1] && finest.ny > 1);
                 finest.to_x(i, j) = next_x ? couplings.x * unknown(i, j) * unknown((i + 1) % finest.nx, j) : 0.0;
                 finest.to_y(i, j) = next_y ? couplings.y * unknown(i, j) * unknown(i, (j + 1) % finest.ny) : 0.0;
             }
@@ -167,9 +173,13 @@ public:
             level.find_rest();
             Level& below = levels_[number + 1];
             below.right.setZero();
-            transfer(number, [](double& fine, double& coarse, double share) { coarse += share * fine; }, level.rest, below.right);
+            transfer(
+                number, [](double& fine, double& coarse, double share) { coarse += share * fine; }, level.rest,
+                below.right);
             cycle(number + 1);
-            transfer(number, [](double& fine, double& coarse, double share) { fine += share * coarse; }, level.value, below.value);
+            transfer(
+                number, [](double& fine, double& coarse, double share) { fine += share * coarse; }, level.value,
+                below.value);
         }
         for (int k = 0; k < (coarsest ? coarsest_sweeps : 1); ++k) level.sweep(1, true), level.sweep(0, true);
     }
@@ -196,7 +206,8 @@ private:
 
     bool coarsen() {
         const Level& fine = levels_.back();
-        const bool halve_x = fine.nx > 1 && (fine.ny == 1 || fine.nominal.x > 0.5 * fine.nominal.y), halve_y = fine.ny > 1 && (fine.nx == 1 || fine.nominal.y > 0.5 * fine.nominal.x);
+        const bool halve_x = fine.nx > 1 && (fine.ny == 1 || fine.nominal.x > 0.5 * fine.nominal.y),
+                   halve_y = fine.ny > 1 && (fine.nx == 1 || fine.nominal.y > 0.5 * fine.nominal.x);
         const Steps x(fine.nx, halve_x, fine.wraps[0], fine.ends[0]), y(fine.ny, halve_y, fine.wraps[1], fine.ends[1]);
         Couplings nominal = fine.nominal;
         if (halve_x != halve_y) (halve_x ? nominal.x : nominal.y) *= 0.5, (halve_x ? nominal.y : nominal.x) *= 2.0;
@@ -212,8 +223,10 @@ private:
                 if (next_i != ci) coarse.to_x(ci, cj) += (halve_x ? 0.5 : 1.0) * fine.to_x(i, j);
                 if (next_j != cj) coarse.to_y(ci, cj) += (halve_y ? 0.5 : 1.0) * fine.to_y(i, j);
                 // the coarse point lies half a step further from the border
-                coarse.leak_x(ci, cj) += halve_x ? fine.leak_x(i, j) / (1.0 + 0.5 * fine.leak_x(i, j) / fine.nominal.x) : fine.leak_x(i, j);
-                coarse.leak_y(ci, cj) += halve_y ? fine.leak_y(i, j) / (1.0 + 0.5 * fine.leak_y(i, j) / fine.nominal.y) : fine.leak_y(i, j);
+                coarse.leak_x(ci, cj) +=
+                    halve_x ? fine.leak_x(i, j) / (1.0 + 0.5 * fine.leak_x(i, j) / fine.nominal.x) : fine.leak_x(i, j);
+                coarse.leak_y(ci, cj) +=
+                    halve_y ? fine.leak_y(i, j) / (1.0 + 0.5 * fine.leak_y(i, j) / fine.nominal.y) : fine.leak_y(i, j);
             }
         coarse.set_diagonal();
         steps_.push_back({x, y});
@@ -234,7 +247,8 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
     Level& finest = grids.finest();
     for (std::size_t r = 0; r < graph.runs.size(); ++r) {
         const Run& run = graph.runs[r];
-        finest.right.row(run.i).segment(run.first, run.count) = boundary.right.segment(graph.run_first[r], run.count).transpose();
+        finest.right.row(run.i).segment(run.first, run.count) =
+            boundary.right.segment(graph.run_first[r], run.count).transpose();
     }
     Array2D solution = Array2D::Zero(finest.nx, finest.ny), direction, image(finest.nx, finest.ny);
     double before = 0.0;
@@ -244,7 +258,9 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
         const double gain = product(finest.right, finest.value);
         if (finest.value.abs().maxCoeff() <= converged * boundary.range || gain == 0.0) break;
         if (step == most_steps)
-            throw InternalError(fmt::format("filling {} undefined points: no solution within {} steps; please report it", graph.points, most_steps));
+            throw InternalError(
+                fmt::format("filling {} undefined points: no solution within {} steps; please report it", graph.points,
+                            most_steps));
         if (step == 0) direction = finest.value;
         else direction = finest.value + (gain / before) * direction;
         finest.multiply(direction, image);
@@ -255,7 +271,8 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
     }
     Array1D values(graph.points);
     for (std::size_t r = 0; r < graph.runs.size(); ++r)
-        values.segment(graph.run_first[r], graph.runs[r].count) = solution.row(graph.runs[r].i).segment(graph.runs[r].first, graph.runs[r].count).transpose();
+        values.segment(graph.run_first[r], graph.runs[r].count) =
+            solution.row(graph.runs[r].i).segment(graph.runs[r].first, graph.runs[r].count).transpose();
     return values;
 }
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -24,8 +24,11 @@ constexpr std::uint8_t scar = 2;
 
 void require_domain(const RemoveScars& step) {
     if (!(step.low > 0.0 && step.high >= step.low && std::isfinite(step.high)))
-        throw InvalidArgument(fmt::format("thresholds of scars low {} and high {}; expected 0 < low <= high", step.low, step.high));
-    if (step.length < 1 || step.width < 1) throw InvalidArgument(fmt::format("scars of length {} and width {} points; expected numbers >= 1", step.length, step.width));
+        throw InvalidArgument(
+            fmt::format("thresholds of scars low {} and high {}; expected 0 < low <= high", step.low, step.high));
+    if (step.length < 1 || step.width < 1)
+        throw InvalidArgument(
+            fmt::format("scars of length {} and width {} points; expected numbers >= 1", step.length, step.width));
 }
 
 /// Rms of the differences of neighbouring scan lines; 0 where there are none.
@@ -35,7 +38,8 @@ double rms_difference(const HeightMap& map, parallel::Threads threads) {
     };
     Sum all;
     const Index ny = map.heights.cols();
-    for (const auto& part : by_row_blocks(RowBlocks(map.heights.rows(), ny), threads, Sum{}, [&](Index first, Index last, Sum& sum) {
+    for (const auto& part :
+         by_row_blocks(RowBlocks(map.heights.rows(), ny), threads, Sum{}, [&](Index first, Index last, Sum& sum) {
              for (Index i = first; i < last; ++i) {
                  const double* const row = map.heights.data() + i * ny;
                  for (Index j = 0; j + 1 < ny; ++j) {
@@ -66,7 +70,8 @@ void mark_row(const double* heights, Index n, Index width, double low, double hi
             run = k;
             base_of_run = base;
         }
-        for (Index m = start + 1; m <= start + run; ++m) marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : beside);
+        for (Index m = start + 1; m <= start + run; ++m)
+            marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : beside);
     }
 }
 
@@ -99,11 +104,13 @@ void keep_long(Mask& marks, Index length) {
     for (Index j = 0; j < marks.cols(); ++j) end(marks.rows(), j);
 }
 
-Mask scars_of_sign(const RemoveScars& step, const HeightMap& map, double difference, double sign, parallel::Threads threads) {
+Mask scars_of_sign(const RemoveScars& step, const HeightMap& map, double difference, double sign,
+                   parallel::Threads threads) {
     const auto [nx, ny] = map.shape();
     Mask marks = Mask::Zero(nx, ny);
     for_each_row(nx, ny, threads, [&, columns = ny](Index i) {
-        mark_row(map.heights.data() + i * columns, columns, step.width, step.low * difference, step.high * difference, sign, marks.data() + i * columns);
+        mark_row(map.heights.data() + i * columns, columns, step.width, step.low * difference, step.high * difference,
+                 sign, marks.data() + i * columns);
     });
     spread_along_x(marks);
     keep_long(marks, step.length);
@@ -123,7 +130,9 @@ void fill_row(double* heights, const std::uint8_t* marks, Index n, ScarReplaceme
             if (replacement == ScarReplacement::undefined || (begin < 0 && end == n)) heights[k] = undefined;
             else if (begin < 0) heights[k] = heights[end];
             else if (end == n) heights[k] = heights[begin];
-            else heights[k] = heights[begin] + (heights[end] - heights[begin]) * static_cast<double>(k - begin) / static_cast<double>(end - begin);
+            else
+                heights[k] = heights[begin] + (heights[end] - heights[begin]) * static_cast<double>(k - begin) /
+                                                  static_cast<double>(end - begin);
         }
         j = end - 1;
     }
@@ -143,16 +152,21 @@ Mask find_scars(const RemoveScars& step, const HeightMap& map, parallel::Threads
     require_domain(step);
     const double difference = rms_difference(map, threads);
     if (difference == 0.0) return Mask::Zero(map.heights.rows(), map.heights.cols());
-    if (step.sign != ScarSign::both) return scars_of_sign(step, map, difference, step.sign == ScarSign::positive ? 1.0 : -1.0, threads);
+    if (step.sign != ScarSign::both)
+        return scars_of_sign(step, map, difference, step.sign == ScarSign::positive ? 1.0 : -1.0, threads);
     return scars_of_sign(step, map, difference, 1.0, threads).max(scars_of_sign(step, map, difference, -1.0, threads));
 }
 
 Processed apply(const RemoveScars& step, topography::Measurement measurement, parallel::Threads threads) {
     auto* map = std::get_if<HeightMap>(&measurement);
-    if (!map) refuse_line(step_name(step), measurement, "scars are strokes across several scan lines: take spikes of a line out with despike");
+    if (!map)
+        refuse_line(step_name(step), measurement,
+                    "scars are strokes across several scan lines: take spikes of a line out with despike");
     const auto marks = find_scars(step, *map, threads);
     const auto [nx, ny] = map->shape();
-    for_each_row(nx, ny, threads, [&, columns = ny](Index i) { fill_row(map->heights.data() + i * columns, marks.data() + i * columns, columns, step.replace_by); });
+    for_each_row(nx, ny, threads, [&, columns = ny](Index i) {
+        fill_row(map->heights.data() + i * columns, marks.data() + i * columns, columns, step.replace_by);
+    });
     StepRecord record{std::string(step_name(step)), {}, {}};
     record.numbers = {recorded_count("strokes", strokes(marks)), recorded_count("scar_points", (marks != 0).count())};
     return {std::move(measurement), std::move(record)};

@@ -29,29 +29,38 @@ Extent extent_of(const topography::Measurement& measurement) {
 
 void require_cutoff(double cutoff, std::string_view filter, const topography::Metadata& metadata) {
     if (!(cutoff > 0.0) || !std::isfinite(cutoff))
-        throw InvalidArgument(fmt::format("{}: {} with a cutoff of {} m; expected a positive wavelength", topography::label(metadata), filter, cutoff));
+        throw InvalidArgument(fmt::format("{}: {} with a cutoff of {} m; expected a positive wavelength",
+                                          topography::label(metadata), filter, cutoff));
 }
 
 void refuse_profile(std::string_view step, const topography::Profile& profile) {
-    throw InvalidArgument(fmt::format("{}: {} works on equally spaced points, and this is a polyline of {} points; resample it first (step resample)",
-                                      topography::label(profile.metadata), step, profile.positions.size()));
+    throw InvalidArgument(fmt::format(
+        "{}: {} works on equally spaced points, and this is a polyline of {} points; resample it first (step resample)",
+        topography::label(profile.metadata), step, profile.positions.size()));
 }
 
 StepRecord filter_record(std::string_view step, double cutoff, const topography::Measurement& measurement) {
     const topography::Metadata& metadata = topography::metadata(measurement);
     const auto [pixel_size, size] = extent_of(measurement);
     StepRecord record{.step = std::string(step)};
-    record.numbers.push_back({.quantity = "cutoff_wavelength", .symbol = "λc", .estimate = {.value = cutoff, .standard_error = 0.0}, .unit = "m"});
+    record.numbers.push_back({.quantity = "cutoff_wavelength",
+                              .symbol = "λc",
+                              .estimate = {.value = cutoff, .standard_error = 0.0},
+                              .unit = "m"});
     if (cutoff < 3.0 * pixel_size)
-        record.alerts.push_back({"FILTER_CUTOFF", topography::label(metadata),
-                                 fmt::format("the cutoff, {}, is {:.2g} pixels: the filter hardly acts, and its transmission is not that of the standard",
-                                             format_value(cutoff, "m"), cutoff / pixel_size),
-                                 "choose a cutoff of at least 5 pixels"});
+        record.alerts.push_back(
+            {"FILTER_CUTOFF", topography::label(metadata),
+             fmt::format(
+                 "the cutoff, {}, is {:.2g} pixels: the filter hardly acts, and its transmission is not that of the standard",
+                 format_value(cutoff, "m"), cutoff / pixel_size),
+             "choose a cutoff of at least 5 pixels"});
     if (cutoff > size)
-        record.alerts.push_back({"FILTER_CUTOFF", topography::label(metadata),
-                                 fmt::format("the cutoff, {}, is longer than the data, {}: every point is nearer to an end than the filter reaches",
-                                             format_value(cutoff, "m"), format_value(size, "m")),
-                                 "choose a shorter cutoff, or subtract a polynomial instead"});
+        record.alerts.push_back(
+            {"FILTER_CUTOFF", topography::label(metadata),
+             fmt::format(
+                 "the cutoff, {}, is longer than the data, {}: every point is nearer to an end than the filter reaches",
+                 format_value(cutoff, "m"), format_value(size, "m")),
+             "choose a shorter cutoff, or subtract a polynomial instead"});
     return record;
 }
 

@@ -16,18 +16,24 @@ void require_cutoff(double cutoff, std::string_view filter, const topography::Me
 [[noreturn]] void refuse_profile(std::string_view step, const topography::Profile& profile);
 
 /// What a filter tells of itself: its cutoff, and where that makes no sense on these points.
-[[nodiscard]] StepRecord filter_record(std::string_view step, double cutoff, const topography::Measurement& measurement);
+[[nodiscard]] StepRecord filter_record(std::string_view step, double cutoff,
+                                       const topography::Measurement& measurement);
 
-/// A filter as a step of a pipeline. `in_place` filters a map or a line scan where it lies and returns how often it found weights, which
-/// the record tells of filters that are weighted.
+/// A filter as a step of a pipeline. `in_place` filters a map or a line scan where it lies and returns how often it
+/// found weights, which the record tells of filters that are weighted.
 template <class Filter, class InPlace>
-Processed filtered_in_place(const Filter& filter, topography::Measurement measurement, InPlace in_place, bool weighted) {
-    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) refuse_profile(step_name(filter), *profile);
+Processed filtered_in_place(const Filter& filter, topography::Measurement measurement, InPlace in_place,
+                            bool weighted) {
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement))
+        refuse_profile(step_name(filter), *profile);
     StepRecord record = filter_record(step_name(filter), filter.cutoff, measurement);
     auto* map = std::get_if<topography::HeightMap>(&measurement);
     const int weightings = map ? in_place(*map) : in_place(std::get<topography::LineScan>(measurement));
     if (weighted)
-        record.numbers.push_back({.quantity = "weightings", .symbol = "n", .estimate = {.value = static_cast<double>(weightings), .standard_error = 0.0}, .unit = "1"});
+        record.numbers.push_back({.quantity = "weightings",
+                                  .symbol = "n",
+                                  .estimate = {.value = static_cast<double>(weightings), .standard_error = 0.0},
+                                  .unit = "1"});
     return {std::move(measurement), std::move(record)};
 }
 

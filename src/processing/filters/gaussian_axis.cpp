@@ -22,7 +22,8 @@ struct Direct {
         for (Index t = 0; t < axis.taps; ++t) {
             const double offset = deviation > 0.0 ? static_cast<double>(t - half) / deviation : 0.0;
             double weight = std::exp(-0.5 * offset * offset);
-            for (Index q = 0; q <= orders; ++q, weight *= offset) axis.gather[static_cast<std::size_t>(q)].col(t) = weight;
+            for (Index q = 0; q <= orders; ++q, weight *= offset)
+                axis.gather[static_cast<std::size_t>(q)].col(t) = weight;
         }
         for (Index i = 0; i < axis.points; ++i) axis.first_tap.push_back(i - half);
         axis.coordinate.setZero(axis.points);
@@ -34,7 +35,8 @@ struct Coarse {
     double deviation, step, origin = 0.0;
     Index orders, half;
 
-    Coarse(GaussianAxis& target, double width, Index highest) : axis(target), deviation(width), step(0.5 * width), orders(highest) {
+    Coarse(GaussianAxis& target, double width, Index highest)
+        : axis(target), deviation(width), step(0.5 * width), orders(highest) {
         const auto n = static_cast<double>(axis.points);
         if (axis.periodic) {
             axis.coarse = static_cast<Index>(std::ceil(n / step));
@@ -64,14 +66,18 @@ struct Coarse {
             const double from_reference = static_cast<double>(t - half + 1) * step / deviation;
             const double distance = axis.coordinate[i] - from_reference;
             double weight = std::exp(-distance * distance);
-            for (Index q = 0; q <= orders; ++q, weight *= from_reference) axis.gather[static_cast<std::size_t>(q)](i, t) = weight;
+            for (Index q = 0; q <= orders; ++q, weight *= from_reference)
+                axis.gather[static_cast<std::size_t>(q)](i, t) = weight;
         }
         const auto first = static_cast<Index>(std::ceil(place)) - half;
         axis.first_share.push_back(first);
         for (Index s = 0; s < axis.shares; ++s) {
             const double distance = (place - static_cast<double>(first + s)) * step / deviation;
-            double weight = std::abs(distance) * deviation <= static_cast<double>(half) * step ? std::exp(-distance * distance) : 0.0;
-            for (Index m = 0; m <= orders; ++m, weight *= distance) axis.share[static_cast<std::size_t>(m)](i, s) = weight;
+            double weight = std::abs(distance) * deviation <= static_cast<double>(half) * step
+                                ? std::exp(-distance * distance)
+                                : 0.0;
+            for (Index m = 0; m <= orders; ++m, weight *= distance)
+                axis.share[static_cast<std::size_t>(m)](i, s) = weight;
         }
     }
 };

@@ -55,7 +55,8 @@ struct Levers {
     Array1D mean;     ///< of the coordinate
     Array1D lever;    ///< (point − mean)/variance of the coordinate; 0 where nothing is fitted along this direction
 
-    Levers(const Array2D& sums, const Array1D& coordinate, bool fitted) : inverse(1.0 / sums.row(0).transpose()), mean(Array1D::Zero(sums.cols())), lever(Array1D::Zero(sums.cols())) {
+    Levers(const Array2D& sums, const Array1D& coordinate, bool fitted)
+        : inverse(1.0 / sums.row(0).transpose()), mean(Array1D::Zero(sums.cols())), lever(Array1D::Zero(sums.cols())) {
         if (!fitted) return;
         mean = sums.row(1).transpose() * inverse;
         const Array1D variance = sums.row(2).transpose() * inverse - mean.square();
@@ -66,10 +67,15 @@ struct Levers {
 /// Weighted least squares of a polynomial about a reference, valued at a point.
 class LocalFit {
 public:
-    LocalFit(Index order, Index most_x, Index most_y) : terms_(powers_up_to(order, most_x, most_y)), sums_(powers_up_to(2 * order, most_x > 0 ? 2 * order : 0, most_y > 0 ? 2 * order : 0)) {
+    LocalFit(Index order, Index most_x, Index most_y)
+        : terms_(powers_up_to(order, most_x, most_y)),
+          sums_(powers_up_to(2 * order, most_x > 0 ? 2 * order : 0, most_y > 0 ? 2 * order : 0)) {
         for (const Powers& a : terms_)
             for (const Powers& b : terms_)
-                products_.push_back(extent(std::find_if(sums_.begin(), sums_.end(), [&](const Powers& s) { return s.x == a.x + b.x && s.y == a.y + b.y; }) - sums_.begin()));
+                products_.push_back(
+                    extent(std::find_if(sums_.begin(), sums_.end(),
+                                        [&](const Powers& s) { return s.x == a.x + b.x && s.y == a.y + b.y; }) -
+                           sums_.begin()));
     }
     [[nodiscard]] const std::vector<Powers>& terms() const { return terms_; }
     [[nodiscard]] const std::vector<Powers>& sums() const { return sums_; }
@@ -79,12 +85,15 @@ public:
         if (!(weight[0] > 0.0)) return std::numeric_limits<double>::quiet_NaN();
         const std::array<double, most_terms> coefficients = solve(weight, height, stride);
         double sum = 0.0;
-        for (std::size_t a = 0; a < terms_.size(); ++a) sum += coefficients[a] * power(x, terms_[a].x) * power(y, terms_[a].y);
+        for (std::size_t a = 0; a < terms_.size(); ++a)
+            sum += coefficients[a] * power(x, terms_[a].x) * power(y, terms_[a].y);
         return sum;
     }
 
 private:
-    static double power(double base, Index exponent) { return exponent == 0 ? 1.0 : exponent == 1 ? base : base * base; }
+    static double power(double base, Index exponent) {
+        return exponent == 0 ? 1.0 : exponent == 1 ? base : base * base;
+    }
 
     /// Cholesky; a term that the points near cannot tell from those before it is left out.
     std::array<double, most_terms> solve(const double* weight, const double* height, Index stride) const {
@@ -128,9 +137,16 @@ struct Smoothing {
     Array2D ones_x, ones_y;
 
     Smoothing(const ArrayView2D& map, const Array2D& factors, const Neighbourhood& near)
-        : heights(map), weights(factors), known(census(map)), order(near.order), along_x(map.rows(), near.deviation[0], near.periodic, 2 * near.order),
-          along_y(map.cols(), near.deviation[1], near.periodic, 2 * near.order), fit(near.order, near.deviation[0] > 0.0 ? near.order : 0, near.deviation[1] > 0.0 ? near.order : 0),
-          separable(known.complete && factors.size() == 0), fits_x(near.order > 0 && near.deviation[0] > 0.0), fits_y(near.order > 0 && near.deviation[1] > 0.0) {
+        : heights(map),
+          weights(factors),
+          known(census(map)),
+          order(near.order),
+          along_x(map.rows(), near.deviation[0], near.periodic, 2 * near.order),
+          along_y(map.cols(), near.deviation[1], near.periodic, 2 * near.order),
+          fit(near.order, near.deviation[0] > 0.0 ? near.order : 0, near.deviation[1] > 0.0 ? near.order : 0),
+          separable(known.complete && factors.size() == 0),
+          fits_x(near.order > 0 && near.deviation[0] > 0.0),
+          fits_y(near.order > 0 && near.deviation[1] > 0.0) {
         if (!separable) return;
         ones_x = sums_of_one(along_x, 2 * order);
         ones_y = sums_of_one(along_y, 2 * order);
@@ -146,7 +162,8 @@ struct Smoothing {
                 for (Index j = 0; j < count; ++j) values[j] = std::isnan(row[j]) ? 0.0 : row[j] - known.centre;
             } else {
                 const double* weight = &weights(i, first);
-                for (Index j = 0; j < count; ++j) values[j] = std::isnan(row[j]) ? 0.0 : weight[j] * (row[j] - known.centre);
+                for (Index j = 0; j < count; ++j)
+                    values[j] = std::isnan(row[j]) ? 0.0 : weight[j] * (row[j] - known.centre);
             }
         };
         return {along_x, along_y, fit.terms(), load, threads};
@@ -155,7 +172,8 @@ struct Smoothing {
     MomentField weight_moments(parallel::Threads threads) const {
         const auto load = [this](Index i, Index first, Index count, double* values) {
             const double* row = heights.data() + i * heights.outerStride() + first;
-            for (Index j = 0; j < count; ++j) values[j] = std::isnan(row[j]) ? 0.0 : weights.size() == 0 ? 1.0 : weights(i, first + j);
+            for (Index j = 0; j < count; ++j)
+                values[j] = std::isnan(row[j]) ? 0.0 : weights.size() == 0 ? 1.0 : weights(i, first + j);
         };
         return {along_x, along_y, fit.sums(), load, threads};
     }
@@ -165,13 +183,17 @@ struct Smoothing {
 
 namespace {
 
-/// Means (order 0) and planes (order 1) of a complete map: weights are products, and along x and y they do not correlate.
-void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regression kind, Eigen::Ref<Array2D> result, parallel::Threads threads) {
+/// Means (order 0) and planes (order 1) of a complete map: weights are products, and along x and y they do not
+/// correlate.
+void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regression kind, Eigen::Ref<Array2D> result,
+                parallel::Threads threads) {
     const Index nx = smoothing.along_x.points, ny = smoothing.along_y.points;
-    const Levers along_x(smoothing.ones_x, smoothing.along_x.coordinate, smoothing.fits_x), along_y(smoothing.ones_y, smoothing.along_y.coordinate, smoothing.fits_y);
+    const Levers along_x(smoothing.ones_x, smoothing.along_x.coordinate, smoothing.fits_x),
+        along_y(smoothing.ones_y, smoothing.along_y.coordinate, smoothing.fits_y);
     const auto& terms = moments.powers();
     parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
+        const Index first = static_cast<Index>(block) * columns_per_block,
+                    count = std::min(columns_per_block, ny - first);
         Array1D sum(count), moment(count), value(count);
         for (Index i = 0; i < nx; ++i) {
             moments.moments(i, first, count, 0, sum.data());
@@ -191,8 +213,8 @@ void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regressi
 
 }  // namespace
 
-void local_regression(const ArrayView2D& heights, const Array2D& weights, const Neighbourhood& neighbourhood, Regression kind, Eigen::Ref<Array2D> result,
-                      parallel::Threads threads) {
+void local_regression(const ArrayView2D& heights, const Array2D& weights, const Neighbourhood& neighbourhood,
+                      Regression kind, Eigen::Ref<Array2D> result, parallel::Threads threads) {
     const Smoothing smoothing(heights, weights, neighbourhood);
     const MomentField of_heights = smoothing.height_moments(threads);
     if (smoothing.separable && smoothing.order < 2) {
@@ -204,22 +226,29 @@ void local_regression(const ArrayView2D& heights, const Array2D& weights, const 
     const Index nx = heights.rows(), ny = heights.cols();
     const std::size_t terms = smoothing.fit.terms().size(), sums = smoothing.fit.sums().size();
     parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
+        const Index first = static_cast<Index>(block) * columns_per_block,
+                    count = std::min(columns_per_block, ny - first);
         Array2D height(static_cast<Index>(terms), count), weight(static_cast<Index>(sums), count);
         for (Index i = 0; i < nx; ++i) {
-            for (std::size_t p = 0; p < terms; ++p) of_heights.moments(i, first, count, p, &height(static_cast<Index>(p), 0));
+            for (std::size_t p = 0; p < terms; ++p)
+                of_heights.moments(i, first, count, p, &height(static_cast<Index>(p), 0));
             for (std::size_t p = 0; p < sums; ++p) {
                 const Powers power = smoothing.fit.sums()[p];
                 if (!smoothing.separable) of_weights[0].moments(i, first, count, p, &weight(static_cast<Index>(p), 0));
-                else weight.row(static_cast<Index>(p)) = smoothing.ones_x(power.x, i) * smoothing.ones_y.row(power.y).segment(first, count);
+                else
+                    weight.row(static_cast<Index>(p)) =
+                        smoothing.ones_x(power.x, i) * smoothing.ones_y.row(power.y).segment(first, count);
             }
             const double x = smoothing.along_x.coordinate[i];
             double* row = result.data() + i * result.outerStride() + first;
             const double* original = heights.data() + i * heights.outerStride() + first;
             if (smoothing.order == 0) height.row(0) /= weight.row(0);
             for (Index j = 0; j < count; ++j) {
-                const double value = smoothing.known.centre + (smoothing.order == 0 ? height(0, j)
-                                                                                   : smoothing.fit.value(&weight(0, j), &height(0, j), count, x, smoothing.along_y.coordinate[first + j]));
+                const double value =
+                    smoothing.known.centre + (smoothing.order == 0
+                                                  ? height(0, j)
+                                                  : smoothing.fit.value(&weight(0, j), &height(0, j), count, x,
+                                                                        smoothing.along_y.coordinate[first + j]));
                 row[j] = kind == Regression::value ? value : original[j] - value;
             }
         }

@@ -12,12 +12,14 @@ constexpr std::size_t rows_at_once = 4;
 
 std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
-constexpr std::array<std::array<double, 5>, 5> binomials{{{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
+constexpr std::array<std::array<double, 5>, 5> binomials{
+    {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
 
 double binomial(Index n, Index k) { return binomials[extent(n)][extent(k)]; }
 
 /// sum += a0 r0 + a1 r1 + a2 r2 + a3 r3, in this order for every column.
-void add_four(double* __restrict sum, Index count, const std::array<const double*, rows_at_once>& rows, const std::array<double, rows_at_once>& weights) {
+void add_four(double* __restrict sum, Index count, const std::array<const double*, rows_at_once>& rows,
+              const std::array<double, rows_at_once>& weights) {
     const double *r0 = rows[0], *r1 = rows[1], *r2 = rows[2], *r3 = rows[3];
     const double a0 = weights[0], a1 = weights[1], a2 = weights[2], a3 = weights[3];
     for (Index j = 0; j < count; ++j) sum[j] += (a0 * r0[j] + a1 * r1[j]) + (a2 * r2[j] + a3 * r3[j]);
@@ -55,11 +57,13 @@ private:
 std::vector<Powers> powers_up_to(Index total, Index most_x, Index most_y) {
     std::vector<Powers> powers;
     for (Index sum = 0; sum <= total; ++sum)
-        for (Index y = std::max<Index>(0, sum - most_x); y <= std::min(sum, most_y); ++y) powers.push_back({sum - y, y});
+        for (Index y = std::max<Index>(0, sum - most_x); y <= std::min(sum, most_y); ++y)
+            powers.push_back({sum - y, y});
     return powers;
 }
 
-MomentField::MomentField(const GaussianAxis& along_x, const GaussianAxis& along_y, std::vector<Powers> powers, const LoadValues& load, parallel::Threads threads)
+MomentField::MomentField(const GaussianAxis& along_x, const GaussianAxis& along_y, std::vector<Powers> powers,
+                         const LoadValues& load, parallel::Threads threads)
     : along_x_(&along_x), along_y_(&along_y), powers_(std::move(powers)) {
     for (const Powers& power : powers_) {
         most_x_ = std::max(most_x_, power.x);
@@ -75,10 +79,12 @@ void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) 
     const Index ny = along_y_->points;
     for (Index m = 0; m <= most_x_; ++m) shared_.emplace_back(axis.coarse, ny);
     parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
+        const Index first = static_cast<Index>(block) * columns_per_block,
+                    count = std::min(columns_per_block, ny - first);
         for (Array2D& field : shared_) field.middleCols(first, count).setZero();
         std::vector<double> values(rows_at_once * extent(count), 0.0);
-        const std::array<const double*, rows_at_once> sources{values.data(), values.data() + count, values.data() + 2 * count, values.data() + 3 * count};
+        const std::array<const double*, rows_at_once> sources{values.data(), values.data() + count,
+                                                              values.data() + 2 * count, values.data() + 3 * count};
         for (Index i = 0; i < axis.points; i += Index{rows_at_once}) {
             const Index rows = std::min(Index{rows_at_once}, axis.points - i);
             for (Index r = 0; r < rows; ++r) load(i + r, first, count, values.data() + r * count);
@@ -89,7 +95,8 @@ void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) 
                 for (Index m = 0; m <= most_x_; ++m) {
                     std::array<double, rows_at_once> weights{};
                     for (Index r = 0; r < rows; ++r)
-                        if (const Index s = number - axis.first_share[extent(i + r)]; s >= 0 && s < axis.shares) weights[extent(r)] = axis.share[extent(m)](i + r, s);
+                        if (const Index s = number - axis.first_share[extent(i + r)]; s >= 0 && s < axis.shares)
+                            weights[extent(r)] = axis.share[extent(m)](i + r, s);
                     add_four(&shared_[extent(m)](c, first), count, sources, weights);
                 }
             }
@@ -103,7 +110,8 @@ void MomentField::gather_columns(const LoadValues& load, parallel::Threads threa
     partial_.resize(extent(sources + 1));
     for (Index m = 0; m <= sources; ++m)
         for (Index l = 0; l <= std::min(most_y_, total_ - m); ++l)
-            partial_[extent(m)].push_back(l == 0 && !rows_axis.direct ? std::move(shared_[extent(m)]) : Array2D(rows_axis.coarse, ny));
+            partial_[extent(m)].push_back(l == 0 && !rows_axis.direct ? std::move(shared_[extent(m)])
+                                                                      : Array2D(rows_axis.coarse, ny));
     // coarse points beyond either end, so that outputs gather without asking
     const Index margin = axis.taps;
     const auto reduce = [&](const double* row, Index n, Array1D& coarse) {
@@ -150,7 +158,8 @@ void MomentField::gather_columns(const LoadValues& load, parallel::Threads threa
                         const double* weights = axis.gather[extent(l - n)].data() + j * axis.taps;
                         const double* values = coarse[extent(n)].data() + margin + axis.first_tap[extent(j)];
                         double even = 0.0, odd = 0.0;
-                        for (Index t = 0; t + 1 < axis.taps; t += 2) even += weights[t] * values[t], odd += weights[t + 1] * values[t + 1];
+                        for (Index t = 0; t + 1 < axis.taps; t += 2)
+                            even += weights[t] * values[t], odd += weights[t + 1] * values[t + 1];
                         if (axis.taps % 2 == 1) even += weights[axis.taps - 1] * values[axis.taps - 1];
                         sum += binomial(l, n) * (even + odd);
                     }
@@ -169,7 +178,8 @@ void MomentField::moments(Index i, Index first, Index count, std::size_t p, doub
         const Array2D& partial = partial_[extent(m)][extent(power.y)];
         const Array2D& gather = axis.gather[extent(power.x - m)];
         for (Index t = 0; t < axis.taps; ++t)
-            if (const Index c = axis.place(axis.first_tap[extent(i)] + t); c >= 0) sum.add(&partial(c, first), binomial(power.x, m) * gather(i, t));
+            if (const Index c = axis.place(axis.first_tap[extent(i)] + t); c >= 0)
+                sum.add(&partial(c, first), binomial(power.x, m) * gather(i, t));
     }
     sum.finish();
 }

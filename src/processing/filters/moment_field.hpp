@@ -15,7 +15,8 @@ struct Powers {
     Index y = 0;
 };
 
-/// Powers up to x^most_x, y^most_y whose sum is at most `total`, by total first, so that those of a lower total stand in front.
+/// Powers up to x^most_x, y^most_y whose sum is at most `total`, by total first, so that those of a lower total stand
+/// in front.
 [[nodiscard]] std::vector<Powers> powers_up_to(Index total, Index most_x, Index most_y);
 
 /// Writes the values of row i in columns first … first + count − 1.
@@ -26,7 +27,8 @@ using LoadValues = std::function<void(Index i, Index first, Index count, double*
 ///   M_kl(i, j) = sum K^x_ii' K^y_jj' ξ^k η^l f_i'j',  ξ, η: coordinates about the point's references (GaussianAxis)
 class MomentField {
 public:
-    MomentField(const GaussianAxis& along_x, const GaussianAxis& along_y, std::vector<Powers> powers, const LoadValues& load, parallel::Threads threads);
+    MomentField(const GaussianAxis& along_x, const GaussianAxis& along_y, std::vector<Powers> powers,
+                const LoadValues& load, parallel::Threads threads);
 
     [[nodiscard]] const std::vector<Powers>& powers() const { return powers_; }
     /// Moment number p at points (i, first … first + count − 1).
@@ -40,8 +42,9 @@ private:
     const GaussianAxis* along_y_;
     std::vector<Powers> powers_;
     Index most_x_ = 0, most_y_ = 0, total_ = 0;
-    std::vector<Array2D> shared_;                ///< [m](coarse x, y): before the sums along y
-    std::vector<std::vector<Array2D>> partial_;  ///< [m][l](coarse x, y): x-moments about coarse points, y-moments about points
+    std::vector<Array2D> shared_;  ///< [m](coarse x, y): before the sums along y
+    std::vector<std::vector<Array2D>>
+        partial_;  ///< [m][l](coarse x, y): x-moments about coarse points, y-moments about points
 };
 
 }  // namespace setae::processing

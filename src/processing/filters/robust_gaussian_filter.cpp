@@ -19,7 +19,9 @@ namespace {
 void require_valid(const RobustGaussianFilter& filter, const topography::Metadata& metadata) {
     require_cutoff(filter.cutoff, "robust Gaussian filter", metadata);
     if (filter.order < 0 || filter.order > 2)
-        throw InvalidArgument(fmt::format("{}: robust Gaussian filter with a local polynomial of order {}; expected 0, 1 or 2", topography::label(metadata), filter.order));
+        throw InvalidArgument(
+            fmt::format("{}: robust Gaussian filter with a local polynomial of order {}; expected 0, 1 or 2",
+                        topography::label(metadata), filter.order));
 }
 
 /// @returns how often the weights were found.
@@ -28,7 +30,9 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept
     RobustScale scale;
     do local_regression(heights, weights, near, Regression::value, smooth, threads);
     while (scale.update(heights, smooth, weights));
-    heights = keep == Kept::short_waves ? Array2D(heights - smooth) : Array2D(heights.isNaN().select(std::numeric_limits<double>::quiet_NaN(), smooth));
+    heights = keep == Kept::short_waves
+                  ? Array2D(heights - smooth)
+                  : Array2D(heights.isNaN().select(std::numeric_limits<double>::quiet_NaN(), smooth));
     return scale.updates();
 }
 
@@ -37,29 +41,35 @@ int filter_in_place(topography::HeightMap& map, const RobustGaussianFilter& filt
     require_valid(filter, map.metadata);
     const auto pixel = map.pixel_size();
     const double deviation = gaussian_deviation(filter.cutoff, filter.order);
-    return filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order}, filter.keep, threads);
+    return filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order},
+                           filter.keep, threads);
 }
 
 int filter_in_place(topography::LineScan& scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, scan.metadata);
     Eigen::Map<Array2D> row(scan.heights.data(), 1, scan.heights.size());
-    return filter_in_place(row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order}, filter.keep, threads);
+    return filter_in_place(
+        row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order},
+        filter.keep, threads);
 }
 
 }  // namespace
 
-topography::HeightMap filtered(topography::HeightMap map, const RobustGaussianFilter& filter, parallel::Threads threads) {
+topography::HeightMap filtered(topography::HeightMap map, const RobustGaussianFilter& filter,
+                               parallel::Threads threads) {
     filter_in_place(map, filter, threads);
     return map;
 }
 
-topography::LineScan filtered(topography::LineScan scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
+topography::LineScan filtered(topography::LineScan scan, const RobustGaussianFilter& filter,
+                              parallel::Threads threads) {
     filter_in_place(scan, filter, threads);
     return scan;
 }
 
 Processed apply(const RobustGaussianFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
-    return filtered_in_place(filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, true);
+    return filtered_in_place(
+        filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, true);
 }
 
 }  // namespace setae::processing

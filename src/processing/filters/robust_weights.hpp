@@ -10,7 +10,8 @@ namespace setae::processing {
 ///   δ = (1 − (r/c)²)² for |r| < c, else 0;  c = 4.4478 median |r|
 class RobustScale {
 public:
-    /// Weights for another fit, 0 where heights are undefined; false where the scale has settled to 1e-4, is 0 or was found 50 times.
+    /// Weights for another fit, 0 where heights are undefined; false where the scale has settled to 1e-4, is 0 or was
+    /// found 50 times.
     bool update(const ArrayView2D& heights, const ArrayView2D& smooth, Array2D& weights);
     [[nodiscard]] int updates() const { return updates_; }
 

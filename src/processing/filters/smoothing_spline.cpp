@@ -42,7 +42,8 @@ SmoothingSpline::SmoothingSpline(const ArrayView1D& weights, const SplineStiffne
     if (stretch > 0.0)
         for (Index i = folded_ ? 0 : 1; i < points_; ++i) put({{i - 1, -stretch}, {i, stretch}});
     if (bend > 0.0)
-        for (Index i = folded_ ? 0 : 1; i < (folded_ ? points_ : points_ - 1); ++i) put({{i - 1, bend}, {i, -2.0 * bend}, {i + 1, bend}});
+        for (Index i = folded_ ? 0 : 1; i < (folded_ ? points_ : points_ - 1); ++i)
+            put({{i - 1, bend}, {i, -2.0 * bend}, {i + 1, bend}});
     std::vector<Index> point_at(extent(points_));
     for (Index i = 0; i < points_; ++i) point_at[extent(place(i))] = i;
     for (Index k = 0; k < points_; ++k) {
@@ -63,7 +64,8 @@ void SmoothingSpline::insert(Index first, Array1D coefficients, double root_of_w
         const double value = coefficients[n];
         if (value == 0.0) continue;
         const Index k = first + n;
-        const double length = std::hypot(triangle_(k, 0), value), cosine = triangle_(k, 0) / length, sine = value / length;
+        const double length = std::hypot(triangle_(k, 0), value), cosine = triangle_(k, 0) / length,
+                     sine = value / length;
         for (Index m = n; m < coefficients.size(); ++m) {
             const double upper = triangle_(k, m - n), lower = coefficients[m];
             triangle_(k, m - n) = cosine * upper + sine * lower;

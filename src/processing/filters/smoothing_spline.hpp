@@ -13,16 +13,18 @@ struct SplineStiffness {
     double bending = 0.0;     ///< (1 − β) α⁴
 };
 
-/// The w that minimises sum weights (h − w)² + stretching sum (Δw)² + bending sum (Δ²w)²; free ends, or wrapped differences on periodic lines.
+/// The w that minimises sum weights (h − w)² + stretching sum (Δw)² + bending sum (Δ²w)²; free ends, or wrapped
+/// differences on periodic lines.
 ///
-/// Rows of the least-squares problem are rotated into a banded triangle (Givens), which keeps twice the digits of the five-diagonal system: the error is
-/// 1e-16 α² of the largest height in place of 1e-16 α⁴. A periodic line is folded, 0, n−1, 1, n−2 …, which makes it a band too. O(n); the rotations serve
-/// any number of lines with the same weights.
+/// Rows of the least-squares problem are rotated into a banded triangle (Givens), which keeps twice the digits of the
+/// five-diagonal system: the error is 1e-16 α² of the largest height in place of 1e-16 α⁴. A periodic line is folded,
+/// 0, n−1, 1, n−2 …, which makes it a band too. O(n); the rotations serve any number of lines with the same weights.
 class SmoothingSpline {
 public:
     SmoothingSpline(const ArrayView1D& weights, const SplineStiffness& stiffness, bool periodic);
 
-    /// In place of n heights, of which those without weight are not looked at. All NaN where fewer points have weight than the free modes need.
+    /// In place of n heights, of which those without weight are not looked at. All NaN where fewer points have weight
+    /// than the free modes need.
     void smooth(double* heights) const;
 
 private:

@@ -22,10 +22,12 @@ std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 void require_valid(const SplineFilter& filter, double pixel_size, const topography::Metadata& metadata) {
     require_cutoff(filter.cutoff, "spline filter", metadata);
     if (!(filter.cutoff > 2.0 * pixel_size))
-        throw InvalidArgument(fmt::format("{}: spline filter with a cutoff of {} m on points {} m apart; expected more than two of these steps", topography::label(metadata),
-                                          filter.cutoff, pixel_size));
+        throw InvalidArgument(fmt::format(
+            "{}: spline filter with a cutoff of {} m on points {} m apart; expected more than two of these steps",
+            topography::label(metadata), filter.cutoff, pixel_size));
     if (!(filter.tension >= 0.0 && filter.tension <= 1.0))
-        throw InvalidArgument(fmt::format("{}: spline filter with a tension of {}; expected 0 to 1", topography::label(metadata), filter.tension));
+        throw InvalidArgument(fmt::format("{}: spline filter with a tension of {}; expected 0 to 1",
+                                          topography::label(metadata), filter.tension));
 }
 
 SplineStiffness stiffness(const SplineFilter& filter, double pixel_size) {
@@ -59,19 +61,26 @@ private:
 };
 
 /// Every line along x with the weights given, then every line along y.
-Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::array<SplineStiffness, 2>& stiff, bool periodic, parallel::Threads threads) {
+Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::array<SplineStiffness, 2>& stiff,
+                   bool periodic, parallel::Threads threads) {
     Array2D smooth = heights;
     const Index nx = heights.rows(), ny = heights.cols();
     if (nx > 1) {
         const LineSmoother smoother(nx, stiff[0], periodic);
-        parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-            const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
-            Array2D lines = heights.middleCols(first, count).transpose(), weights;
-            if (factors.size() > 0) weights = factors.middleCols(first, count).transpose();
-            for (Index j = 0; j < count; ++j) smoother.smooth(&lines(j, 0), factors.size() > 0 ? &weights(j, 0) : nullptr, nx);
-            // what the first pass made of undefined points must not pass for data in the second
-            smooth.middleCols(first, count) = heights.middleCols(first, count).isNaN().select(std::numeric_limits<double>::quiet_NaN(), lines.transpose());
-        });
+        parallel::for_each_index(
+            extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
+                const Index first = static_cast<Index>(block) * columns_per_block,
+                            count = std::min(columns_per_block, ny - first);
+                Array2D lines = heights.middleCols(first, count).transpose(), weights;
+                if (factors.size() > 0) weights = factors.middleCols(first, count).transpose();
+                for (Index j = 0; j < count; ++j)
+                    smoother.smooth(&lines(j, 0), factors.size() > 0 ? &weights(j, 0) : nullptr, nx);
+                // what the first pass made of undefined points must not pass for data in the second
+                smooth.middleCols(first, count) =
+                    heights.middleCols(first, count)
+                        .isNaN()
+                        .select(std::numeric_limits<double>::quiet_NaN(), lines.transpose());
+            });
     }
     if (ny > 1) {
         const LineSmoother smoother(ny, stiff[1], periodic);
@@ -83,12 +92,15 @@ Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::ar
     return smooth;
 }
 
-int filter_in_place(Eigen::Ref<Array2D> heights, const SplineFilter& filter, const std::array<SplineStiffness, 2>& stiff, bool periodic, parallel::Threads threads) {
+int filter_in_place(Eigen::Ref<Array2D> heights, const SplineFilter& filter,
+                    const std::array<SplineStiffness, 2>& stiff, bool periodic, parallel::Threads threads) {
     Array2D weights, smooth;
     RobustScale scale;
     do smooth = smooth_map(heights, weights, stiff, periodic, threads);
     while (filter.robust && scale.update(heights, smooth, weights));
-    heights = filter.keep == Kept::short_waves ? Array2D(heights - smooth) : Array2D(heights.isNaN().select(std::numeric_limits<double>::quiet_NaN(), smooth));
+    heights = filter.keep == Kept::short_waves
+                  ? Array2D(heights - smooth)
+                  : Array2D(heights.isNaN().select(std::numeric_limits<double>::quiet_NaN(), smooth));
     return scale.updates();
 }
 
@@ -96,7 +108,8 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const SplineFilter& filter, con
 int filter_in_place(topography::HeightMap& map, const SplineFilter& filter, parallel::Threads threads) {
     const auto pixel = map.pixel_size();
     require_valid(filter, std::max(pixel[0], pixel[1]), map.metadata);
-    return filter_in_place(map.heights, filter, {stiffness(filter, pixel[0]), stiffness(filter, pixel[1])}, map.periodic, threads);
+    return filter_in_place(map.heights, filter, {stiffness(filter, pixel[0]), stiffness(filter, pixel[1])},
+                           map.periodic, threads);
 }
 
 int filter_in_place(topography::LineScan& scan, const SplineFilter& filter, parallel::Threads threads) {
@@ -119,7 +132,9 @@ topography::LineScan filtered(topography::LineScan scan, const SplineFilter& fil
 }
 
 Processed apply(const SplineFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
-    return filtered_in_place(filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, filter.robust);
+    return filtered_in_place(
+        filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); },
+        filter.robust);
 }
 
 }  // namespace setae::processing

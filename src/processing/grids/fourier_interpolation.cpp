@@ -16,16 +16,22 @@ constexpr Index columns_per_block = 16;
 std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 void require_points(Index n, const topography::Metadata& metadata) {
-    if (n < 1) throw InvalidArgument(fmt::format("{}: interpolation to {} points a direction; expected at least 1", topography::label(metadata), n));
+    if (n < 1)
+        throw InvalidArgument(fmt::format("{}: interpolation to {} points a direction; expected at least 1",
+                                          topography::label(metadata), n));
 }
 
 }  // namespace
 
 void require_periodic(bool periodic, bool complete, const char* what, const topography::Metadata& metadata) {
     if (!periodic)
-        throw InvalidArgument(fmt::format("{}: {} needs periodic data, and these are not: their ends would ring; use an ISO 16610 filter or another method of interpolation, or window them first",
-                                          topography::label(metadata), what));
-    if (!complete) throw UndefinedDataError(fmt::format("{}: {} needs every height, and some are undefined; fill them first (step fill_undefined)", topography::label(metadata), what));
+        throw InvalidArgument(fmt::format(
+            "{}: {} needs periodic data, and these are not: their ends would ring; use an ISO 16610 filter or another method of interpolation, or window them first",
+            topography::label(metadata), what));
+    if (!complete)
+        throw UndefinedDataError(
+            fmt::format("{}: {} needs every height, and some are undefined; fill them first (step fill_undefined)",
+                        topography::label(metadata), what));
 }
 
 FourierLine::FourierLine(Index points, Index new_points) : forward_(points), back_(new_points) {}
@@ -49,16 +55,20 @@ void FourierLine::resample(const double* heights, double* resampled) const {
     for (Index i = 0; i < N; ++i) resampled[i] = factor * line[extent(i)];
 }
 
-topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Index nx, Index ny, parallel::Threads threads) {
+topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Index nx, Index ny,
+                                           parallel::Threads threads) {
     require_points(std::min(nx, ny), map.metadata);
     require_periodic(map.periodic, !map.heights.isNaN().any(), "Fourier interpolation", map.metadata);
     const Index old_nx = map.heights.rows();
     Array2D along_y(old_nx, ny);
     const FourierLine rows(map.heights.cols(), ny), columns(old_nx, nx);
-    parallel::for_each_index(extent(old_nx), threads, [&](std::size_t row) { rows.resample(&map.heights(static_cast<Index>(row), 0), &along_y(static_cast<Index>(row), 0)); });
+    parallel::for_each_index(extent(old_nx), threads, [&](std::size_t row) {
+        rows.resample(&map.heights(static_cast<Index>(row), 0), &along_y(static_cast<Index>(row), 0));
+    });
     topography::HeightMap result{Array2D(nx, ny), map.size, true, map.metadata};
     parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block, count = std::min(columns_per_block, ny - first);
+        const Index first = static_cast<Index>(block) * columns_per_block,
+                    count = std::min(columns_per_block, ny - first);
         const Array2D lines = along_y.middleCols(first, count).transpose();
         Array2D resampled(count, nx);
         for (Index j = 0; j < count; ++j) columns.resample(&lines(j, 0), &resampled(j, 0));

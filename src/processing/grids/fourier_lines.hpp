@@ -6,7 +6,8 @@
 
 namespace setae::processing {
 
-/// @throws InvalidArgument that says what to do for data that are not periodic, UndefinedDataError for undefined heights.
+/// @throws InvalidArgument that says what to do for data that are not periodic, UndefinedDataError for undefined
+/// heights.
 void require_periodic(bool periodic, bool complete, const char* what, const topography::Metadata& metadata);
 
 /// Lines of n points through their Fourier series on N points (fourier_interpolated).

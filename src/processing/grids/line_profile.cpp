@@ -34,7 +34,8 @@ public:
     explicit Heights(const HeightMap& map) : map_(map), between_(map) {}
     [[nodiscard]] double operator()(double x, double y) const {
         const auto pixel = map_.pixel_size();
-        const Index i = grid_index(in_pixels(x, pixel[0]), map_.heights.rows(), map_.periodic), j = grid_index(in_pixels(y, pixel[1]), map_.heights.cols(), map_.periodic);
+        const Index i = grid_index(in_pixels(x, pixel[0]), map_.heights.rows(), map_.periodic),
+                    j = grid_index(in_pixels(y, pixel[1]), map_.heights.cols(), map_.periodic);
         return i >= 0 && j >= 0 ? map_.heights(i, j) : between_(x, y);
     }
 
@@ -51,26 +52,34 @@ double pixel_along(const HeightMap& map, double cosine, double sine) {
 
 void check(const HeightMap& map, const ProfileLine& line) {
     const auto pixel = map.pixel_size();
-    const std::array<double, 2> end{pixel[0] * static_cast<double>(map.heights.rows() - 1), pixel[1] * static_cast<double>(map.heights.cols() - 1)};
+    const std::array<double, 2> end{pixel[0] * static_cast<double>(map.heights.rows() - 1),
+                                    pixel[1] * static_cast<double>(map.heights.cols() - 1)};
     for (const auto& point : {line.from, line.to})
         for (std::size_t d = 0; d < 2; ++d) {
             const bool inside = point[d] >= -1e-9 * pixel[d] && point[d] <= end[d] + 1e-9 * pixel[d];
             if (!std::isfinite(point[d]) || (!map.periodic && !inside))
-                throw InvalidArgument(fmt::format("{}: a profile's end at ({}, {}) m; expected within 0 … {} m along x and 0 … {} m along y", topography::label(map.metadata), point[0], point[1],
-                                                  end[0], end[1]));
+                throw InvalidArgument(fmt::format(
+                    "{}: a profile's end at ({}, {}) m; expected within 0 … {} m along x and 0 … {} m along y",
+                    topography::label(map.metadata), point[0], point[1], end[0], end[1]));
         }
-    if (line.from == line.to) throw InvalidArgument(fmt::format("a profile from ({}, {}) m to the same point; expected two", line.from[0], line.from[1]));
-    if (!(line.width >= 0.0 && std::isfinite(line.width))) throw InvalidArgument(fmt::format("a profile {} m wide; expected 0 or more", line.width));
-    if (line.points && *line.points < 2) throw InvalidArgument(fmt::format("a profile of {} points; expected at least two", *line.points));
+    if (line.from == line.to)
+        throw InvalidArgument(
+            fmt::format("a profile from ({}, {}) m to the same point; expected two", line.from[0], line.from[1]));
+    if (!(line.width >= 0.0 && std::isfinite(line.width)))
+        throw InvalidArgument(fmt::format("a profile {} m wide; expected 0 or more", line.width));
+    if (line.points && *line.points < 2)
+        throw InvalidArgument(fmt::format("a profile of {} points; expected at least two", *line.points));
 }
 
 }  // namespace
 
 LineProfile line_profile(const HeightMap& map, const ProfileLine& line) {
     check(map, line);
-    const double along_x = line.to[0] - line.from[0], along_y = line.to[1] - line.from[1], length = std::hypot(along_x, along_y);
+    const double along_x = line.to[0] - line.from[0], along_y = line.to[1] - line.from[1],
+                 length = std::hypot(along_x, along_y);
     const double cosine = along_x / length, sine = along_y / length;
-    const Index points = line.points.value_or(std::max<Index>(2, static_cast<Index>(std::lround(length / pixel_along(map, cosine, sine))) + 1));
+    const Index points = line.points.value_or(
+        std::max<Index>(2, static_cast<Index>(std::lround(length / pixel_along(map, cosine, sine))) + 1));
     const double across = pixel_along(map, -sine, cosine);
     LineProfile result;
     result.tracks = std::max<Index>(1, static_cast<Index>(std::lround(line.width / across)));

@@ -10,7 +10,8 @@
 namespace setae::processing {
 namespace {
 
-void fourier_slopes(const fourier::RealTransform& forward, const fourier::InverseRealTransform& back, const double* heights, double* slopes) {
+void fourier_slopes(const fourier::RealTransform& forward, const fourier::InverseRealTransform& back,
+                    const double* heights, double* slopes) {
     const Index n = forward.points();
     thread_local fourier::Buffer<double> line;
     thread_local fourier::Buffer<fourier::Complex> modes;
@@ -18,9 +19,11 @@ void fourier_slopes(const fourier::RealTransform& forward, const fourier::Invers
     modes.resize(static_cast<std::size_t>(forward.modes()));
     std::copy(heights, heights + n, line.begin());
     forward.forward(line.data(), modes.data());
-    const double step = 2.0 * std::numbers::pi / (static_cast<double>(n) * static_cast<double>(n));  // 2π/n, and 1/n of the transform
+    const double step =
+        2.0 * std::numbers::pi / (static_cast<double>(n) * static_cast<double>(n));  // 2π/n, and 1/n of the transform
     for (Index k = 0; k < forward.modes(); ++k)
-        modes[static_cast<std::size_t>(k)] *= 2 * k == n ? fourier::Complex(0.0) : fourier::Complex(0.0, step * static_cast<double>(k));
+        modes[static_cast<std::size_t>(k)] *=
+            2 * k == n ? fourier::Complex(0.0) : fourier::Complex(0.0, step * static_cast<double>(k));
     back.apply(modes.data(), line.data());
     std::copy(line.begin(), line.end(), slopes);
 }

@@ -9,8 +9,8 @@ namespace setae::processing {
 
 /// Slopes per step at the points of lines of n heights, NaN = undefined.
 ///
-/// Periodic complete lines: the Fourier derivative without the Nyquist mode. Others: central differences; at ends and next to undefined points from the
-/// two neighbours on the other side (exact for parabolas), the one there is, or 0.
+/// Periodic complete lines: the Fourier derivative without the Nyquist mode. Others: central differences; at ends and
+/// next to undefined points from the two neighbours on the other side (exact for parabolas), the one there is, or 0.
 class LineSlopes {
 public:
     LineSlopes(Index points, bool periodic);

@@ -30,15 +30,21 @@ struct Points {
 
 void require_valid(const Resample& grid, const topography::Metadata& metadata) {
     if (grid.nx < 0 || grid.ny < 0 || (grid.nx == 0 && !grid.pixel_size))
-        throw InvalidArgument(fmt::format("{}: resampling to {} x {} points without a pixel size; expected nx or pixel_size", topography::label(metadata), grid.nx, grid.ny));
+        throw InvalidArgument(
+            fmt::format("{}: resampling to {} x {} points without a pixel size; expected nx or pixel_size",
+                        topography::label(metadata), grid.nx, grid.ny));
     if (grid.pixel_size && (!(*grid.pixel_size > 0.0) || !std::isfinite(*grid.pixel_size)))
-        throw InvalidArgument(fmt::format("{}: resampling to pixels of {} m; expected a positive size", topography::label(metadata), *grid.pixel_size));
+        throw InvalidArgument(fmt::format("{}: resampling to pixels of {} m; expected a positive size",
+                                          topography::label(metadata), *grid.pixel_size));
     if (grid.pixel_size && grid.nx + grid.ny > 0)
-        throw InvalidArgument(fmt::format("{}: resampling to {} x {} points and to pixels of {} m; expected one of both", topography::label(metadata), grid.nx, grid.ny, *grid.pixel_size));
+        throw InvalidArgument(
+            fmt::format("{}: resampling to {} x {} points and to pixels of {} m; expected one of both",
+                        topography::label(metadata), grid.nx, grid.ny, *grid.pixel_size));
 }
 
 /// `asked`: number of points, or 0 for the grid's pixel size. Open: from the first to the last of the old points.
-Points points_of(const Resample& grid, Index asked, Index old_count, double size, bool open, const topography::Metadata& metadata) {
+Points points_of(const Resample& grid, Index asked, Index old_count, double size, bool open,
+                 const topography::Metadata& metadata) {
     const double old_step = size / static_cast<double>(old_count);
     Points points{asked, 0.0, size};
     if (open) {
@@ -51,7 +57,9 @@ Points points_of(const Resample& grid, Index asked, Index old_count, double size
         points.step = size / static_cast<double>(points.count);
     }
     if (points.count < 2 || (open && old_count < 2))
-        throw InvalidArgument(fmt::format("{}: resampling {} points to {} along a direction; expected at least 2 of both", topography::label(metadata), old_count, points.count));
+        throw InvalidArgument(
+            fmt::format("{}: resampling {} points to {} along a direction; expected at least 2 of both",
+                        topography::label(metadata), old_count, points.count));
     return points;
 }
 
@@ -67,7 +75,8 @@ struct Overlaps {
             first.push_back(std::min(old_count - 1, static_cast<Index>(std::floor(begin))));
             shares.emplace_back();
             for (Index j = first.back(); j < old_count; ++j) {
-                const double share = std::min(end, static_cast<double>(j + 1)) - std::max(begin, static_cast<double>(j));
+                const double share =
+                    std::min(end, static_cast<double>(j + 1)) - std::max(begin, static_cast<double>(j));
                 if (!(share > 1e-12) && j > first.back()) break;
                 shares.back().push_back(std::max(0.0, share));
             }
@@ -77,7 +86,8 @@ struct Overlaps {
 
 Array2D averaged(const Array2D& heights, Index nx, Index ny, parallel::Threads threads) {
     const Overlaps along_x(heights.rows(), nx), along_y(heights.cols(), ny);
-    const double whole = static_cast<double>(heights.rows()) / static_cast<double>(nx) * (static_cast<double>(heights.cols()) / static_cast<double>(ny));
+    const double whole = static_cast<double>(heights.rows()) / static_cast<double>(nx) *
+                         (static_cast<double>(heights.cols()) / static_cast<double>(ny));
     Array2D result(nx, ny);
     parallel::for_each_index(extent(nx), threads, [&](std::size_t row) {
         Array1D sums = Array1D::Zero(ny), areas = Array1D::Zero(ny);
@@ -95,16 +105,19 @@ Array2D averaged(const Array2D& heights, Index nx, Index ny, parallel::Threads t
             }
         }
         const double least = 0.5 * whole * (1.0 - 1e-12);
-        result.row(static_cast<Index>(row)) = (areas >= least && areas > 0.0).select(sums / areas, std::numeric_limits<double>::quiet_NaN()).transpose();
+        result.row(static_cast<Index>(row)) =
+            (areas >= least && areas > 0.0).select(sums / areas, std::numeric_limits<double>::quiet_NaN()).transpose();
     });
     return result;
 }
 
 template <class Interpolator>
-void fill_from(const Interpolator& height, Array2D& heights, const Points& x, const Points& y, parallel::Threads threads) {
+void fill_from(const Interpolator& height, Array2D& heights, const Points& x, const Points& y,
+               parallel::Threads threads) {
     parallel::for_each_index(extent(heights.rows()), threads, [&](std::size_t row) {
         const auto i = static_cast<Index>(row);
-        for (Index j = 0; j < heights.cols(); ++j) heights(i, j) = height(static_cast<double>(i) * x.step, static_cast<double>(j) * y.step);
+        for (Index j = 0; j < heights.cols(); ++j)
+            heights(i, j) = height(static_cast<double>(i) * x.step, static_cast<double>(j) * y.step);
     });
 }
 
@@ -116,9 +129,15 @@ void fill_from(const Interpolator& height, Array1D& heights, const Points& x) {
 StepRecord record_of(const Resample& step, const topography::Measurement& measurement) {
     StepRecord record{.step = std::string(step_name(step))};
     const auto shape = topography::shape(measurement);
-    record.numbers.push_back({.quantity = "points_x", .symbol = "n_x", .estimate = {.value = static_cast<double>(shape[0]), .standard_error = 0.0}, .unit = "1"});
+    record.numbers.push_back({.quantity = "points_x",
+                              .symbol = "n_x",
+                              .estimate = {.value = static_cast<double>(shape[0]), .standard_error = 0.0},
+                              .unit = "1"});
     if (std::holds_alternative<HeightMap>(measurement))
-        record.numbers.push_back({.quantity = "points_y", .symbol = "n_y", .estimate = {.value = static_cast<double>(shape[1]), .standard_error = 0.0}, .unit = "1"});
+        record.numbers.push_back({.quantity = "points_y",
+                                  .symbol = "n_y",
+                                  .estimate = {.value = static_cast<double>(shape[1]), .standard_error = 0.0},
+                                  .unit = "1"});
     return record;
 }
 
@@ -127,9 +146,13 @@ StepRecord record_of(const Resample& step, const topography::Measurement& measur
 HeightMap resampled(const HeightMap& map, const Resample& grid, parallel::Threads threads) {
     require_valid(grid, map.metadata);
     const Index old_nx = map.heights.rows(), old_ny = map.heights.cols();
-    const Index nx = grid.nx, ny = grid.ny > 0 || grid.pixel_size ? grid.ny : static_cast<Index>(std::llround(static_cast<double>(nx * old_ny) / static_cast<double>(old_nx)));
+    const Index nx = grid.nx, ny = grid.ny > 0 || grid.pixel_size
+                                       ? grid.ny
+                                       : static_cast<Index>(std::llround(static_cast<double>(nx * old_ny) /
+                                                                         static_cast<double>(old_nx)));
     const bool open = !map.periodic && grid.method != Resampling::average;
-    const Points x = points_of(grid, nx, old_nx, map.size[0], open, map.metadata), y = points_of(grid, ny, old_ny, map.size[1], open, map.metadata);
+    const Points x = points_of(grid, nx, old_nx, map.size[0], open, map.metadata),
+                 y = points_of(grid, ny, old_ny, map.size[1], open, map.metadata);
     if (grid.method == Resampling::fourier) return fourier_interpolated(map, x.count, y.count, threads);
     HeightMap result{Array2D(x.count, y.count), {x.size, y.size}, map.periodic, map.metadata};
     if (grid.method == Resampling::average) result.heights = averaged(map.heights, x.count, y.count, threads);
@@ -158,19 +181,23 @@ LineScan resampled(const LineScan& scan, const Resample& grid, parallel::Threads
 LineScan resampled(const Profile& profile, const Resample& grid) {
     require_valid(grid, profile.metadata);
     if (grid.method != Resampling::linear)
-        throw InvalidArgument(fmt::format("{}: a polyline of {} points is resampled along its straight segments alone; expected method linear", topography::label(profile.metadata),
-                                          profile.positions.size()));
+        throw InvalidArgument(fmt::format(
+            "{}: a polyline of {} points is resampled along its straight segments alone; expected method linear",
+            topography::label(profile.metadata), profile.positions.size()));
     const double length = profile.size();
     Index count = grid.nx;
     if (count == 0) count = static_cast<Index>(std::floor(length / *grid.pixel_size * (1.0 + 1e-12))) + 1;
-    if (count < 2) throw InvalidArgument(fmt::format("{}: resampling leaves {} point; expected at least 2", topography::label(profile.metadata), count));
+    if (count < 2)
+        throw InvalidArgument(fmt::format("{}: resampling leaves {} point; expected at least 2",
+                                          topography::label(profile.metadata), count));
     const double step = grid.pixel_size ? *grid.pixel_size : length / static_cast<double>(count - 1);
     LineScan result{Array1D(count), step * static_cast<double>(count), false, profile.metadata};
     const Index last = profile.positions.size() - 2;
     for (Index i = 0, segment = 0; i < count; ++i) {
         const double x = profile.positions[0] + std::min(length, static_cast<double>(i) * step);
         while (segment < last && profile.positions[segment + 1] < x) ++segment;
-        const double t = (x - profile.positions[segment]) / (profile.positions[segment + 1] - profile.positions[segment]);
+        const double t =
+            (x - profile.positions[segment]) / (profile.positions[segment + 1] - profile.positions[segment]);
         result.heights[i] = (1.0 - t) * profile.heights[segment] + t * profile.heights[segment + 1];
     }
     return result;

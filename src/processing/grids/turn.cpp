@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/core/errors.hpp"
 #include "pipeline/step_record.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::processing {
 namespace {
@@ -39,7 +39,9 @@ HeightMap& map_of(std::string_view step, topography::Measurement& measurement) {
     return *map;
 }
 
-Processed turned(std::string_view step, topography::Measurement measurement) { return {std::move(measurement), {std::string(step), {}, {}}}; }
+Processed turned(std::string_view step, topography::Measurement measurement) {
+    return {std::move(measurement), {std::string(step), {}, {}}};
+}
 
 }  // namespace
 
@@ -53,7 +55,8 @@ Processed apply(const Flip& step, topography::Measurement measurement, parallel:
         if (step.direction == Direction::x) flip_x(*map);
         else flip_y(*map);
     } else if (step.direction == Direction::y) {
-        throw InvalidArgument(fmt::format("flip: {} is a line and has no y; expected direction x", topography::label(topography::metadata(measurement))));
+        throw InvalidArgument(fmt::format("flip: {} is a line and has no y; expected direction x",
+                                          topography::label(topography::metadata(measurement))));
     } else if (auto* scan = std::get_if<LineScan>(&measurement)) {
         flip(*scan);
     } else {

@@ -8,10 +8,10 @@
 
 #include "line_polynomial.hpp"
 #include "order_statistic.hpp"
+#include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -19,7 +19,8 @@ namespace {
 using topography::HeightMap;
 using topography::Mask;
 
-/// Mean or median of the points of a line that count, or of their differences to the line before; NaN where there are none.
+/// Mean or median of the points of a line that count, or of their differences to the line before; NaN where there are
+/// none.
 double level_of(LineBand& band, Index line, RowAlignment method, std::vector<double>& values) {
     values.clear();
     const double* const heights = band.line(line);
@@ -41,15 +42,20 @@ Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, par
     const Index lines = line_count(map.heights, step.direction);
     const bool differences = step.method == RowAlignment::median_of_differences;
     Array1D levels = Array1D::Constant(lines, undefined);
-    for_each_band(map.heights, chosen, step.direction, differences ? 1 : 0, false, threads, [&](LineBand& band, Index first, Index last) {
-        std::vector<double> values;
-        values.reserve(static_cast<std::size_t>(band.points));
-        for (Index line = differences ? std::max<Index>(first, 1) : first; line < last; ++line) levels[line] = level_of(band, line, step.method, values);
-    });
-    if (!(levels == levels).any()) throw UndefinedDataError(fmt::format("{}: no line has a point that counts; widen the region", topography::label(map.metadata)));
+    for_each_band(map.heights, chosen, step.direction, differences ? 1 : 0, false, threads,
+                  [&](LineBand& band, Index first, Index last) {
+                      std::vector<double> values;
+                      values.reserve(static_cast<std::size_t>(band.points));
+                      for (Index line = differences ? std::max<Index>(first, 1) : first; line < last; ++line)
+                          levels[line] = level_of(band, line, step.method, values);
+                  });
+    if (!(levels == levels).any())
+        throw UndefinedDataError(
+            fmt::format("{}: no line has a point that counts; widen the region", topography::label(map.metadata)));
     if (differences) {
         levels[0] = 0.0;
-        for (Index line = 1; line < lines; ++line) levels[line] = levels[line - 1] + (levels[line] == levels[line] ? levels[line] : 0.0);
+        for (Index line = 1; line < lines; ++line)
+            levels[line] = levels[line - 1] + (levels[line] == levels[line] ? levels[line] : 0.0);
         return levels;
     }
     for (Index line = 1; line < lines; ++line)
@@ -67,7 +73,8 @@ void move_lines(const Array1D& shifts, Direction direction, HeightMap& map, para
     });
 }
 
-/// Subtracts every line's polynomial but for the mean height of all of them; those means. Lines with too few points become undefined.
+/// Subtracts every line's polynomial but for the mean height of all of them; those means. Lines with too few points
+/// become undefined.
 Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& chosen, parallel::Threads threads) {
     const LinePolynomial polynomial(step.degree, points_on_line(map.heights, step.direction));
     Array1D means = Array1D::Constant(line_count(map.heights, step.direction), undefined);
@@ -81,7 +88,10 @@ Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& ch
             }
         }
     });
-    if (!(means == means).any()) throw UndefinedDataError(fmt::format("{}: no line has {} points that count; lower the degree or widen the region", topography::label(map.metadata), step.degree + 1));
+    if (!(means == means).any())
+        throw UndefinedDataError(
+            fmt::format("{}: no line has {} points that count; lower the degree or widen the region",
+                        topography::label(map.metadata), step.degree + 1));
     return means;
 }
 
@@ -99,11 +109,13 @@ std::array<double, 2> mean_and_spread(const Array1D& shifts) {
 
 Processed apply(const AlignRows& step, topography::Measurement measurement, parallel::Threads threads) {
     auto* map = std::get_if<HeightMap>(&measurement);
-    if (!map) refuse_line(step_name(step), measurement, "a single line has no rows to align: level it with level_polynomial");
+    if (!map)
+        refuse_line(step_name(step), measurement, "a single line has no rows to align: level it with level_polynomial");
     const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, *map, threads);
     StepRecord record{std::string(step_name(step)), {}, {}};
     const bool polynomial = step.method == RowAlignment::polynomial;
-    const Array1D shifts = polynomial ? remove_polynomials(step, *map, chosen, threads) : shifts_of(step, *map, chosen, threads);
+    const Array1D shifts =
+        polynomial ? remove_polynomials(step, *map, chosen, threads) : shifts_of(step, *map, chosen, threads);
     const auto [mean, spread] = mean_and_spread(shifts);
     const Array1D moves = polynomial ? Array1D::Constant(shifts.size(), -mean) : Array1D(shifts - mean);
     move_lines(moves, step.direction, *map, threads);
@@ -112,7 +124,10 @@ Processed apply(const AlignRows& step, topography::Measurement measurement, para
     record.numbers.push_back(recorded_count("aligned_lines", shifts.size() - lost));
     record.numbers.push_back(recorded("rms_shift", "", spread, "m"));
     if (lost > 0)
-        record.alerts.push_back({"UNDEFINED", topography::label(map->metadata), fmt::format("{} of {} lines have too few points that count and are undefined now", lost, shifts.size()), "lower the degree or widen the region"});
+        record.alerts.push_back(
+            {"UNDEFINED", topography::label(map->metadata),
+             fmt::format("{} of {} lines have too few points that count and are undefined now", lost, shifts.size()),
+             "lower the degree or widen the region"});
     return {std::move(measurement), std::move(record)};
 }
 

@@ -37,7 +37,9 @@ Array1D product_in_legendre(Index a, Index b) {
     Array1D coefficients = Array1D::Zero(a + b + 1);
     for (Index r = 0; r <= std::min(a, b); ++r) {
         const auto twice = static_cast<double>(2 * (a + b));
-        coefficients[a + b - 2 * r] = ratio(a - r) * ratio(r) * ratio(b - r) / ratio(a + b - r) * (twice - static_cast<double>(4 * r) + 1.0) / (twice - static_cast<double>(2 * r) + 1.0);
+        coefficients[a + b - 2 * r] = ratio(a - r) * ratio(r) * ratio(b - r) / ratio(a + b - r) *
+                                      (twice - static_cast<double>(4 * r) + 1.0) /
+                                      (twice - static_cast<double>(2 * r) + 1.0);
     }
     return coefficients;
 }

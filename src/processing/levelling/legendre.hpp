@@ -9,7 +9,9 @@
 namespace setae::processing {
 
 /// Place i of n equal steps from −1 to 1; 0 where there is one point alone.
-[[nodiscard]] inline double centred(Index i, Index n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
+[[nodiscard]] inline double centred(Index i, Index n) {
+    return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0;
+}
 
 /// P_0(t) … P_degree(t).
 [[nodiscard]] Array1D legendre_values(Index degree, double t);
@@ -27,8 +29,8 @@ struct GaussRule {
 };
 [[nodiscard]] GaussRule gauss_rule(Index n);
 
-/// Solution of the normal equations G c = b, or nothing where G has, scaled to unit diagonal, a condition beyond 1e12: the points then
-/// do not determine c.
+/// Solution of the normal equations G c = b, or nothing where G has, scaled to unit diagonal, a condition beyond 1e12:
+/// the points then do not determine c.
 [[nodiscard]] std::optional<Array1D> solved_normal_equations(const Array2D& gram, const Array1D& moments);
 
 /// Σ a_j b_j in independent lanes, so that it vectorises and its order is fixed.

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "line_polynomial.hpp"
+#include "pipeline/step_record.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -31,12 +31,14 @@ std::vector<Quantity> removed(const PolynomialSurface& polynomial, bool map) {
     for (std::size_t k = 0; k < (map ? 2u : 1u); ++k) {
         const std::string direction = k == 0 ? "x" : "y";
         if (degree[k] >= 1) numbers.push_back(recorded("removed_slope_" + direction, "s_" + direction, slope[k], "1"));
-        if (degree[k] >= 2 && curvature[k] != 0.0) numbers.push_back(recorded("removed_radius_" + direction, "R_" + direction, 1.0 / curvature[k], "m"));
+        if (degree[k] >= 2 && curvature[k] != 0.0)
+            numbers.push_back(recorded("removed_radius_" + direction, "R_" + direction, 1.0 / curvature[k], "m"));
     }
     return numbers;
 }
 
-Processed level(std::string_view name, const PolynomialDegrees& degrees, const Region& region, topography::Measurement measurement, parallel::Threads threads) {
+Processed level(std::string_view name, const PolynomialDegrees& degrees, const Region& region,
+                topography::Measurement measurement, parallel::Threads threads) {
     StepRecord record{std::string(name), {}, {}};
     std::visit(
         [&](auto& m) {
@@ -78,7 +80,8 @@ Processed apply(const LevelPlane& step, topography::Measurement measurement, par
 }
 
 Processed apply(const LevelPolynomial& step, topography::Measurement measurement, parallel::Threads threads) {
-    return level(step_name(step), {step.degree, step.degree_x, step.degree_y}, step.region, std::move(measurement), threads);
+    return level(step_name(step), {step.degree, step.degree_x, step.degree_y}, step.region, std::move(measurement),
+                 threads);
 }
 
 Processed apply(const LevelLines& step, topography::Measurement measurement, parallel::Threads threads) {
@@ -86,11 +89,17 @@ Processed apply(const LevelLines& step, topography::Measurement measurement, par
     if (!map) return level(step_name(step), {.total = step.degree}, step.region, std::move(measurement), threads);
     StepRecord record{std::string(step_name(step)), {}, {}};
     const Index lines = line_count(map->heights, step.direction), lost = level_lines(step, *map, threads);
-    if (lost == lines) throw UndefinedDataError(fmt::format("{}: no line has {} points that count; lower the degree or widen the region", topography::label(map->metadata), step.degree + 1));
+    if (lost == lines)
+        throw UndefinedDataError(
+            fmt::format("{}: no line has {} points that count; lower the degree or widen the region",
+                        topography::label(map->metadata), step.degree + 1));
     if (step.degree > 0) end_periodicity(*map);
     record.numbers.push_back(recorded_count("levelled_lines", lines - lost));
     if (lost > 0)
-        record.alerts.push_back({"UNDEFINED", topography::label(map->metadata), fmt::format("{} of {} lines have too few points that count and are undefined now", lost, lines), "lower the degree or widen the region"});
+        record.alerts.push_back(
+            {"UNDEFINED", topography::label(map->metadata),
+             fmt::format("{} of {} lines have too few points that count and are undefined now", lost, lines),
+             "lower the degree or widen the region"});
     return {std::move(measurement), std::move(record)};
 }
 

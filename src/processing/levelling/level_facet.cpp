@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/processing/level.hpp"
-#include "pipeline/step_record.hpp"
 
 namespace setae::processing {
 namespace {
@@ -53,18 +53,22 @@ struct MapFacets {
         const auto pixel = map.pixel_size();
         FacetSums all;
         if (nx < 2) return all;
-        for (const auto& part : by_row_blocks(RowBlocks(nx - 1, ny), threads, FacetSums{}, [&, columns = ny](Index first, Index last, FacetSums& block) {
-                 for (Index i = first; i < last; ++i) {
-                     const double* const here = map.heights.data() + i * columns;
-                     const double* const next = here + columns;
-                     for (Index j = 0; j + 1 < columns; ++j) {
-                         const double vx = 0.5 * ((next[j] - here[j]) + (next[j + 1] - here[j + 1])) / pixel[0];
-                         const double vy = 0.5 * ((here[j + 1] - here[j]) + (next[j + 1] - next[j])) / pixel[1];
-                         if (vx != vx || (chosen.size() > 0 && !(chosen(i, j) && chosen(i, j + 1) && chosen(i + 1, j) && chosen(i + 1, j + 1)))) continue;
-                         visit(block, 1.0, vx, vy);
+        for (const auto& part : by_row_blocks(
+                 RowBlocks(nx - 1, ny), threads, FacetSums{},
+                 [&, columns = ny](Index first, Index last, FacetSums& block) {
+                     for (Index i = first; i < last; ++i) {
+                         const double* const here = map.heights.data() + i * columns;
+                         const double* const next = here + columns;
+                         for (Index j = 0; j + 1 < columns; ++j) {
+                             const double vx = 0.5 * ((next[j] - here[j]) + (next[j + 1] - here[j + 1])) / pixel[0];
+                             const double vy = 0.5 * ((here[j + 1] - here[j]) + (next[j + 1] - next[j])) / pixel[1];
+                             if (vx != vx || (chosen.size() > 0 && !(chosen(i, j) && chosen(i, j + 1) &&
+                                                                     chosen(i + 1, j) && chosen(i + 1, j + 1))))
+                                 continue;
+                             visit(block, 1.0, vx, vy);
+                         }
                      }
-                 }
-             }))
+                 }))
             all.add(part);
         return all;
     }
@@ -95,8 +99,11 @@ struct Dominant {
 
 template <class Facets>
 Dominant dominant_slope(const Facets& facets, const topography::Metadata& metadata, parallel::Threads threads) {
-    const auto start = facets.sums(threads, [](FacetSums& sums, double size, double vx, double vy) { sums.add(size, vx, vy); });
-    if (!(start.weight > 0.0)) throw UndefinedDataError(fmt::format("{}: no facet has all its points in the region; widen it", topography::label(metadata)));
+    const auto start =
+        facets.sums(threads, [](FacetSums& sums, double size, double vx, double vy) { sums.add(size, vx, vy); });
+    if (!(start.weight > 0.0))
+        throw UndefinedDataError(
+            fmt::format("{}: no facet has all its points in the region; widen it", topography::label(metadata)));
     const Slope mean{start.x / start.weight, start.y / start.weight};
     const auto spread = facets.sums(threads, [&mean](FacetSums& sums, double size, double vx, double vy) {
         sums.squares += size * ((vx - mean[0]) * (vx - mean[0]) + (vy - mean[1]) * (vy - mean[1]));
@@ -105,16 +112,18 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
     found.slope = mean;
     while (found.iterations < most_iterations && !found.converged) {
         const auto [bx, by] = found.slope;
-        const double variance = spread.squares / start.weight + (bx - mean[0]) * (bx - mean[0]) + (by - mean[1]) * (by - mean[1]);
+        const double variance =
+            spread.squares / start.weight + (bx - mean[0]) * (bx - mean[0]) + (by - mean[1]) * (by - mean[1]);
         if (!(variance > 0.0)) {
             found.converged = true;
             break;
         }
-        const auto weighted = facets.sums(threads, [bx, by, variance](FacetSums& sums, double size, double vx, double vy) {
-            const double x = vx - bx, y = vy - by;
-            const double w = size * std::exp(-sharpness * (x * x + y * y) / variance);
-            sums.add(w, x, y);
-        });
+        const auto weighted =
+            facets.sums(threads, [bx, by, variance](FacetSums& sums, double size, double vx, double vy) {
+                const double x = vx - bx, y = vy - by;
+                const double w = size * std::exp(-sharpness * (x * x + y * y) / variance);
+                sums.add(w, x, y);
+            });
         ++found.iterations;
         if (!(weighted.weight > 0.0)) break;  // no facet is near the plane
         const Slope change{weighted.x / weighted.weight, weighted.y / weighted.weight};
@@ -129,7 +138,8 @@ void level_by(const Slope& slope, HeightMap& map, parallel::Threads threads) {
     PolynomialSurface plane{Array2D::Zero(2, 2), {}, {}};
     const auto [nx, ny] = map.shape();
     const auto pixel = map.pixel_size();
-    for (std::size_t k = 0; k < 2; ++k) plane.half_extent[k] = plane.centre[k] = 0.5 * static_cast<double>((k == 0 ? nx : ny) - 1) * pixel[k];
+    for (std::size_t k = 0; k < 2; ++k)
+        plane.half_extent[k] = plane.centre[k] = 0.5 * static_cast<double>((k == 0 ? nx : ny) - 1) * pixel[k];
     plane.coefficients(1, 0) = slope[0] * plane.half_extent[0];
     plane.coefficients(0, 1) = slope[1] * plane.half_extent[1];
     subtract(plane, map, threads);
@@ -138,7 +148,8 @@ void level_by(const Slope& slope, HeightMap& map, parallel::Threads threads) {
 
 void level_by(const Slope& slope, LineScan& scan, parallel::Threads) {
     const double step = slope[0] * scan.pixel_size();
-    for (Index i = 0; i < scan.heights.size(); ++i) scan.heights[i] -= step * (static_cast<double>(i) - 0.5 * static_cast<double>(scan.heights.size() - 1));
+    for (Index i = 0; i < scan.heights.size(); ++i)
+        scan.heights[i] -= step * (static_cast<double>(i) - 0.5 * static_cast<double>(scan.heights.size() - 1));
     scan.periodic = false;
 }
 
@@ -147,7 +158,9 @@ void level_by(const Slope& slope, Profile& profile, parallel::Threads) {
     profile.heights -= slope[0] * (profile.positions - middle);
 }
 
-Dominant dominant_slope_of(const HeightMap& map, const Mask& chosen, parallel::Threads threads) { return dominant_slope(MapFacets{map, chosen}, map.metadata, threads); }
+Dominant dominant_slope_of(const HeightMap& map, const Mask& chosen, parallel::Threads threads) {
+    return dominant_slope(MapFacets{map, chosen}, map.metadata, threads);
+}
 
 Dominant dominant_slope_of(const LineScan& scan, const Mask& chosen, parallel::Threads threads) {
     const Array1D lengths = Array1D::Constant(std::max<Index>(scan.heights.size() - 1, 0), scan.pixel_size());
@@ -159,7 +172,9 @@ Dominant dominant_slope_of(const Profile& profile, const Mask& chosen, parallel:
     const Array1D lengths = profile.positions.tail(n - 1) - profile.positions.head(n - 1);
     for (Index i = 0; i < lengths.size(); ++i)
         if (!(lengths[i] > 0.0))
-            throw InvalidArgument(fmt::format("{}: x does not increase at point {}; expected a function h(x): clean_contour makes one of a traced curve", topography::label(profile.metadata), i + 1));
+            throw InvalidArgument(fmt::format(
+                "{}: x does not increase at point {}; expected a function h(x): clean_contour makes one of a traced curve",
+                topography::label(profile.metadata), i + 1));
     return dominant_slope(LineFacets{profile.heights, lengths, chosen}, profile.metadata, threads);
 }
 
@@ -174,11 +189,14 @@ Processed apply(const LevelFacet& step, topography::Measurement measurement, par
             level_by(found.slope, m, threads);
             subtract(fitted_polynomial(m, {.total = 0}, step.region, threads), m, threads);
             record.numbers.push_back(recorded("removed_slope_x", "s_x", found.slope[0], "1"));
-            if (std::is_same_v<std::decay_t<decltype(m)>, HeightMap>) record.numbers.push_back(recorded("removed_slope_y", "s_y", found.slope[1], "1"));
+            if (std::is_same_v<std::decay_t<decltype(m)>, HeightMap>)
+                record.numbers.push_back(recorded("removed_slope_y", "s_y", found.slope[1], "1"));
             record.numbers.push_back(recorded_count("iterations", found.iterations));
             if (!found.converged)
-                record.alerts.push_back({"NOT_CONVERGED", topography::label(m.metadata), fmt::format("the dominant slope of the facets did not settle in {} iterations", found.iterations),
-                                         "use level_plane, or a region that holds the facets"});
+                record.alerts.push_back(
+                    {"NOT_CONVERGED", topography::label(m.metadata),
+                     fmt::format("the dominant slope of the facets did not settle in {} iterations", found.iterations),
+                     "use level_plane, or a region that holds the facets"});
         },
         measurement);
     return {std::move(measurement), std::move(record)};

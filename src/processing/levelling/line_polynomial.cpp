@@ -15,22 +15,28 @@ namespace {
 Array2D gram_of(const Array1D& sums, Index degree) {
     Array2D gram(degree + 1, degree + 1);
     for (Index a = 0; a <= degree; ++a)
-        for (Index b = 0; b <= a; ++b) gram(a, b) = gram(b, a) = (product_in_legendre(a, b) * sums.head(a + b + 1)).sum();
+        for (Index b = 0; b <= a; ++b)
+            gram(a, b) = gram(b, a) = (product_in_legendre(a, b) * sums.head(a + b + 1)).sum();
     return gram;
 }
 
 Index required_degree(Index degree) {
-    if (degree < 0 || degree > highest_degree) throw InvalidArgument(fmt::format("degree {} of the polynomial of a line; expected 0 … {}", degree, highest_degree));
+    if (degree < 0 || degree > highest_degree)
+        throw InvalidArgument(
+            fmt::format("degree {} of the polynomial of a line; expected 0 … {}", degree, highest_degree));
     return degree;
 }
 
 }  // namespace
 
-LinePolynomial::LinePolynomial(Index degree, Index points) : degree_(required_degree(degree)), table_(legendre_table(2 * degree, points)) {
+LinePolynomial::LinePolynomial(Index degree, Index points)
+    : degree_(required_degree(degree)), table_(legendre_table(2 * degree, points)) {
     const auto gram = gram_of(table_.rowwise().sum(), degree);
     Array2D inverse(degree + 1, degree + 1);
     for (Index k = 0; k <= degree; ++k) {
-        const auto column = points > degree ? solved_normal_equations(gram, Eigen::VectorXd::Unit(degree + 1, k).array()) : std::nullopt;
+        const auto column = points > degree
+                                ? solved_normal_equations(gram, Eigen::VectorXd::Unit(degree + 1, k).array())
+                                : std::nullopt;
         if (!column) return;
         inverse.col(k) = *column;
     }

@@ -29,9 +29,9 @@ struct LineBand {
 [[nodiscard]] Index line_count(const Array2D& heights, Direction direction);
 [[nodiscard]] Index points_on_line(const Array2D& heights, Direction direction);
 
-/// body(band, first, last) for the lines of a map in bands of a few; a band begins `before` lines earlier where there are any. `chosen` is empty
-/// for all points. With `write`, lines first … last − 1 of the band are put back.
-void for_each_band(Array2D& heights, const topography::Mask& chosen, Direction direction, Index before, bool write, parallel::Threads threads,
-                   const std::function<void(LineBand& band, Index first, Index last)>& body);
+/// body(band, first, last) for the lines of a map in bands of a few; a band begins `before` lines earlier where there
+/// are any. `chosen` is empty for all points. With `write`, lines first … last − 1 of the band are put back.
+void for_each_band(Array2D& heights, const topography::Mask& chosen, Direction direction, Index before, bool write,
+                   parallel::Threads threads, const std::function<void(LineBand& band, Index first, Index last)>& body);
 
 }  // namespace setae::processing

@@ -13,7 +13,8 @@ bool Pipeline::empty() const {
     return std::none_of(entries.begin(), entries.end(), [](const Entry& entry) { return entry.on; });
 }
 
-PipelineResult apply(const Pipeline& pipeline, topography::Measurement measurement, const LoadMeasurement& load, parallel::Threads threads) {
+PipelineResult apply(const Pipeline& pipeline, topography::Measurement measurement, const LoadMeasurement& load,
+                     parallel::Threads threads) {
     PipelineResult result{std::move(measurement), {}};
     for (const auto& entry : pipeline.entries) {
         if (!entry.on) continue;

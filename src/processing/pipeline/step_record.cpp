@@ -60,21 +60,26 @@ Spread spread_of(const double* heights, Index n) {
 Spread spread_of(const topography::HeightMap& map, parallel::Threads threads) {
     const auto columns = map.heights.cols();
     Spread all;
-    for (const auto& part : by_row_blocks(RowBlocks(map.heights.rows(), columns), threads, Spread{}, [&](Index first, Index last, Spread& spread) {
-             spread = spread_of(map.heights.data() + first * columns, (last - first) * columns);
-         }))
+    for (const auto& part : by_row_blocks(
+             RowBlocks(map.heights.rows(), columns), threads, Spread{}, [&](Index first, Index last, Spread& spread) {
+                 spread = spread_of(map.heights.data() + first * columns, (last - first) * columns);
+             }))
         all.add(part);
     return all;
 }
 
-Spread spread_of(const topography::LineScan& scan, parallel::Threads) { return spread_of(scan.heights.data(), scan.heights.size()); }
+Spread spread_of(const topography::LineScan& scan, parallel::Threads) {
+    return spread_of(scan.heights.data(), scan.heights.size());
+}
 
 /// Integrals over segments whose both ends are defined, about their mean.
 Spread spread_of(const topography::Profile& profile, parallel::Threads) {
     Spread all;
     for (Index i = 0; i + 1 < profile.heights.size(); ++i) {
-        const double length = profile.positions[i + 1] - profile.positions[i], rise = profile.heights[i + 1] - profile.heights[i];
-        if (rise == rise && length > 0.0) all.add({length, profile.heights[i] + 0.5 * rise, rise * rise * length / 12.0});
+        const double length = profile.positions[i + 1] - profile.positions[i],
+                     rise = profile.heights[i + 1] - profile.heights[i];
+        if (rise == rise && length > 0.0)
+            all.add({length, profile.heights[i] + 0.5 * rise, rise * rise * length / 12.0});
     }
     return all;
 }
@@ -90,7 +95,9 @@ Quantity recorded(std::string quantity, std::string symbol, double value, std::s
     return number;
 }
 
-Quantity recorded_count(std::string quantity, Index count) { return recorded(std::move(quantity), "n", static_cast<double>(count), "1"); }
+Quantity recorded_count(std::string quantity, Index count) {
+    return recorded(std::move(quantity), "n", static_cast<double>(count), "1");
+}
 
 std::optional<Quantity> rms_height(const topography::Measurement& measurement, parallel::Threads threads) {
     const auto spread = std::visit([threads](const auto& m) { return spread_of(m, threads); }, measurement);
@@ -100,7 +107,8 @@ std::optional<Quantity> rms_height(const topography::Measurement& measurement, p
 }
 
 void refuse_line(std::string_view step, const topography::Measurement& measurement, std::string_view remedy) {
-    throw InvalidArgument(fmt::format("{}: {} is a line; expected a map; {}", step, topography::label(topography::metadata(measurement)), remedy));
+    throw InvalidArgument(fmt::format("{}: {} is a line; expected a map; {}", step,
+                                      topography::label(topography::metadata(measurement)), remedy));
 }
 
 }  // namespace setae::processing

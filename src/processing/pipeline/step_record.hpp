@@ -16,10 +16,12 @@ namespace setae::processing {
 /// How many points, lines or strokes.
 [[nodiscard]] Quantity recorded_count(std::string quantity, Index count);
 
-/// Sq of a map, Rq of a line or polyline (exact on its segments) over defined points [m]; nothing where none is defined.
+/// Sq of a map, Rq of a line or polyline (exact on its segments) over defined points [m]; nothing where none is
+/// defined.
 [[nodiscard]] std::optional<Quantity> rms_height(const topography::Measurement& measurement, parallel::Threads threads);
 
 /// @throws InvalidArgument: the step needs a map; remedy says what to do with a line instead.
-[[noreturn]] void refuse_line(std::string_view step, const topography::Measurement& measurement, std::string_view remedy);
+[[noreturn]] void refuse_line(std::string_view step, const topography::Measurement& measurement,
+                              std::string_view remedy);
 
 }  // namespace setae::processing

@@ -13,7 +13,8 @@
 namespace setae::processing {
 namespace {
 
-/// Words of a line, separated by blanks that stand outside quotes, single or double; \ within double ones stands before " and \.
+/// Words of a line, separated by blanks that stand outside quotes, single or double; \ within double ones stands before
+/// " and \.
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
     char quote = '\0';  // the one that is open
@@ -49,28 +50,32 @@ std::string quoted(const std::string& value) {
 void set_parameter(Step& step, const ParameterText& parameter) {
     std::vector<std::string> names;
     bool found = false;
-    TextVisitor visitor{[&](std::string_view name, std::string_view, const std::string&, std::string_view, const auto& set) {
-        names.emplace_back(name);
-        if (name != parameter.name) return;
-        found = true;
-        try {
-            set(parameter.value);
-        } catch (const InvalidArgument& error) {
-            throw InvalidArgument(fmt::format("{}: {}", parameter.name, error.what()));
-        }
-    }};
+    TextVisitor visitor{
+        [&](std::string_view name, std::string_view, const std::string&, std::string_view, const auto& set) {
+            names.emplace_back(name);
+            if (name != parameter.name) return;
+            found = true;
+            try {
+                set(parameter.value);
+            } catch (const InvalidArgument& error) {
+                throw InvalidArgument(fmt::format("{}: {}", parameter.name, error.what()));
+            }
+        }};
     std::visit([&](auto& known) { visit_parameters(known, visitor); }, step);
     if (found) return;
     const auto nearest = nearest_match(parameter.name, names);
-    throw InvalidArgument(fmt::format("unknown parameter '{}' of {}{}; {}", parameter.name, name(step), nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
-                                      names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "))));
+    throw InvalidArgument(
+        fmt::format("unknown parameter '{}' of {}{}; {}", parameter.name, name(step),
+                    nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
+                    names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "))));
 }
 
 std::vector<ParameterText> parameters(const Step& step) {
     std::vector<ParameterText> texts;
-    TextVisitor visitor{[&](std::string_view name, std::string_view, const std::string& value, std::string_view, const auto&) {
-        if (!value.empty()) texts.push_back({std::string(name), value});
-    }};
+    TextVisitor visitor{
+        [&](std::string_view name, std::string_view, const std::string& value, std::string_view, const auto&) {
+            if (!value.empty()) texts.push_back({std::string(name), value});
+        }};
     std::visit([&](auto known) { visit_parameters(known, visitor); }, step);
     return texts;
 }
@@ -78,7 +83,9 @@ std::vector<ParameterText> parameters(const Step& step) {
 std::vector<ParameterText> changed_parameters(const Step& step) {
     const auto defaults = parameters(step_named(name(step)));
     auto texts = parameters(step);
-    std::erase_if(texts, [&](const ParameterText& text) { return std::find(defaults.begin(), defaults.end(), text) != defaults.end(); });
+    std::erase_if(texts, [&](const ParameterText& text) {
+        return std::find(defaults.begin(), defaults.end(), text) != defaults.end();
+    });
     return texts;
 }
 
@@ -88,7 +95,8 @@ Step step_from_text(std::string_view text) {
     auto step = step_named(words.front());
     for (std::size_t k = 1; k < words.size(); ++k) {
         const auto equals = words[k].find('=');
-        if (equals == std::string::npos) throw InvalidArgument(fmt::format("step '{}': '{}'; expected NAME=VALUE", text, words[k]));
+        if (equals == std::string::npos)
+            throw InvalidArgument(fmt::format("step '{}': '{}'; expected NAME=VALUE", text, words[k]));
         set_parameter(step, {words[k].substr(0, equals), words[k].substr(equals + 1)});
     }
     return step;
@@ -96,7 +104,8 @@ Step step_from_text(std::string_view text) {
 
 std::string text(const Step& step) {
     std::string line = name(step);
-    for (const auto& parameter : changed_parameters(step)) line += fmt::format(" {}={}", parameter.name, quoted(parameter.value));
+    for (const auto& parameter : changed_parameters(step))
+        line += fmt::format(" {}={}", parameter.name, quoted(parameter.value));
     return line;
 }
 

@@ -57,11 +57,14 @@ concept NamesFile = requires(const S& step) { step.file; };
 
 }  // namespace
 
-Processed apply(const Step& step, topography::Measurement measurement, const LoadMeasurement& load, parallel::Threads threads) {
+Processed apply(const Step& step, topography::Measurement measurement, const LoadMeasurement& load,
+                parallel::Threads threads) {
     return std::visit(
         [&]<class S>(const S& known) -> Processed {
             if constexpr (NamesFile<S>) {
-                if (!load) throw InvalidArgument(fmt::format("{}: needs the file '{}', which nobody loads here", step_name(known), known.file));
+                if (!load)
+                    throw InvalidArgument(
+                        fmt::format("{}: needs the file '{}', which nobody loads here", step_name(known), known.file));
                 const auto other = load(known.file, known.channel);
                 return apply(known, std::move(measurement), other, threads);
             } else {
@@ -84,15 +87,18 @@ Step step_named(std::string_view name) {
     });
     if (found) return *found;
     const auto nearest = nearest_match(name, names);
-    throw InvalidArgument(fmt::format("unknown step '{}'{}; setae level --explain lists them", name, nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    throw InvalidArgument(fmt::format("unknown step '{}'{}; setae level --explain lists them", name,
+                                      nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 std::vector<StepDescription> step_descriptions() {
     std::vector<StepDescription> descriptions;
     for_each_step([&](auto step, const char* sentence) {
         StepDescription description{std::string(step_name(step)), sentence, {}};
-        TextVisitor visitor{[&](std::string_view parameter, std::string_view values, const std::string& value, std::string_view meaning, const auto&) {
-            description.parameters.push_back({std::string(parameter), std::string(values), value, std::string(meaning)});
+        TextVisitor visitor{[&](std::string_view parameter, std::string_view values, const std::string& value,
+                                std::string_view meaning, const auto&) {
+            description.parameters.push_back(
+                {std::string(parameter), std::string(values), value, std::string(meaning)});
         }};
         visit_parameters(step, visitor);
         descriptions.push_back(std::move(description));

@@ -14,38 +14,45 @@
 
 namespace setae::processing {
 
-/// A visitor of parameters that sees them all as text: calls handle(name, values, text, meaning, set) for each; values says what it can be,
-/// text its value (empty: absent), set(text) gives it another.
+/// A visitor of parameters that sees them all as text: calls handle(name, values, text, meaning, set) for each; values
+/// says what it can be, text its value (empty: absent), set(text) gives it another.
 template <class Handle>
 struct TextVisitor {
     Handle handle;
 
     void length(std::string_view name, double& value, std::string_view meaning) {
-        handle(name, "length", length_text(value), meaning, [&](std::string_view text) { value = parse_quantity(text, dimension::length); });
+        handle(name, "length", length_text(value), meaning,
+               [&](std::string_view text) { value = parse_quantity(text, dimension::length); });
     }
     void optional_length(std::string_view name, std::optional<double>& value, std::string_view meaning) {
-        handle(name, "length", value ? length_text(*value) : std::string(), meaning, [&](std::string_view text) { value = parse_quantity(text, dimension::length); });
+        handle(name, "length", value ? length_text(*value) : std::string(), meaning,
+               [&](std::string_view text) { value = parse_quantity(text, dimension::length); });
     }
     void number(std::string_view name, double& value, std::string_view meaning) {
-        handle(name, "number", number_text(value), meaning, [&](std::string_view text) { value = parsed_number(text); });
+        handle(name, "number", number_text(value), meaning,
+               [&](std::string_view text) { value = parsed_number(text); });
     }
     void angle(std::string_view name, double& value, std::string_view meaning) {
         handle(name, "angle", angle_text(value), meaning, [&](std::string_view text) { value = parsed_angle(text); });
     }
     void count(std::string_view name, Index& value, std::string_view meaning) {
-        handle(name, "whole number", std::to_string(value), meaning, [&](std::string_view text) { value = parsed_count(text); });
+        handle(name, "whole number", std::to_string(value), meaning,
+               [&](std::string_view text) { value = parsed_count(text); });
     }
     void flag(std::string_view name, bool& value, std::string_view meaning) {
-        handle(name, "true or false", std::string(value ? "true" : "false"), meaning, [&](std::string_view text) { value = parsed_flag(text); });
+        handle(name, "true or false", std::string(value ? "true" : "false"), meaning,
+               [&](std::string_view text) { value = parsed_flag(text); });
     }
     void text(std::string_view name, std::string& value, std::string_view meaning) {
         handle(name, "text", std::string(value), meaning, [&](std::string_view text) { value = text; });
     }
     void region(std::string_view name, Region& value, std::string_view meaning) {
-        handle(name, "region", processing::text(value), meaning, [&](std::string_view text) { value = region_from_text(text); });
+        handle(name, "region", processing::text(value), meaning,
+               [&](std::string_view text) { value = region_from_text(text); });
     }
     template <class Value, std::size_t n>
-    void choice(std::string_view name, Value& value, const std::array<Choice<Value>, n>& choices, std::string_view meaning) {
+    void choice(std::string_view name, Value& value, const std::array<Choice<Value>, n>& choices,
+                std::string_view meaning) {
         std::string values, current;
         for (const auto& option : choices) {
             values += (values.empty() ? "" : ", ") + std::string(option.name);

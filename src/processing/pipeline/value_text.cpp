@@ -42,7 +42,8 @@ std::string angle_text(double angle) {
 
 double parsed_angle(std::string_view text) {
     const auto whole = trimmed(text);
-    for (const auto& [unit, factor] : std::array<std::pair<std::string_view, double>, 4>{{{"degrees", degree}, {"deg", degree}, {"°", degree}, {"rad", 1.0}}})
+    for (const auto& [unit, factor] : std::array<std::pair<std::string_view, double>, 4>{
+             {{"degrees", degree}, {"deg", degree}, {"°", degree}, {"rad", 1.0}}})
         if (whole.ends_with(unit)) return parsed_number(whole.substr(0, whole.size() - unit.size())) * factor;
     if (const double number = parsed_number(whole); number == 0.0) return 0.0;
     throw InvalidArgument(fmt::format("'{}' is an angle without unit; write deg or rad behind it", whole));
@@ -56,13 +57,16 @@ bool parsed_flag(std::string_view text) {
     return whole == "true";
 }
 
-void refuse_choice(std::string_view text, std::string_view values) { throw InvalidArgument(fmt::format("'{}'; expected one of {}", text, values)); }
+void refuse_choice(std::string_view text, std::string_view values) {
+    throw InvalidArgument(fmt::format("'{}'; expected one of {}", text, values));
+}
 
 double parsed_number(std::string_view text) {
     const auto whole = trimmed(text);
     double value = 0.0;
     const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    if (error != std::errc() || end != whole.data() + whole.size() || !std::isfinite(value)) throw InvalidArgument(fmt::format("'{}' is no number", whole));
+    if (error != std::errc() || end != whole.data() + whole.size() || !std::isfinite(value))
+        throw InvalidArgument(fmt::format("'{}' is no number", whole));
     return value;
 }
 
@@ -70,7 +74,8 @@ long long parsed_count(std::string_view text) {
     const auto whole = trimmed(text);
     long long value = 0;
     const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    if (error != std::errc() || end != whole.data() + whole.size()) throw InvalidArgument(fmt::format("'{}' is no whole number", whole));
+    if (error != std::errc() || end != whole.data() + whole.size())
+        throw InvalidArgument(fmt::format("'{}' is no whole number", whole));
     return value;
 }
 

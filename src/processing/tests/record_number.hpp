@@ -18,9 +18,15 @@ inline double number_of(const StepRecord& record, const std::string& name) {
     return NAN;
 }
 
-inline const topography::HeightMap& map_of(const Processed& processed) { return std::get<topography::HeightMap>(processed.measurement); }
-inline const topography::LineScan& line_of(const Processed& processed) { return std::get<topography::LineScan>(processed.measurement); }
-inline const topography::Profile& profile_of(const Processed& processed) { return std::get<topography::Profile>(processed.measurement); }
+inline const topography::HeightMap& map_of(const Processed& processed) {
+    return std::get<topography::HeightMap>(processed.measurement);
+}
+inline const topography::LineScan& line_of(const Processed& processed) {
+    return std::get<topography::LineScan>(processed.measurement);
+}
+inline const topography::Profile& profile_of(const Processed& processed) {
+    return std::get<topography::Profile>(processed.measurement);
+}
 
 /// Sq of defined heights.
 inline double rms_of(const Array2D& heights) {

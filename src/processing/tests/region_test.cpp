@@ -24,7 +24,9 @@ HeightMap ramp() {
     return map;
 }
 
-Index chosen(const std::string& text, const HeightMap& map = ramp()) { return (mask_of(region_from_text(text), map) != 0).count(); }
+Index chosen(const std::string& text, const HeightMap& map = ramp()) {
+    return (mask_of(region_from_text(text), map) != 0).count();
+}
 
 TEST(Region, WithoutShapesIsEverything) {
     EXPECT_TRUE(Region{}.everything());
@@ -50,12 +52,14 @@ TEST(Region, OfAnEllipseCoversItsArea) {
 
 TEST(Region, OfAPolygonFollowsTheEvenOddRule) {
     HeightMap map{Array2D::Zero(200, 300), {2.0, 3.0}};
-    EXPECT_NEAR(static_cast<double>(chosen("include polygon 0.1 m, 0.2 m, 1.9 m, 0.3 m, 0.7 m, 2.8 m", map)) * 1e-4, 0.5 * std::fabs(1.8 * 2.6 - 0.6 * 0.1), 0.01);
+    EXPECT_NEAR(static_cast<double>(chosen("include polygon 0.1 m, 0.2 m, 1.9 m, 0.3 m, 0.7 m, 2.8 m", map)) * 1e-4,
+                0.5 * std::fabs(1.8 * 2.6 - 0.6 * 0.1), 0.01);
     // a pentagram's core is outside of it
     std::string star = "include polygon ";
     for (int k = 0; k < 5; ++k) {
         const double angle = 0.1 + 4.0 * pi / 5.0 * k;
-        star += (k > 0 ? ", " : "") + std::to_string(1.0 + 0.9 * std::cos(angle)) + " m, " + std::to_string(1.5 + 0.9 * std::sin(angle)) + " m";
+        star += (k > 0 ? ", " : "") + std::to_string(1.0 + 0.9 * std::cos(angle)) + " m, " +
+                std::to_string(1.5 + 0.9 * std::sin(angle)) + " m";
     }
     const auto mask = mask_of(region_from_text(star), map);
     EXPECT_EQ(mask(100, 150), 0);
@@ -86,7 +90,10 @@ TEST(Region, GrowsByRowsAndColumns) {
 }
 
 TEST(Region, IsTheUnionOfIncludedShapesLessTheExcludedOnes) {
-    EXPECT_EQ(chosen("include rectangle 0 um to 1 um; include rectangle 1 um to 3 um; exclude rectangle all, 0 um to 0 um; exclude rectangle 3 um to 9 um"), 3 * 7);
+    EXPECT_EQ(
+        chosen(
+            "include rectangle 0 um to 1 um; include rectangle 1 um to 3 um; exclude rectangle all, 0 um to 0 um; exclude rectangle 3 um to 9 um"),
+        3 * 7);
 }
 
 TEST(Region, OfLinesHasRangesOfXAndHeights) {
@@ -98,18 +105,22 @@ TEST(Region, OfLinesHasRangesOfXAndHeights) {
     const Profile profile{Array1D::LinSpaced(11, 1e6, 1e6 + 1.0), Array1D::Zero(11), {}};
     EXPECT_EQ((mask_of(region_from_text("exclude rectangle above 1000000.75 m"), profile) != 0).count(), 8);
     EXPECT_THROW((void)mask_of(region_from_text("include ellipse 0 m, 0 m, 1 m, 1 m"), scan), InvalidArgument);
-    EXPECT_THROW((void)mask_of(region_from_text("include polygon 0 m, 0 m, 1 m, 0 m, 0 m, 1 m"), scan), InvalidArgument);
+    EXPECT_THROW((void)mask_of(region_from_text("include polygon 0 m, 0 m, 1 m, 0 m, 0 m, 1 m"), scan),
+                 InvalidArgument);
     EXPECT_THROW((void)mask_of(region_from_text("include rectangle 0 m to 1 m, 0 m to 1 m"), scan), InvalidArgument);
 }
 
 TEST(Region, WrittenAsTextReadsBackTheSame) {
     for (const std::string text :
-         {"include rectangle 1 um to 5 um, 0 m to 2 um; exclude heights above 20 nm grow 3", "exclude ellipse 5 um, 5 um, 2 um, 1 um, 30 deg", "include polygon 0 m, 0 m, 4 um, 0 m, 2 um, 3.25 um",
-          "include percentiles 5 to 95.5; exclude percentiles below 7", "include rectangle all, below 3 mm", "exclude heights 0.1 nm to 123456.789 nm", ""}) {
+         {"include rectangle 1 um to 5 um, 0 m to 2 um; exclude heights above 20 nm grow 3",
+          "exclude ellipse 5 um, 5 um, 2 um, 1 um, 30 deg", "include polygon 0 m, 0 m, 4 um, 0 m, 2 um, 3.25 um",
+          "include percentiles 5 to 95.5; exclude percentiles below 7", "include rectangle all, below 3 mm",
+          "exclude heights 0.1 nm to 123456.789 nm", ""}) {
         const auto region = region_from_text(text);
         EXPECT_EQ(region_from_text(processing::text(region)), region) << text;
     }
-    EXPECT_EQ(processing::text(region_from_text("exclude   heights above 2e-8 m  grow 3")), "exclude heights above 20 nm grow 3");
+    EXPECT_EQ(processing::text(region_from_text("exclude   heights above 2e-8 m  grow 3")),
+              "exclude heights above 20 nm grow 3");
 }
 
 std::string complaint(const std::string& text) {
@@ -122,11 +133,13 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(Region, ThatCannotBeReadIsNamed) {
-    EXPECT_EQ(complaint("rectangle 1 um to 2 um"), "region 'rectangle 1 um to 2 um': 'rectangle'; expected include or exclude before each shape");
+    EXPECT_EQ(complaint("rectangle 1 um to 2 um"),
+              "region 'rectangle 1 um to 2 um': 'rectangle'; expected include or exclude before each shape");
     EXPECT_NE(complaint("exclude heights above 20").find("region 'exclude heights above 20': "), std::string::npos);
     EXPECT_NE(complaint("exclude circle 1 um").find("'circle' is no shape; expected rectangle"), std::string::npos);
     EXPECT_NE(complaint("exclude ellipse 1 um, 2 um").find("got 2 values"), std::string::npos);
-    EXPECT_NE(complaint("exclude polygon 1 um, 2 um, 3 um, 4 um").find("at least three corners, got 4 values"), std::string::npos);
+    EXPECT_NE(complaint("exclude polygon 1 um, 2 um, 3 um, 4 um").find("at least three corners, got 4 values"),
+              std::string::npos);
     EXPECT_NE(complaint("exclude percentiles 5").find("'5' is no range"), std::string::npos);
     EXPECT_NE(complaint("exclude percentiles 5 to 120").find("expected 0 … 100"), std::string::npos);
     EXPECT_NE(complaint("exclude heights 5 nm to 1 nm").find("expected from <= to"), std::string::npos);

@@ -19,7 +19,8 @@ void read_once(benchmark::State& state) {
 }
 
 void rms_height_gradient_curvature(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(real_space_parameters(map_4096(), {static_cast<int>(state.range(0))}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(real_space_parameters(map_4096(), {static_cast<int>(state.range(0))}));
 }
 
 void rms_with_a_hole_in_every_block(benchmark::State& state) {

@@ -41,15 +41,21 @@ Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads t
     const auto band = spectra::reliable_band(measurement, {}, threads);
     for (const auto& alert : band.alerts) {
         if (alert.code != "TIP_CUTOFF") continue;
-        const double nyquist = spectra::reliable_band([&] {
-                                   auto sharp = measurement;
-                                   topography::metadata(sharp).instrument = {};
-                                   return sharp;
-                               }(), {}, threads).band.upper;
-        const double decades = band.empty() ? std::log10(nyquist / band.band.lower) : std::log10(nyquist / band.band.upper);
+        const double nyquist = spectra::reliable_band(
+                                   [&] {
+                                       auto sharp = measurement;
+                                       topography::metadata(sharp).instrument = {};
+                                       return sharp;
+                                   }(),
+                                   {}, threads)
+                                   .band.upper;
+        const double decades =
+            band.empty() ? std::log10(nyquist / band.band.lower) : std::log10(nyquist / band.band.upper);
         auto cutoff = effect("tip_cutoff_wavelength", "l_c", band.tip->value, "m");
         cutoff.estimate.interval = band.tip->interval;
-        return Finding{alert, {cutoff, effect("band_lost", "", decades, "decades"), effect("tip_radius", "R", *instrument.tip_radius, "m")}};
+        return Finding{alert,
+                       {cutoff, effect("band_lost", "", decades, "decades"),
+                        effect("tip_radius", "R", *instrument.tip_radius, "m")}};
     }
     return {};
 }
@@ -60,23 +66,31 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     if (map.periodic || map.heights.rows() / 2 < all_modes_needed) return {};
     const auto spectrum = scan_spectrum(map, options.threads);
     const Index count = last - first + 1;
-    const Array1D mode = Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)), power = spectrum.C1D.segment(first - 1, count);
+    const Array1D mode = Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)),
+                  power = spectrum.C1D.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
     // lines of a map are alike over about half a wavelength
-    const Array1D lines = (2.0 * mode * map.size[1] / map.size[0]).max(1.0).min(static_cast<double>(map.heights.cols()));
+    const Array1D lines =
+        (2.0 * mode * map.size[1] / map.size[0]).max(1.0).min(static_cast<double>(map.heights.cols()));
     const auto slope = fitted_slope(mode, power, spectra::share_under_hann * lines, true);
     // C1D steeper than 1/q: rms height rests on the longest waves and grows with the size of the scan
     const double certain = normal_quantile(1.0 - options.false_alarm);
     if (!(slope.exponent - certain * slope.standard_error > 1.0)) return {};
-    const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)), growth_error = 0.5 * std::log(10.0) * slope.standard_error * growth;
+    const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)),
+                 growth_error = 0.5 * std::log(10.0) * slope.standard_error * growth;
     const double rms = rms_height(evidence.level.heights), longest = map.size[0];
-    return Finding{{"LOW_Q_GAP", evidence.subject,
-                    fmt::format("C1D still rises as q^-{:.2f} towards the longest wavelength, {}: most of rms height, {}, rests on it, and a scan ten times as long would "
-                                "show {:.2g} times that (standard error {:.2g}) if this goes on", slope.exponent, length_text(longest), length_text(rms), growth, growth_error),
-                    "state rms height with the scan's size, or measure larger scans until the spectrum levels off"},
-                   {effect("lowest_slope_of_C1D", "", slope.exponent, "1", slope.standard_error), effect("rms_height_growth_per_decade", "", growth, "1", growth_error),
-                    effect("missing_share_of_mean_square_height", "", 1.0 - 1.0 / (growth * growth), "1", 2.0 * growth_error / (growth * growth * growth)),
-                    effect("longest_wavelength", "", longest, "m")}};
+    return Finding{
+        {"LOW_Q_GAP", evidence.subject,
+         fmt::format(
+             "C1D still rises as q^-{:.2f} towards the longest wavelength, {}: most of rms height, {}, rests on it, and a scan ten times as long would "
+             "show {:.2g} times that (standard error {:.2g}) if this goes on",
+             slope.exponent, length_text(longest), length_text(rms), growth, growth_error),
+         "state rms height with the scan's size, or measure larger scans until the spectrum levels off"},
+        {effect("lowest_slope_of_C1D", "", slope.exponent, "1", slope.standard_error),
+         effect("rms_height_growth_per_decade", "", growth, "1", growth_error),
+         effect("missing_share_of_mean_square_height", "", 1.0 - 1.0 / (growth * growth), "1",
+                2.0 * growth_error / (growth * growth * growth)),
+         effect("longest_wavelength", "", longest, "m")}};
 }
 
 }  // namespace setae::diagnostics

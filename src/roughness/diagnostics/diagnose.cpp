@@ -25,7 +25,8 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
     for (auto& finding : more) findings.push_back(std::move(finding));
 }
 
-std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measurement& measurement, const DiagnosisOptions& options) {
+std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measurement& measurement,
+                               const DiagnosisOptions& options) {
     std::vector<Finding> findings;
     add(findings, undefined_heights(evidence));
     add(findings, quantised(evidence));
@@ -42,9 +43,13 @@ std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measu
     return findings;
 }
 
-std::vector<Finding> diagnose_kind(const topography::HeightMap& map, const DiagnosisOptions& options) { return diagnosed(evidence_of(map, options.threads), map, options); }
+std::vector<Finding> diagnose_kind(const topography::HeightMap& map, const DiagnosisOptions& options) {
+    return diagnosed(evidence_of(map, options.threads), map, options);
+}
 
-std::vector<Finding> diagnose_kind(const topography::LineScan& scan, const DiagnosisOptions& options) { return diagnosed(evidence_of(scan, options.threads), scan, options); }
+std::vector<Finding> diagnose_kind(const topography::LineScan& scan, const DiagnosisOptions& options) {
+    return diagnosed(evidence_of(scan, options.threads), scan, options);
+}
 
 /// Heights of a polyline at equal steps, as many as it has points.
 topography::LineScan at_equal_steps(const Profile& profile) {
@@ -55,23 +60,32 @@ topography::LineScan at_equal_steps(const Profile& profile) {
     for (Index i = 0; i < n; ++i) {
         const double x = profile.positions[0] + step * static_cast<double>(i);
         while (segment + 2 < n && profile.positions[segment + 1] < x) ++segment;
-        const double t = (x - profile.positions[segment]) / (profile.positions[segment + 1] - profile.positions[segment]);
+        const double t =
+            (x - profile.positions[segment]) / (profile.positions[segment + 1] - profile.positions[segment]);
         scan.heights[i] = (1.0 - t) * profile.heights[segment] + t * profile.heights[segment + 1];
     }
     return scan;
 }
 
-/// Polylines: what turns back is found and left out; where points lie at equal steps all tests of lines follow, else those of form.
+/// Polylines: what turns back is found and left out; where points lie at equal steps all tests of lines follow, else
+/// those of form.
 std::vector<Finding> diagnose_kind(const Profile& profile, const DiagnosisOptions& options) {
     std::vector<Finding> findings;
     Profile function = profile;
-    if (((profile.positions.tail(profile.positions.size() - 1) - profile.positions.head(profile.positions.size() - 1)) <= 0.0).any() || profile.heights.isNaN().any()) {
+    if (((profile.positions.tail(profile.positions.size() - 1) -
+          profile.positions.head(profile.positions.size() - 1)) <= 0.0)
+            .any() ||
+        profile.heights.isNaN().any()) {
         auto cleaned = topography::clean_contour(profile);
         if (cleaned.reentrant_share > 0.0)
-            findings.push_back({{"REENTRANT", topography::label(profile.metadata),
-                                 fmt::format("{:.2g} % of the curve's length lies on stretches that turn back, which no function of x shows; they are left out", 100.0 * cleaned.reentrant_share),
-                                 "look at the curve; a share above a few per cent makes slope and curvature lower bounds"},
-                                {effect("reentrant_share", "", cleaned.reentrant_share, "1"), effect_count("reentrant_points", cleaned.reentrant_points)}});
+            findings.push_back(
+                {{"REENTRANT", topography::label(profile.metadata),
+                  fmt::format(
+                      "{:.2g} % of the curve's length lies on stretches that turn back, which no function of x shows; they are left out",
+                      100.0 * cleaned.reentrant_share),
+                  "look at the curve; a share above a few per cent makes slope and curvature lower bounds"},
+                 {effect("reentrant_share", "", cleaned.reentrant_share, "1"),
+                  effect_count("reentrant_points", cleaned.reentrant_points)}});
         function = std::move(cleaned.profile);
     }
     if (const auto scan = topography::to_line_scan(function)) {
@@ -92,7 +106,8 @@ std::vector<Finding> diagnose_kind(const Profile& profile, const DiagnosisOption
 
 void check(const DiagnosisOptions& options) {
     if (!(options.false_alarm > 0.0 && options.false_alarm < 0.5))
-        throw InvalidArgument(fmt::format("false_alarm {}; expected a probability above 0 and below 0.5", options.false_alarm));
+        throw InvalidArgument(
+            fmt::format("false_alarm {}; expected a probability above 0 and below 0.5", options.false_alarm));
 }
 
 std::vector<Finding> diagnose(const topography::Measurement& measurement, const DiagnosisOptions& options) {

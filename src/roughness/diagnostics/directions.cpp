@@ -21,7 +21,8 @@ struct Series {
 Series series(const Array1D& values) {
     const Array1D centred = values - values.mean();
     const Index n = centred.size();
-    return {centred.square().sum() / static_cast<double>(n - 1), (centred.head(n - 1) * centred.tail(n - 1)).sum() / static_cast<double>(n - 1), n};
+    return {centred.square().sum() / static_cast<double>(n - 1),
+            (centred.head(n - 1) * centred.tail(n - 1)).sum() / static_cast<double>(n - 1), n};
 }
 
 /// Means over x of the steps from line to line, and over y of those along lines.
@@ -32,7 +33,8 @@ struct MeanSteps {
 MeanSteps mean_steps(const Array2D& h) {
     const Index nx = h.rows(), ny = h.cols();
     const Array1D line_means = h.colwise().mean().transpose(), column_means = h.rowwise().mean();
-    return {series(line_means.tail(ny - 1) - line_means.head(ny - 1)), series(column_means.tail(nx - 1) - column_means.head(nx - 1))};
+    return {series(line_means.tail(ny - 1) - line_means.head(ny - 1)),
+            series(column_means.tail(nx - 1) - column_means.head(nx - 1))};
 }
 
 Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
@@ -41,24 +43,34 @@ Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
     const auto [lines, along] = mean_steps(map.heights);
     if (!(lines.variance > 0.0)) return {};
     // of an isotropic surface: var · averaged length/step² is alike in both directions
-    const double expected = along.variance * (map.size[1] / map.size[0]) * (pixel[1] * pixel[1]) / (pixel[0] * pixel[0]);
+    const double expected =
+        along.variance * (map.size[1] / map.size[0]) * (pixel[1] * pixel[1]) / (pixel[0] * pixel[0]);
     const double excess = lines.variance - expected, offset2 = 0.5 * excess;
     const double correlation = lines.neighbour_covariance / lines.variance;
     // independent offsets of lines give steps that correlate by −½ with the next one; waves along y do not
     constexpr double alike = -0.2, large = 2.0;
     const double freedom = 0.5;
-    const double chance = expected > 0.0 ? f_exceedance(lines.variance / expected, freedom * static_cast<double>(lines.count), freedom * static_cast<double>(along.count)) : 0.0;
+    const double chance = expected > 0.0
+                              ? f_exceedance(lines.variance / expected, freedom * static_cast<double>(lines.count),
+                                             freedom * static_cast<double>(along.count))
+                              : 0.0;
     if (!(lines.variance > large * expected) || !(correlation < alike) || chance > options.false_alarm) return {};
-    const double offset = std::sqrt(offset2), error = offset * 0.5 * std::sqrt(3.0 / static_cast<double>(lines.count)) * lines.variance / excess;
+    const double offset = std::sqrt(offset2),
+                 error = offset * 0.5 * std::sqrt(3.0 / static_cast<double>(lines.count)) * lines.variance / excess;
     const double rms = rms_height(map.heights), slope2 = 2.0 * offset2 / (pixel[1] * pixel[1]);
     const Array2D rises = map.heights.rightCols(map.heights.cols() - 1) - map.heights.leftCols(map.heights.cols() - 1);
     const double share = std::min(1.0, slope2 * pixel[1] * pixel[1] / rises.square().mean());
-    return Finding{{"SCAN_DIRECTION", evidence.subject,
-                    fmt::format("scan lines are offset from each other by {} rms (of {} rms height): steps of the mean from line to line are {:.2g} times larger than along "
-                                "lines, and make {:.2g} % of the mean square slope along y", length_text(offset), length_text(rms), std::sqrt(lines.variance / expected), 100.0 * share),
-                    "align the rows (level with a step align_rows), or use C1D along the fast axis alone"},
-                   {effect("line_offset_rms", "", offset, "m", error), effect("line_steps_over_steps_along_lines", "", std::sqrt(lines.variance / expected), "1"),
-                    effect("offset_share_of_mean_square_slope_y", "", share, "1"), effect("offset_share_of_mean_square_height", "", std::min(1.0, offset2 / (rms * rms)), "1")}};
+    return Finding{
+        {"SCAN_DIRECTION", evidence.subject,
+         fmt::format(
+             "scan lines are offset from each other by {} rms (of {} rms height): steps of the mean from line to line are {:.2g} times larger than along "
+             "lines, and make {:.2g} % of the mean square slope along y",
+             length_text(offset), length_text(rms), std::sqrt(lines.variance / expected), 100.0 * share),
+         "align the rows (level with a step align_rows), or use C1D along the fast axis alone"},
+        {effect("line_offset_rms", "", offset, "m", error),
+         effect("line_steps_over_steps_along_lines", "", std::sqrt(lines.variance / expected), "1"),
+         effect("offset_share_of_mean_square_slope_y", "", share, "1"),
+         effect("offset_share_of_mean_square_height", "", std::min(1.0, offset2 / (rms * rms)), "1")}};
 }
 
 /// Two perpendicular directions with steps of equal length.
@@ -79,7 +91,9 @@ Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, con
         const double spread = std::hypot(a->rms_standard_error / a->rms, b->rms_standard_error / b->rms);
         const double freedom = static_cast<double>(std::min(a->blocks, b->blocks) - 1);
         if (!(spread > 0.0) || freedom < 1.0) continue;
-        if (std::abs(difference) > student_t_quantile(1.0 - 0.5 * options.false_alarm / static_cast<double>(pairs.size()), freedom) * spread) significant = true;
+        if (std::abs(difference) >
+            student_t_quantile(1.0 - 0.5 * options.false_alarm / static_cast<double>(pairs.size()), freedom) * spread)
+            significant = true;
         if (std::abs(difference) <= strongest) continue;
         strongest = std::abs(difference);
         error = spread;
@@ -90,11 +104,13 @@ Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, con
     const double ratio = std::exp(strongest);
     if (!significant || !(ratio > small)) return {};
     const double angle = steep->angle * 180.0 / pi;
-    return Finding{{"ANISOTROPIC", evidence.subject,
-                    fmt::format("rms slope is {:.3g} along {:.0f} degrees from the fast axis and {:.3g} across: a factor {:.3g} (standard error {:.2g})", steep->rms, angle,
-                                gentle->rms, ratio, ratio * error),
-                    "2D parameters from line scans assume isotropy: use the map's own, and measure lines along several directions"},
-                   {effect("slope_ratio", "", ratio, "1", ratio * error), effect("steepest_direction", "", steep->angle, "rad")}};
+    return Finding{
+        {"ANISOTROPIC", evidence.subject,
+         fmt::format(
+             "rms slope is {:.3g} along {:.0f} degrees from the fast axis and {:.3g} across: a factor {:.3g} (standard error {:.2g})",
+             steep->rms, angle, gentle->rms, ratio, ratio * error),
+         "2D parameters from line scans assume isotropy: use the map's own, and measure lines along several directions"},
+        {effect("slope_ratio", "", ratio, "1", ratio * error), effect("steepest_direction", "", steep->angle, "rad")}};
 }
 
 }  // namespace

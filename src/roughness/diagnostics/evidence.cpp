@@ -18,8 +18,8 @@ using topography::HeightMap;
 /// The least number of points along x and in all that spikes are looked for in.
 constexpr Index fewest_points = 16;
 
-/// Undefined points become the straight line between the defined ones beside them along x, and beyond the last of them its height.
-/// Lines without a defined point become 0.
+/// Undefined points become the straight line between the defined ones beside them along x, and beyond the last of them
+/// its height. Lines without a defined point become 0.
 void fill_along_lines(Array2D& heights) {
     const Index n = heights.rows();
     for (Index j = 0; j < heights.cols(); ++j) {
@@ -40,7 +40,8 @@ void fill_along_lines(Array2D& heights) {
     }
 }
 
-/// Chosen points become the straight line along y between those beside them that are not chosen; at a border the height of the last one.
+/// Chosen points become the straight line along y between those beside them that are not chosen; at a border the height
+/// of the last one.
 void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
     const Index ny = heights.cols();
     for (Index i = 0; i < heights.rows(); ++i) {
@@ -49,8 +50,10 @@ void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
             if (j < ny && chosen(i, j) != 0) continue;
             for (Index k = before + 1; k < j; ++k) {
                 if (before < 0 && j == ny) continue;
-                const double left = before < 0 ? heights(i, j) : heights(i, before), right = j == ny ? left : heights(i, j);
-                heights(i, k) = left + (right - left) * static_cast<double>(k - before) / static_cast<double>(j - before);
+                const double left = before < 0 ? heights(i, j) : heights(i, before),
+                             right = j == ny ? left : heights(i, j);
+                heights(i, k) =
+                    left + (right - left) * static_cast<double>(k - before) / static_cast<double>(j - before);
             }
             before = j;
         }
@@ -59,10 +62,15 @@ void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
 
 /// The points of a scan as a map of one line.
 HeightMap as_map(const topography::LineScan& scan) {
-    return {Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, scan.pixel_size()}, scan.periodic, scan.metadata};
+    return {Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1),
+            {scan.size, scan.pixel_size()},
+            scan.periodic,
+            scan.metadata};
 }
 
-topography::LineScan as_line(const HeightMap& map) { return {map.heights.col(0), map.size[0], map.periodic, map.metadata}; }
+topography::LineScan as_line(const HeightMap& map) {
+    return {map.heights.col(0), map.size[0], map.periodic, map.metadata};
+}
 
 bool constant(const Array2D& heights) {
     double first = undefined;
@@ -92,16 +100,21 @@ Evidence evidence(HeightMap map, bool is_line, parallel::Threads threads) {
     if (result.scars) bridge_lines(result.clean.heights, *result.scars);
     const topography::HeightMap unscarred = result.clean;
     if (!flat && map.heights.rows() >= fewest_points && (is_line || map.heights.cols() >= fewest_points)) {
-        result.spikes = is_line ? processing::find_spikes(as_line(unscarred), {}, threads) : processing::find_spikes(unscarred, {}, threads);
+        result.spikes = is_line ? processing::find_spikes(as_line(unscarred), {}, threads)
+                                : processing::find_spikes(unscarred, {}, threads);
         if (result.spikes->count > 0) {
             const processing::Despike despike;
-            if (is_line) result.clean.heights.col(0) = std::get<topography::LineScan>(processing::apply(despike, as_line(unscarred), threads).measurement).heights;
+            if (is_line)
+                result.clean.heights.col(0) =
+                    std::get<topography::LineScan>(processing::apply(despike, as_line(unscarred), threads).measurement)
+                        .heights;
             else result.clean = std::get<HeightMap>(processing::apply(despike, unscarred, threads).measurement);
         }
     }
     // what does not lower the slopes when it is taken out belongs to the surface, such as steps and grains
     const double step = map.pixel_size()[0];
-    if (result.spikes && !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(unscarred.heights, step))) {
+    if (result.spikes &&
+        !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(unscarred.heights, step))) {
         result.spikes.reset();
         result.clean = unscarred;
     }
@@ -114,7 +127,9 @@ Evidence evidence(HeightMap map, bool is_line, parallel::Threads threads) {
 
 Evidence evidence_of(const HeightMap& map, parallel::Threads threads) { return evidence(map, false, threads); }
 
-Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads) { return evidence(as_map(scan), true, threads); }
+Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads) {
+    return evidence(as_map(scan), true, threads);
+}
 
 double rms_height(const Array2D& heights) {
     double sum = 0.0, squares = 0.0;
@@ -149,7 +164,9 @@ Quantity effect(std::string name, std::string symbol, double value, std::string 
     return quantity;
 }
 
-Quantity effect_count(std::string name, Index count) { return effect(std::move(name), "n", static_cast<double>(count), "1"); }
+Quantity effect_count(std::string name, Index count) {
+    return effect(std::move(name), "n", static_cast<double>(count), "1");
+}
 
 std::string length_text(double length) {
     const auto unit = display_unit(length, "m");

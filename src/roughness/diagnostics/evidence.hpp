@@ -11,16 +11,18 @@
 
 namespace setae::diagnostics {
 
-/// What the tests look at: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has one column.
+/// What the tests look at: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has
+/// one column.
 struct Evidence {
     std::string subject;
-    topography::HeightMap map;      ///< as measured, NaN = undefined
-    topography::HeightMap level;    ///< without its tilt
-    topography::HeightMap clean;    ///< without tilt, scars and spikes, undefined points filled
-    std::optional<topography::Mask> scars;     ///< points of strokes along x, where there are more than a surface has by itself
+    topography::HeightMap map;    ///< as measured, NaN = undefined
+    topography::HeightMap level;  ///< without its tilt
+    topography::HeightMap clean;  ///< without tilt, scars and spikes, undefined points filled
+    std::optional<topography::Mask>
+        scars;  ///< points of strokes along x, where there are more than a surface has by itself
     std::optional<processing::Spikes> spikes;  ///< nothing where there are none, or too few points to look for them
     bool is_line = false;
-    bool flat = false;              ///< all defined heights are equal
+    bool flat = false;  ///< all defined heights are equal
     Index defined = 0;
 };
 
@@ -38,7 +40,8 @@ struct Evidence {
 [[nodiscard]] double rms_slope_along_x(const Array2D& heights, double step);
 
 /// A number of a finding.
-[[nodiscard]] Quantity effect(std::string name, std::string symbol, double value, std::string unit, double standard_error = undefined);
+[[nodiscard]] Quantity effect(std::string name, std::string symbol, double value, std::string unit,
+                              double standard_error = undefined);
 [[nodiscard]] Quantity effect_count(std::string name, Index count);
 
 /// A length for a reader: "12.3 nm".

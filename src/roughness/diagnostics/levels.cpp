@@ -48,7 +48,8 @@ double plateau_share(const Array2D& heights) {
     return pairs > 0 ? static_cast<double>(same) / static_cast<double>(pairs) : 0.0;
 }
 
-/// The step all differences of levels are multiples of, or nothing: the median of the smallest quarter of gaps, refined by all.
+/// The step all differences of levels are multiples of, or nothing: the median of the smallest quarter of gaps, refined
+/// by all.
 std::optional<double> common_step(const std::vector<Level>& levels) {
     std::vector<double> gaps;
     for (std::size_t k = 1; k < levels.size(); ++k) gaps.push_back(levels[k].height - levels[k - 1].height);
@@ -71,17 +72,21 @@ Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, boo
     constexpr std::size_t compared = 5;
     if (levels.size() <= 2 * compared) return {};
     double beside = 0.0;
-    for (std::size_t k = 1; k <= compared; ++k) beside += static_cast<double>(at(k).count) / static_cast<double>(compared);
+    for (std::size_t k = 1; k <= compared; ++k)
+        beside += static_cast<double>(at(k).count) / static_cast<double>(compared);
     const auto [height, count] = at(0);
     // tails thin out towards their ends: a last level that holds more than those before it is a limit
     if (count < 5 || static_cast<double>(count) < 3.0 * beside) return {};
     const double share = static_cast<double>(count) / static_cast<double>(evidence.defined);
     const char* end = top ? "highest" : "lowest";
-    return Finding{{"CLIPPED", evidence.subject,
-                    fmt::format("{} of {} points ({:.2g} %) have exactly the {} height: the range of the instrument or file ended there", count, evidence.defined,
-                                100.0 * share, end),
-                    "measure again with a larger range, or mark these points undefined: heights, skewness and curvature are cut"},
-                   {effect("clipped_share", "", share, "1"), effect("clipped_height", "", height, "m"), effect_count("clipped_points", count)}};
+    return Finding{
+        {"CLIPPED", evidence.subject,
+         fmt::format(
+             "{} of {} points ({:.2g} %) have exactly the {} height: the range of the instrument or file ended there",
+             count, evidence.defined, 100.0 * share, end),
+         "measure again with a larger range, or mark these points undefined: heights, skewness and curvature are cut"},
+        {effect("clipped_share", "", share, "1"), effect("clipped_height", "", height, "m"),
+         effect_count("clipped_points", count)}};
 }
 
 }  // namespace
@@ -89,25 +94,31 @@ Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, boo
 Found quantised(const Evidence& evidence) {
     const auto sorted = sorted_heights(evidence.map.heights);
     if (evidence.flat)
-        return Finding{{"QUANTISED", evidence.subject, fmt::format("all {} defined heights are equal: nothing of a surface is in them", sorted.size()),
+        return Finding{{"QUANTISED", evidence.subject,
+                        fmt::format("all {} defined heights are equal: nothing of a surface is in them", sorted.size()),
                         "look whether the right channel was read and the instrument was in contact"},
                        {effect("rms_height", "h_rms", 0.0, "m")}};
     const auto levels = levels_of(sorted);
     const double share = plateau_share(evidence.map.heights);
     constexpr double many_plateaus = 0.05;
     constexpr std::size_t fewest_heights = 64;
-    if (sorted.size() < fewest_heights || levels.size() < 3 || !(share > many_plateaus) || 2 * levels.size() > sorted.size()) return {};
+    if (sorted.size() < fewest_heights || levels.size() < 3 || !(share > many_plateaus) ||
+        2 * levels.size() > sorted.size())
+        return {};
     const auto step = common_step(levels);
     if (!step) return {};
     const double rms = rms_height(evidence.level.heights), error = *step / std::sqrt(12.0);
     const double slope = rms_slope_along_x(evidence.level.heights, evidence.map.pixel_size()[0]);
     // rounding errors of neighbours are independent where heights differ by more than a step, and equal on plateaus
-    return Finding{{"QUANTISED", evidence.subject,
-                    fmt::format("heights come in steps of {} ({:.2g} of the rms height); {:.2g} % of neighbours have the same one, and rounding adds {} to rms height",
-                                length_text(*step), *step / rms, 100.0 * share, length_text(error)),
-                    "read the file's finer channel or measure with a smaller range; slope and curvature at the scale of pixels are those of steps"},
-                   {effect("height_step", "", *step, "m"), effect("height_step_over_rms_height", "", *step / rms, "1"), effect("plateau_share", "", share, "1"),
-                    effect("rounding_rms_height", "", error, "m"), effect("rms_slope_x_as_measured", "h'_rms", slope, "1")}};
+    return Finding{
+        {"QUANTISED", evidence.subject,
+         fmt::format(
+             "heights come in steps of {} ({:.2g} of the rms height); {:.2g} % of neighbours have the same one, and rounding adds {} to rms height",
+             length_text(*step), *step / rms, 100.0 * share, length_text(error)),
+         "read the file's finer channel or measure with a smaller range; slope and curvature at the scale of pixels are those of steps"},
+        {effect("height_step", "", *step, "m"), effect("height_step_over_rms_height", "", *step / rms, "1"),
+         effect("plateau_share", "", share, "1"), effect("rounding_rms_height", "", error, "m"),
+         effect("rms_slope_x_as_measured", "h'_rms", slope, "1")}};
 }
 
 std::vector<Finding> clipped(const Evidence& evidence) {

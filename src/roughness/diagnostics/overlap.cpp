@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
-#include <fmt/format.h>
 
 #include "evidence.hpp"
 #include "options.hpp"
@@ -35,7 +35,8 @@ Binned binned(const Measurement& measurement, const DiagnosisOptions& options) {
     return {topography::label(topography::metadata(measurement)), spectra::power_spectrum(measurement, settings)};
 }
 
-/// ν of a bin: modes times lines that are independent (alike over half a wavelength) times the share of a mode that is its own.
+/// ν of a bin: modes times lines that are independent (alike over half a wavelength) times the share of a mode that is
+/// its own.
 double freedom(const spectra::PowerSpectrum1D& spectrum, const spectra::LogGrid& grid, Index bin) {
     double sum = 0.0;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
@@ -63,12 +64,14 @@ Comparison compared(const Binned& a, const Binned& b) {
     std::vector<std::array<double, 3>> points;  // ln q, ln ratio, weight
     for (Index k = 0; k < bins.wavevector.size(); ++k) {
         if (!(bins.C1D(0, k) > 0.0 && bins.C1D(1, k) > 0.0)) continue;
-        const double nu_a = freedom(both[0], bins.grid, bins.first_bin + k), nu_b = freedom(both[1], bins.grid, bins.first_bin + k);
+        const double nu_a = freedom(both[0], bins.grid, bins.first_bin + k),
+                     nu_b = freedom(both[1], bins.grid, bins.first_bin + k);
         if (!(nu_a > 0.0 && nu_b > 0.0)) continue;
         // mean and variance of the logarithm of a gamma variate of mean 1
         const double bias = boost::math::digamma(nu_a) - std::log(nu_a) - boost::math::digamma(nu_b) + std::log(nu_b);
         const double variance = boost::math::trigamma(nu_a) + boost::math::trigamma(nu_b);
-        points.push_back({std::log(bins.wavevector[k]), std::log(bins.C1D(0, k) / bins.C1D(1, k)) - bias, 1.0 / variance});
+        points.push_back(
+            {std::log(bins.wavevector[k]), std::log(bins.C1D(0, k) / bins.C1D(1, k)) - bias, 1.0 / variance});
     }
     result.bins = static_cast<int>(points.size());
     if (points.size() < 2) return result;
@@ -78,7 +81,8 @@ Comparison compared(const Binned& a, const Binned& b) {
     for (const auto& [x, y, w] : points) weight += w, result.centre += w * x, result.mean += w * y;
     result.centre /= weight;
     result.mean /= weight;
-    for (const auto& [x, y, w] : points) sxx += w * (x - result.centre) * (x - result.centre), sxy += w * (x - result.centre) * (y - result.mean);
+    for (const auto& [x, y, w] : points)
+        sxx += w * (x - result.centre) * (x - result.centre), sxy += w * (x - result.centre) * (y - result.mean);
     result.mean_error = std::sqrt(1.0 / weight);
     result.tilt = sxy / sxx;
     result.tilt_error = std::sqrt(1.0 / sxx);
@@ -95,30 +99,39 @@ void add_findings(std::vector<Finding>& findings, const Binned& a, const Binned&
     if (chi_squared_exceedance(chi2, 2.0) > options.false_alarm || largest < std::log(small)) return;
     const std::string subject = a.subject + ", " + b.subject;
     const double mean = std::exp(c.mean);
-    findings.push_back({{"DISAGREE", subject,
-                         fmt::format("C1D of the first is {:.3g} times the second's (standard error {:.2g}) between {} and {}: {:.3g} times at the long, {:.3g} times at the short end", mean,
-                                     mean * c.mean_error, length_text(2.0 * pi / c.lower), length_text(2.0 * pi / c.upper), ratio(c.lower), ratio(c.upper)),
-                         "check scale, unit, tip and noise of both before combining them"},
-                        {effect("psd_ratio", "", mean, "1", mean * c.mean_error), effect("psd_ratio_at_longest", "", ratio(c.lower), "1"),
-                         effect("psd_ratio_at_shortest", "", ratio(c.upper), "1")}});
+    findings.push_back(
+        {{"DISAGREE", subject,
+          fmt::format(
+              "C1D of the first is {:.3g} times the second's (standard error {:.2g}) between {} and {}: {:.3g} times at the long, {:.3g} times at the short end",
+              mean, mean * c.mean_error, length_text(2.0 * pi / c.lower), length_text(2.0 * pi / c.upper),
+              ratio(c.lower), ratio(c.upper)),
+          "check scale, unit, tip and noise of both before combining them"},
+         {effect("psd_ratio", "", mean, "1", mean * c.mean_error),
+          effect("psd_ratio_at_longest", "", ratio(c.lower), "1"),
+          effect("psd_ratio_at_shortest", "", ratio(c.upper), "1")}});
     // one factor at every wavelength of at least a third of a decade is a matter of scale
     constexpr double constant = 3.0, wide = 0.3, plain = 1.5, level = 2.0;
     constexpr int enough_bins = 4;
     const double factor = std::exp(0.5 * c.mean);
-    const bool constant_ratio = c.bins >= enough_bins && std::abs(c.tilt) < constant * c.tilt_error && std::abs(c.tilt) * std::log(c.upper / c.lower) < std::log(level);
+    const bool constant_ratio = c.bins >= enough_bins && std::abs(c.tilt) < constant * c.tilt_error &&
+                                std::abs(c.tilt) * std::log(c.upper / c.lower) < std::log(level);
     if (!constant_ratio || std::log10(c.upper / c.lower) < wide || std::abs(std::log(factor)) < std::log(plain)) return;
-    findings.push_back({{"SCALE_TWICE", subject,
-                         fmt::format("heights of the first are {:.3g} times the second's (standard error {:.2g}) at every wavelength they share: suspect a height scale applied twice or "
-                                     "a wrong unit", factor, 0.5 * factor * c.mean_error),
-                         "compare heights with what the instrument's own program shows; look for a scale in the file and one given beside it"},
-                        {effect("height_factor", "", factor, "1", 0.5 * factor * c.mean_error)}});
+    findings.push_back(
+        {{"SCALE_TWICE", subject,
+          fmt::format(
+              "heights of the first are {:.3g} times the second's (standard error {:.2g}) at every wavelength they share: suspect a height scale applied twice or "
+              "a wrong unit",
+              factor, 0.5 * factor * c.mean_error),
+          "compare heights with what the instrument's own program shows; look for a scale in the file and one given beside it"},
+         {effect("height_factor", "", factor, "1", 0.5 * factor * c.mean_error)}});
 }
 
 }  // namespace
 
 std::vector<Finding> diagnose_overlap(std::span<const Measurement> measurements, const DiagnosisOptions& options) {
     check(options);
-    if (measurements.size() < 2) throw InvalidArgument(fmt::format("{} measurement to compare; expected at least two", measurements.size()));
+    if (measurements.size() < 2)
+        throw InvalidArgument(fmt::format("{} measurement to compare; expected at least two", measurements.size()));
     std::vector<Binned> all;
     for (const auto& measurement : measurements) all.push_back(binned(measurement, options));
     std::vector<Finding> findings;

@@ -11,13 +11,15 @@ spectra::PowerSpectrum1D scan_spectrum(const topography::HeightMap& map, paralle
     auto bare = map;
     bare.metadata.instrument = {};  // the band is not asked for
     if (map.heights.cols() > 1) return spectra::power_spectrum(bare, options);
-    return spectra::power_spectrum(topography::LineScan{bare.heights.col(0), bare.size[0], bare.periodic, bare.metadata}, options);
+    return spectra::power_spectrum(
+        topography::LineScan{bare.heights.col(0), bare.size[0], bare.periodic, bare.metadata}, options);
 }
 
 double window_gain(double mode, double exponent, bool hann) {
     if (!hann || mode < 2.0) return 1.0;
     // |1 at k, −½ beside it|², scaled to keep the mean square
-    return (2.0 / 3.0) * (1.0 + 0.25 * (std::pow((mode - 1.0) / mode, -exponent) + std::pow((mode + 1.0) / mode, -exponent)));
+    return (2.0 / 3.0) *
+           (1.0 + 0.25 * (std::pow((mode - 1.0) / mode, -exponent) + std::pow((mode + 1.0) / mode, -exponent)));
 }
 
 }  // namespace setae::diagnostics

@@ -10,7 +10,8 @@ namespace setae::diagnostics {
 /// C1D of the scan lines of a level map without undefined heights, modes 1 … n/2, Hann window where it is not periodic.
 [[nodiscard]] spectra::PowerSpectrum1D scan_spectrum(const topography::HeightMap& map, parallel::Threads threads);
 
-/// Expectation of a mode k under the window for C1D ∝ k^−exponent, over k^−exponent: the Hann window mixes each mode with those beside it.
+/// Expectation of a mode k under the window for C1D ∝ k^−exponent, over k^−exponent: the Hann window mixes each mode
+/// with those beside it.
 [[nodiscard]] double window_gain(double mode, double exponent, bool hann);
 
 }  // namespace setae::diagnostics

@@ -54,12 +54,16 @@ Found scars(const Evidence& evidence) {
     const double share = static_cast<double>(points) / static_cast<double>(mask.size());
     const Array2D rest = (mask > 0).select(undefined, evidence.level.heights);
     const double with = rms_height(evidence.level.heights), without = rms_height(rest);
-    return Finding{{"SCARS", evidence.subject,
-                    fmt::format("{} {} along the fast axis {} out of the lines beside, {:.2g} % of all points: rms height {} with and {} without them", strokes,
-                                strokes == 1 ? "stroke" : "strokes", strokes == 1 ? "stands" : "stand", 100.0 * share, length_text(with), length_text(without)),
-                    "remove them (level with a step remove_scars), or scan slower"},
-                   {effect_count("scars", strokes), effect_count("scar_points", points), effect("scar_share", "", share, "1"), effect("rms_height_with_scars", "h_rms", with, "m"),
-                    effect("rms_height_without_scars", "h_rms", without, "m")}};
+    return Finding{
+        {"SCARS", evidence.subject,
+         fmt::format(
+             "{} {} along the fast axis {} out of the lines beside, {:.2g} % of all points: rms height {} with and {} without them",
+             strokes, strokes == 1 ? "stroke" : "strokes", strokes == 1 ? "stands" : "stand", 100.0 * share,
+             length_text(with), length_text(without)),
+         "remove them (level with a step remove_scars), or scan slower"},
+        {effect_count("scars", strokes), effect_count("scar_points", points), effect("scar_share", "", share, "1"),
+         effect("rms_height_with_scars", "h_rms", with, "m"),
+         effect("rms_height_without_scars", "h_rms", without, "m")}};
 }
 
 }  // namespace setae::diagnostics

@@ -10,8 +10,8 @@
 namespace setae::diagnostics {
 namespace {
 
-/// What is removed counts as large where its rms is more than so many times that of what remains: a surface without roll-off, H = 0.8,
-/// shows a tilt of once or twice its remaining rms by chance.
+/// What is removed counts as large where its rms is more than so many times that of what remains: a surface without
+/// roll-off, H = 0.8, shows a tilt of once or twice its remaining rms by chance.
 constexpr double large_tilt_ratio = 3.0;
 constexpr double large_curvature_ratio = 1.5;
 
@@ -55,42 +55,52 @@ Found undefined_heights(const Evidence& evidence) {
     const Index all = evidence.map.heights.size(), missing = all - evidence.defined;
     if (missing == 0) return {};
     const double share = static_cast<double>(missing) / static_cast<double>(all);
-    return Finding{{"UNDEF", evidence.subject, fmt::format("{} of {} heights are undefined ({:.2g} %)", missing, all, 100.0 * share),
+    return Finding{{"UNDEF", evidence.subject,
+                    fmt::format("{} of {} heights are undefined ({:.2g} %)", missing, all, 100.0 * share),
                     "crop ragged borders and fill small holes before transforms; statistics of heights leave them out"},
                    {effect("undefined_share", "", share, "1"), effect_count("undefined_heights", missing)}};
 }
 
 Found large_tilt(const Evidence& evidence) {
-    const double before = rms_height(evidence.map.heights), after = rms_height(evidence.level.heights), tilt = removed_rms(before, after);
+    const double before = rms_height(evidence.map.heights), after = rms_height(evidence.level.heights),
+                 tilt = removed_rms(before, after);
     if (!(tilt > large_tilt_ratio * after)) return {};
     const Array2D plane = evidence.map.heights - evidence.level.heights;
     const auto pixel = evidence.map.pixel_size();
-    const double along_x = slope_along(plane, pixel[0], true), along_y = evidence.is_line ? 0.0 : slope_along(plane, pixel[1], false);
+    const double along_x = slope_along(plane, pixel[0], true),
+                 along_y = evidence.is_line ? 0.0 : slope_along(plane, pixel[1], false);
     const double slope = std::hypot(along_x, along_y);
-    return Finding{{"TILT_LARGE", evidence.subject,
-                    fmt::format("the heights are tilted by {:.3g} ({:.3g} degrees): with it rms height is {}, without {}", slope, std::atan(slope) * 180.0 / pi,
-                                length_text(before), length_text(after)),
-                    "remove a plane (of a line its mean line) before height parameters and spectra"},
-                   {effect("tilt", "", slope, "1"), effect("tilt_x", "", along_x, "1"), effect("tilt_y", "", along_y, "1"),
-                    effect("rms_height_as_measured", "h_rms", before, "m"), effect("rms_height_without_tilt", "h_rms", after, "m")}};
+    return Finding{
+        {"TILT_LARGE", evidence.subject,
+         fmt::format("the heights are tilted by {:.3g} ({:.3g} degrees): with it rms height is {}, without {}", slope,
+                     std::atan(slope) * 180.0 / pi, length_text(before), length_text(after)),
+         "remove a plane (of a line its mean line) before height parameters and spectra"},
+        {effect("tilt", "", slope, "1"), effect("tilt_x", "", along_x, "1"), effect("tilt_y", "", along_y, "1"),
+         effect("rms_height_as_measured", "h_rms", before, "m"),
+         effect("rms_height_without_tilt", "h_rms", after, "m")}};
 }
 
 Found curvature_left(const Evidence& evidence) {
     const Index needed = 12;
-    if (evidence.map.heights.rows() < needed || (!evidence.is_line && evidence.map.heights.cols() < needed) || evidence.defined < 2 * needed) return {};
+    if (evidence.map.heights.rows() < needed || (!evidence.is_line && evidence.map.heights.cols() < needed) ||
+        evidence.defined < 2 * needed)
+        return {};
     const Array2D rest = without_parabola(evidence);
-    const double before = rms_height(evidence.level.heights), after = rms_height(rest), bow = removed_rms(before, after);
+    const double before = rms_height(evidence.level.heights), after = rms_height(rest),
+                 bow = removed_rms(before, after);
     if (!(bow > large_curvature_ratio * after)) return {};
     const Array2D bowl = evidence.level.heights - rest;
     const auto pixel = evidence.map.pixel_size();
-    const double along_x = curvature_along(bowl, pixel[0], true), along_y = evidence.is_line ? 0.0 : curvature_along(bowl, pixel[1], false);
+    const double along_x = curvature_along(bowl, pixel[0], true),
+                 along_y = evidence.is_line ? 0.0 : curvature_along(bowl, pixel[1], false);
     const double strongest = std::abs(along_x) > std::abs(along_y) ? along_x : along_y;
     return Finding{{"CURVATURE_LEFT", evidence.subject,
-                    fmt::format("the level surface is bowed with a radius of {}: with it rms height is {}, without {}", length_text(1.0 / std::abs(strongest)),
-                                length_text(before), length_text(after)),
+                    fmt::format("the level surface is bowed with a radius of {}: with it rms height is {}, without {}",
+                                length_text(1.0 / std::abs(strongest)), length_text(before), length_text(after)),
                     "remove a parabola where the sample's form or the scanner's bow is not what you study"},
                    {effect("curvature_x", "", along_x, "1/m"), effect("curvature_y", "", along_y, "1/m"),
-                    effect("rms_height_with_curvature", "h_rms", before, "m"), effect("rms_height_without_curvature", "h_rms", after, "m")}};
+                    effect("rms_height_with_curvature", "h_rms", before, "m"),
+                    effect("rms_height_without_curvature", "h_rms", after, "m")}};
 }
 
 }  // namespace setae::diagnostics

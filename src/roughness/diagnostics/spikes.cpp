@@ -18,10 +18,13 @@ struct Lift {
 
 Lift lift(const spectra::PowerSpectrum1D& with, const spectra::PowerSpectrum1D& without) {
     const Index n = with.C1D.size(), width = std::max<Index>(4, n / 10);
-    const auto ratio = [&](Index first) { return with.C1D.segment(first, width).sum() / without.C1D.segment(first, width).sum(); };
+    const auto ratio = [&](Index first) {
+        return with.C1D.segment(first, width).sum() / without.C1D.segment(first, width).sum();
+    };
     Lift result;
     result.factor = ratio(n - width);
-    for (Index first = n - width; first >= 0 && ratio(first) > 2.0; --first) result.wavelength = 2.0 * pi / with.wavevector[first];
+    for (Index first = n - width; first >= 0 && ratio(first) > 2.0; --first)
+        result.wavelength = 2.0 * pi / with.wavevector[first];
     return result;
 }
 
@@ -35,19 +38,29 @@ Found spikes(const Evidence& evidence, parallel::Threads threads) {
         if (found.mask.data()[k] != 0) with.heights.data()[k] = evidence.level.heights.data()[k];
     const double step = with.pixel_size()[0];
     const double rms_with = rms_height(with.heights), rms_without = rms_height(evidence.clean.heights);
-    const double slope_with = rms_slope_along_x(with.heights, step), slope_without = rms_slope_along_x(evidence.clean.heights, step);
+    const double slope_with = rms_slope_along_x(with.heights, step),
+                 slope_without = rms_slope_along_x(evidence.clean.heights, step);
     const auto [factor, wavelength] = lift(scan_spectrum(with, threads), scan_spectrum(evidence.clean, threads));
-    const std::string psd = wavelength > 0.0 ? fmt::format("C1D is {:.2g} times what it is without at the shortest wavelengths, and more than twice below {}", factor, length_text(wavelength))
-                                             : fmt::format("C1D is {:.3g} times what it is without at the shortest wavelengths", factor);
-    return Finding{{"SPIKES", evidence.subject,
-                    fmt::format("{} {} out of the median around by more than {}: {}; rms height {} instead of {}, rms slope along x {:.3g} instead of {:.3g}", found.count,
-                                found.count == 1 ? "spike stands" : "spikes stand", length_text(found.threshold), psd, length_text(rms_with), length_text(rms_without),
-                                slope_with, slope_without),
-                    "look at them; despike (level with a step despike) where they are the instrument's"},
-                   {effect_count("spikes", found.count), effect("spike_threshold", "", found.threshold, "m"), effect("psd_factor", "", factor, "1"),
-                    effect("psd_lifted_below_wavelength", "", wavelength > 0.0 ? wavelength : undefined, "m"), effect("rms_height_with_spikes", "h_rms", rms_with, "m"),
-                    effect("rms_height_without_spikes", "h_rms", rms_without, "m"), effect("rms_slope_x_with_spikes", "", slope_with, "1"),
-                    effect("rms_slope_x_without_spikes", "", slope_without, "1")}};
+    const std::string psd =
+        wavelength > 0.0
+            ? fmt::format(
+                  "C1D is {:.2g} times what it is without at the shortest wavelengths, and more than twice below {}",
+                  factor, length_text(wavelength))
+            : fmt::format("C1D is {:.3g} times what it is without at the shortest wavelengths", factor);
+    return Finding{
+        {"SPIKES", evidence.subject,
+         fmt::format(
+             "{} {} out of the median around by more than {}: {}; rms height {} instead of {}, rms slope along x {:.3g} instead of {:.3g}",
+             found.count, found.count == 1 ? "spike stands" : "spikes stand", length_text(found.threshold), psd,
+             length_text(rms_with), length_text(rms_without), slope_with, slope_without),
+         "look at them; despike (level with a step despike) where they are the instrument's"},
+        {effect_count("spikes", found.count), effect("spike_threshold", "", found.threshold, "m"),
+         effect("psd_factor", "", factor, "1"),
+         effect("psd_lifted_below_wavelength", "", wavelength > 0.0 ? wavelength : undefined, "m"),
+         effect("rms_height_with_spikes", "h_rms", rms_with, "m"),
+         effect("rms_height_without_spikes", "h_rms", rms_without, "m"),
+         effect("rms_slope_x_with_spikes", "", slope_with, "1"),
+         effect("rms_slope_x_without_spikes", "", slope_without, "1")}};
 }
 
 }  // namespace setae::diagnostics

@@ -21,7 +21,8 @@ double aliases(double x, double exponent) {
 }
 
 Array1D shape(const ArrayView1D& x, double exponent, bool aliased) {
-    return x.unaryExpr([&](double value) { return std::pow(value, -exponent) + (aliased ? aliases(value, exponent) : 0.0); });
+    return x.unaryExpr(
+        [&](double value) { return std::pow(value, -exponent) + (aliased ? aliases(value, exponent) : 0.0); });
 }
 
 struct Levels {
@@ -91,8 +92,10 @@ struct Candidate {
 };
 
 Candidate fitted(const ArrayView1D& x, const ArrayView1D& power, bool aliased) {
-    const double bare = best_exponent([&](double alpha) { return without_floor(shape(x, alpha, aliased), power).loss; });
-    const double exponent = best_exponent([&](double alpha) { return with_floor(shape(x, alpha, aliased), power).loss; });
+    const double bare =
+        best_exponent([&](double alpha) { return without_floor(shape(x, alpha, aliased), power).loss; });
+    const double exponent =
+        best_exponent([&](double alpha) { return with_floor(shape(x, alpha, aliased), power).loss; });
     const auto levels = with_floor(shape(x, exponent, aliased), power);
     return {exponent, without_floor(shape(x, bare, aliased), power).loss - levels.loss, levels};
 }
@@ -113,7 +116,8 @@ double standard_error(const ArrayView1D& x, const Candidate& fit, bool aliased, 
 
 WhiteFloor white_floor(const ArrayView1D& x, const ArrayView1D& power, double freedom, double cautious_freedom) {
     const std::array<Candidate, 2> candidates{fitted(x, power, false), fitted(x, power, true)};
-    const double folded = 1.0 / (1.0 + std::exp(cautious_freedom * (candidates[1].levels.loss - candidates[0].levels.loss)));
+    const double folded =
+        1.0 / (1.0 + std::exp(cautious_freedom * (candidates[1].levels.loss - candidates[0].levels.loss)));
     const std::array<double, 2> weights{1.0 - folded, folded};
     WhiteFloor result;
     std::array<double, 2> errors{};
@@ -122,11 +126,13 @@ WhiteFloor white_floor(const ArrayView1D& x, const ArrayView1D& power, double fr
         result.amplitude += weights[c] * fit.levels.amplitude;
         result.exponent += weights[c] * fit.exponent;
         result.level += weights[c] * fit.levels.level;
-        result.surface_at_end += weights[c] * fit.levels.amplitude * (1.0 + (c == 1 ? aliases(1.0, fit.exponent) : 0.0));
+        result.surface_at_end +=
+            weights[c] * fit.levels.amplitude * (1.0 + (c == 1 ? aliases(1.0, fit.exponent) : 0.0));
         if (fit.levels.level > 0.0) errors[c] = standard_error(x, fit, c == 1, freedom);
     }
     double variance = 0.0;
-    for (std::size_t c = 0; c < 2; ++c) variance += weights[c] * (errors[c] * errors[c] + std::pow(candidates[c].levels.level - result.level, 2));
+    for (std::size_t c = 0; c < 2; ++c)
+        variance += weights[c] * (errors[c] * errors[c] + std::pow(candidates[c].levels.level - result.level, 2));
     result.level_error = std::sqrt(variance);
     result.gain = std::min(candidates[0].gain, candidates[1].gain);
     return result;

@@ -28,7 +28,9 @@ public:
         const Index nx = heights_.rows(), ny = heights_.cols(), blocks = block_count(nx);
         origin_ = undefined;
         for (Index i = 0; i < heights_.size() && origin_ != origin_; ++i) origin_ = heights_.data()[i];
-        if (origin_ != origin_) throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
+        if (origin_ != origin_)
+            throw UndefinedDataError(
+                fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
         Array1D sums(blocks), counts(blocks);
         parallel::for_each_index(extent(blocks), threads, [&](std::size_t block) {
             double sum = 0.0, count = 0.0;
@@ -48,7 +50,9 @@ public:
         });
         whole_ = counts.sum() == static_cast<double>(heights_.size());
         mean_ = sums.sum() / counts.sum();
-        if (!std::isfinite(mean_)) throw InvalidArgument(fmt::format("{}: an infinite height; mark it as undefined", topography::label(map.metadata)));
+        if (!std::isfinite(mean_))
+            throw InvalidArgument(
+                fmt::format("{}: an infinite height; mark it as undefined", topography::label(map.metadata)));
     }
 
     [[nodiscard]] Index rows() const { return heights_.rows(); }
@@ -64,7 +68,9 @@ public:
         const Index blocks = block_count(rows());
         Array2D before = Array2D::Zero(blocks + 1, columns());
         parallel::for_each_index(extent(blocks), threads, [&](std::size_t block) {
-            each_row(static_cast<Index>(block), [&](Index i) { before.row(static_cast<Index>(block) + 1) += ((heights_.row(i) - origin_) - mean_).square(); });
+            each_row(static_cast<Index>(block), [&](Index i) {
+                before.row(static_cast<Index>(block) + 1) += ((heights_.row(i) - origin_) - mean_).square();
+            });
         });
         for (Index b = 0; b < blocks; ++b) before.row(b + 1) += before.row(b);
         return before;
@@ -76,7 +82,8 @@ public:
 private:
     template <class Body>
     void each_row(Index block, Body body) const {
-        for (Index i = block * lines_per_block; i < std::min(heights_.rows(), (block + 1) * lines_per_block); ++i) body(i);
+        for (Index i = block * lines_per_block; i < std::min(heights_.rows(), (block + 1) * lines_per_block); ++i)
+            body(i);
     }
 
     const Array2D& heights_;
@@ -93,8 +100,14 @@ struct Plan {
     fourier::InverseRealTransform back_along_y;
 
     Plan(const topography::HeightMap& map)
-        : nx(map.heights.rows()), ny(map.heights.cols()), padded_x(map.periodic ? nx : fourier::fast_length(2 * nx - 1)),
-          padded_y(map.periodic ? ny : fourier::fast_length(2 * ny - 1)), along_y(padded_y), along_x(padded_x), back_along_x(padded_x), back_along_y(padded_y) {}
+        : nx(map.heights.rows()),
+          ny(map.heights.cols()),
+          padded_x(map.periodic ? nx : fourier::fast_length(2 * nx - 1)),
+          padded_y(map.periodic ? ny : fourier::fast_length(2 * ny - 1)),
+          along_y(padded_y),
+          along_x(padded_x),
+          back_along_x(padded_x),
+          back_along_y(padded_y) {}
     [[nodiscard]] Index modes() const { return along_y.modes(); }
     [[nodiscard]] double scale() const { return 1.0 / (static_cast<double>(padded_x) * static_cast<double>(padded_y)); }
 };
@@ -112,7 +125,8 @@ void correlate_columns(const Plan& plan, Index lags, RowSpectra& spectra, parall
         Columns columns(plan.padded_x);
         Buffer<double> power(extent(plan.padded_x));
         Buffer<Complex> lagged(extent(plan.back_along_x.modes()));
-        const Index first = static_cast<Index>(block) * lines_per_block, count = std::min(lines_per_block, modes - first);
+        const Index first = static_cast<Index>(block) * lines_per_block,
+                    count = std::min(lines_per_block, modes - first);
         columns.take(spectra, plan.nx, modes, first, count);
         for (Index m = 0; m < count; ++m) {
             Complex* column = columns.column(m);
@@ -124,21 +138,25 @@ void correlate_columns(const Plan& plan, Index lags, RowSpectra& spectra, parall
     });
 }
 
-/// Of row spectra of weights w, heights g and squares s: `squares` becomes that of ½ Σ w w (h − h)², `weights` that of Σ w w.
-void correlate_holed_columns(const Plan& plan, Index lags, RowSpectra& weights, RowSpectra& squares, const RowSpectra& heights, parallel::Threads threads) {
+/// Of row spectra of weights w, heights g and squares s: `squares` becomes that of ½ Σ w w (h − h)², `weights` that of
+/// Σ w w.
+void correlate_holed_columns(const Plan& plan, Index lags, RowSpectra& weights, RowSpectra& squares,
+                             const RowSpectra& heights, parallel::Threads threads) {
     const Index modes = plan.modes();
     parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t block) {
         Columns w(plan.padded_x), s(plan.padded_x), g(plan.padded_x);
         Buffer<double> pairs(extent(plan.padded_x)), differences(extent(plan.padded_x));
         Buffer<Complex> lagged(extent(plan.back_along_x.modes()));
-        const Index first = static_cast<Index>(block) * lines_per_block, count = std::min(lines_per_block, modes - first);
+        const Index first = static_cast<Index>(block) * lines_per_block,
+                    count = std::min(lines_per_block, modes - first);
         w.take(weights, plan.nx, modes, first, count);
         s.take(squares, plan.nx, modes, first, count);
         g.take(heights, plan.nx, modes, first, count);
         for (Index m = 0; m < count; ++m) {
             for (auto* columns : {&w, &s, &g}) plan.along_x.apply(columns->column(m));
             for (Index p = 0; p < plan.padded_x; ++p) {
-                differences[extent(p)] = (std::conj(w.column(m)[p]) * s.column(m)[p]).real() - std::norm(g.column(m)[p]);
+                differences[extent(p)] =
+                    (std::conj(w.column(m)[p]) * s.column(m)[p]).real() - std::norm(g.column(m)[p]);
                 pairs[extent(p)] = std::norm(w.column(m)[p]);
             }
             inverse_column(plan, differences, lagged, lags, s.column(m));
@@ -157,7 +175,7 @@ void inverse_row(const Plan& plan, const RowSpectra& spectra, Index k, Buffer<Co
 
 /// Sums of squares over the points of a map that are the first, and the second, of pairs k rows apart, by column.
 struct PairSquares {
-    Array1D first, second;  ///< by column j
+    Array1D first, second;              ///< by column j
     Array1D first_below, second_below;  ///< over columns < j, one entry more
 
     PairSquares(const CentredMap& map, const Array2D& before, Index k) : first(map.columns()), second(map.columns()) {
@@ -193,9 +211,11 @@ private:
     }
 };
 
-void whole_rows(const Plan& plan, const CentredMap& map, bool periodic, Lags lags, parallel::Threads threads, const LagRow& consume) {
+void whole_rows(const Plan& plan, const CentredMap& map, bool periodic, Lags lags, parallel::Threads threads,
+                const LagRow& consume) {
     RowSpectra spectra;
-    transform_rows(plan.nx, plan.ny, plan.along_y, [&](Index i, double* line) { map.load(i, line); }, spectra, threads);
+    transform_rows(
+        plan.nx, plan.ny, plan.along_y, [&](Index i, double* line) { map.load(i, line); }, spectra, threads);
     correlate_columns(plan, lags.x, spectra, threads);
     const auto before = map.squares_before_blocks(threads);
     const double all = before.row(before.rows() - 1).sum();
@@ -212,10 +232,12 @@ void whole_rows(const Plan& plan, const CentredMap& map, bool periodic, Lags lag
             const auto rows_of_pairs = static_cast<double>(plan.nx - k);
             const auto value = [&](Index l, double product) {
                 if (periodic) return std::max(0.0, (all - product * scale) / points);
-                return std::max(0.0, (squares->half_sum(l) - product * scale) / (rows_of_pairs * static_cast<double>(plan.ny - std::abs(l))));
+                return std::max(0.0, (squares->half_sum(l) - product * scale) /
+                                         (rows_of_pairs * static_cast<double>(plan.ny - std::abs(l))));
             };
             for (Index l = 0; l <= lags.y; ++l) values[extent(lags.y + l)] = value(l, correlation[extent(l)]);
-            for (Index l = 1; l <= lags.y; ++l) values[extent(lags.y - l)] = value(-l, correlation[extent(plan.padded_y - l)]);
+            for (Index l = 1; l <= lags.y; ++l)
+                values[extent(lags.y - l)] = value(-l, correlation[extent(plan.padded_y - l)]);
             consume(k, values.data());
             if (squares && k + 1 < plan.nx) squares->advance(map, k);
         }
@@ -226,14 +248,15 @@ void holed_rows(const Plan& plan, const CentredMap& map, Lags lags, parallel::Th
     RowSpectra weights, squares;
     {
         const auto rows_of = [&](auto function, RowSpectra& spectra) {
-            transform_rows(plan.nx, plan.ny, plan.along_y,
-                           [&](Index i, double* line) {
-                               for (Index j = 0; j < plan.ny; ++j) {
-                                   const double h = map.centred(i, j);
-                                   line[j] = h == h ? function(h) : 0.0;
-                               }
-                           },
-                           spectra, threads);
+            transform_rows(
+                plan.nx, plan.ny, plan.along_y,
+                [&](Index i, double* line) {
+                    for (Index j = 0; j < plan.ny; ++j) {
+                        const double h = map.centred(i, j);
+                        line[j] = h == h ? function(h) : 0.0;
+                    }
+                },
+                spectra, threads);
         };
         RowSpectra heights;
         rows_of([](double) { return 1.0; }, weights);
@@ -251,7 +274,8 @@ void holed_rows(const Plan& plan, const CentredMap& map, Lags lags, parallel::Th
             for (Index l = -lags.y; l <= lags.y; ++l) {
                 const auto at = extent(l >= 0 ? l : plan.padded_y + l);
                 const double count = std::round(pairs[at] * plan.scale());
-                values[extent(lags.y + l)] = count > 0.5 ? std::max(0.0, differences[at] * plan.scale() / count) : undefined;
+                values[extent(lags.y + l)] =
+                    count > 0.5 ? std::max(0.0, differences[at] * plan.scale() / count) : undefined;
             }
             consume(k, values.data());
         }

@@ -13,13 +13,16 @@
 
 namespace setae::scales {
 
-FunctionOfScale autocorrelation_of_area(const topography::HeightMap& map, const spectra::LogGrid& grid, const AutocorrelationOptions& options) {
+FunctionOfScale autocorrelation_of_area(const topography::HeightMap& map, const spectra::LogGrid& grid,
+                                        const AutocorrelationOptions& options) {
     const auto lags = lags_of(map);
     if (lags.x < 1 || lags.y < 1)
-        throw InvalidArgument(fmt::format("{}: {} x {} points have no area; take the autocorrelation of lines", topography::label(map.metadata), map.heights.rows(),
-                                          map.heights.cols()));
+        throw InvalidArgument(fmt::format("{}: {} x {} points have no area; take the autocorrelation of lines",
+                                          topography::label(map.metadata), map.heights.rows(), map.heights.cols()));
     const auto pixel_size = map.pixel_size();
-    const RadialBins bins(grid, pixel_size, std::min(static_cast<double>(lags.x) * pixel_size[0], static_cast<double>(lags.y) * pixel_size[1]));
+    const RadialBins bins(
+        grid, pixel_size,
+        std::min(static_cast<double>(lags.x) * pixel_size[0], static_cast<double>(lags.y) * pixel_size[1]));
     const auto blocks = static_cast<std::size_t>(fourier::block_count(lags.x + 1));
     std::vector<RadialBins::Row> partial(blocks, RadialBins::Row(static_cast<std::size_t>(bins.size())));
     for_each_lag_row(map, options.threads, [&](Index k, const double* values) {
@@ -42,7 +45,9 @@ FunctionOfScale autocorrelation_of_area(const topography::HeightMap& map, const 
 AutocorrelationMap autocorrelation_map(const topography::HeightMap& map, parallel::Threads threads) {
     const auto lags = lags_of(map);
     AutocorrelationMap result{Array2D(lags.x + 1, 2 * lags.y + 1), lags.y, map.pixel_size()};
-    for_each_lag_row(map, threads, [&](Index k, const double* values) { std::copy_n(values, result.value.cols(), result.value.row(k).data()); });
+    for_each_lag_row(map, threads, [&](Index k, const double* values) {
+        std::copy_n(values, result.value.cols(), result.value.row(k).data());
+    });
     result.value(0, lags.y) = 0.0;
     return result;
 }

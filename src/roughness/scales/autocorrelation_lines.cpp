@@ -16,7 +16,8 @@ namespace {
 
 FunctionOfScale result_of(const LinePairs& lines, double step, const topography::Metadata& metadata) {
     const auto sums = lines.sums();
-    if (!(sums.pairs[0] > 0.0)) throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(metadata)));
+    if (!(sums.pairs[0] > 0.0))
+        throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(metadata)));
     std::vector<Index> kept;
     for (Index k = 1; k < sums.pairs.size(); ++k)
         if (sums.pairs[k] > 0.5) kept.push_back(k);
@@ -32,7 +33,9 @@ FunctionOfScale result_of(const LinePairs& lines, double step, const topography:
 
 /// Pairs of lines of so many points.
 LinePairs pairs_of(Index points, bool periodic, const topography::Metadata& metadata) {
-    if (points < 2) throw InvalidArgument(fmt::format("{}: {} points along x have no pair; expected at least 2", topography::label(metadata), points));
+    if (points < 2)
+        throw InvalidArgument(fmt::format("{}: {} points along x have no pair; expected at least 2",
+                                          topography::label(metadata), points));
     return {points, periodic};
 }
 
@@ -54,21 +57,28 @@ FunctionOfScale autocorrelation_of_lines(const topography::HeightMap& map, const
     return result;
 }
 
-FunctionOfScale autocorrelation_of_lines(const topography::TiledMap& map, std::size_t band_bytes, const AutocorrelationOptions& options) {
+FunctionOfScale autocorrelation_of_lines(const topography::TiledMap& map, std::size_t band_bytes,
+                                         const AutocorrelationOptions& options) {
     auto lines = pairs_of(map.nx, map.periodic, map.metadata);
     const Index band = topography::lines_in(map, band_bytes);
-    for (Index first = 0; first < map.ny; first += band) lines.add(map.lines(first, std::min(band, map.ny - first)), options.threads);
+    for (Index first = 0; first < map.ny; first += band)
+        lines.add(map.lines(first, std::min(band, map.ny - first)), options.threads);
     auto result = result_of(lines, map.pixel_size()[0], map.metadata);
     result.reliable_from = 0.5 * shortest_reliable_wavelength(map, band, options.reliability, options.threads);
     return result;
 }
 
-FunctionOfScale autocorrelation_along_lines(const topography::Measurement& measurement, const AutocorrelationOptions& options) {
+FunctionOfScale autocorrelation_along_lines(const topography::Measurement& measurement,
+                                            const AutocorrelationOptions& options) {
     struct Visitor {
         const AutocorrelationOptions& options;
-        FunctionOfScale operator()(const topography::HeightMap& map) const { return autocorrelation_of_lines(map, options); }
+        FunctionOfScale operator()(const topography::HeightMap& map) const {
+            return autocorrelation_of_lines(map, options);
+        }
         FunctionOfScale operator()(const topography::LineScan& scan) const { return autocorrelation(scan, options); }
-        FunctionOfScale operator()(const topography::Profile& profile) const { return autocorrelation(profile, {}, options); }
+        FunctionOfScale operator()(const topography::Profile& profile) const {
+            return autocorrelation(profile, {}, options);
+        }
     };
     return std::visit(Visitor{options}, measurement);
 }
@@ -80,7 +90,8 @@ FunctionOfScale slope_from_autocorrelation(const FunctionOfScale& autocorrelatio
     slope.quantity = "rms_slope";
     slope.unit = "1";
     slope.value = (2.0 * autocorrelation.value).sqrt() / autocorrelation.distance;
-    slope.standard_error = autocorrelation.standard_error / (autocorrelation.distance * (2.0 * autocorrelation.value).sqrt());
+    slope.standard_error =
+        autocorrelation.standard_error / (autocorrelation.distance * (2.0 * autocorrelation.value).sqrt());
     return slope;
 }
 

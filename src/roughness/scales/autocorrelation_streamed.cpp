@@ -24,7 +24,8 @@ std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 struct LagSums {
     Index x, y;
     Array2D squares, pairs;
-    LagSums(Index lags_x, Index lags_y) : x(lags_x), y(lags_y), squares(Array2D::Zero(2 * x + 1, y + 1)), pairs(squares) {}
+    LagSums(Index lags_x, Index lags_y)
+        : x(lags_x), y(lags_y), squares(Array2D::Zero(2 * x + 1, y + 1)), pairs(squares) {}
 };
 
 /// Heights of a band, of the lines that begin pairs and of those that end them.
@@ -39,11 +40,13 @@ struct Spectra {
 
     Spectra(const Array2D& values, Index lines, const fourier::RealTransform& along_y, parallel::Threads threads) {
         const auto rows_of = [&](auto function, RowSpectra& spectra) {
-            transform_rows(values.rows(), lines, along_y,
-                           [&](Index i, double* line) {
-                               for (Index j = 0; j < lines; ++j) line[j] = values(i, j) == values(i, j) ? function(values(i, j)) : 0.0;
-                           },
-                           spectra, threads);
+            transform_rows(
+                values.rows(), lines, along_y,
+                [&](Index i, double* line) {
+                    for (Index j = 0; j < lines; ++j)
+                        line[j] = values(i, j) == values(i, j) ? function(values(i, j)) : 0.0;
+                },
+                spectra, threads);
         };
         rows_of([](double) { return 1.0; }, weights);
         rows_of([](double h) { return h; }, heights);
@@ -53,16 +56,20 @@ struct Spectra {
 
 /// Adds the pairs that begin in the band: cross-correlations of its lines with its lines and overlap.
 void add_band(const Band& band, bool periodic, LagSums& sums, parallel::Threads threads) {
-    const Index nx = band.heights.rows(), padded_x = periodic ? nx : fourier::fast_length(nx + sums.x), padded_y = fourier::fast_length(band.lines + sums.y);
+    const Index nx = band.heights.rows(), padded_x = periodic ? nx : fourier::fast_length(nx + sums.x),
+                padded_y = fourier::fast_length(band.lines + sums.y);
     const fourier::RealTransform along_y(padded_y);
     const fourier::InverseRealTransform back_along_y(padded_y);
     const fourier::ComplexTransform along_x(padded_x), back_along_x(padded_x, fourier::ComplexTransform::Sign::plus);
     const Index modes = along_y.modes(), lags = 2 * sums.x + 1;
-    const Spectra first(band.heights, band.lines, along_y, threads), second(band.heights, band.heights.cols(), along_y, threads);
+    const Spectra first(band.heights, band.lines, along_y, threads),
+        second(band.heights, band.heights.cols(), along_y, threads);
     RowSpectra differences(extent(lags * modes)), pairs(extent(lags * modes));
     parallel::for_each_index(extent(fourier::block_count(modes)), threads, [&](std::size_t block) {
-        Columns u[3]{Columns(padded_x), Columns(padded_x), Columns(padded_x)}, v[3]{Columns(padded_x), Columns(padded_x), Columns(padded_x)};
-        const Index begin = static_cast<Index>(block) * fourier::lines_per_block, count = std::min(fourier::lines_per_block, modes - begin);
+        Columns u[3]{Columns(padded_x), Columns(padded_x), Columns(padded_x)},
+            v[3]{Columns(padded_x), Columns(padded_x), Columns(padded_x)};
+        const Index begin = static_cast<Index>(block) * fourier::lines_per_block,
+                    count = std::min(fourier::lines_per_block, modes - begin);
         const RowSpectra* of_first[3] = {&first.weights, &first.heights, &first.squares};
         const RowSpectra* of_second[3] = {&second.weights, &second.heights, &second.squares};
         for (int part = 0; part < 3; ++part) {
@@ -76,7 +83,8 @@ void add_band(const Band& band, bool periodic, LagSums& sums, parallel::Threads 
         for (Index m = 0; m < count; ++m) {
             Complex *difference = u[1].column(m), *pair = u[0].column(m);
             for (Index p = 0; p < padded_x; ++p) {
-                const Complex w = std::conj(u[0].column(m)[p]), g = std::conj(u[1].column(m)[p]), s = std::conj(u[2].column(m)[p]);
+                const Complex w = std::conj(u[0].column(m)[p]), g = std::conj(u[1].column(m)[p]),
+                              s = std::conj(u[2].column(m)[p]);
                 difference[p] = 0.5 * (s * v[0].column(m)[p] + w * v[2].column(m)[p]) - g * v[1].column(m)[p];
                 pair[p] = w * v[0].column(m)[p];
             }
@@ -123,30 +131,35 @@ double mean_of_defined(const Array2D& values) {
 
 }  // namespace
 
-FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double longest, const spectra::LogGrid& grid, std::size_t band_bytes,
-                                        const AutocorrelationOptions& options) {
+FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double longest, const spectra::LogGrid& grid,
+                                        std::size_t band_bytes, const AutocorrelationOptions& options) {
     const auto pixel_size = map.pixel_size();
     const Index most_x = map.periodic ? map.nx / 2 : map.nx - 1, most_y = map.periodic ? map.ny / 2 : map.ny - 1;
-    const double most = std::min(static_cast<double>(most_x) * pixel_size[0], static_cast<double>(most_y) * pixel_size[1]);
+    const double most =
+        std::min(static_cast<double>(most_x) * pixel_size[0], static_cast<double>(most_y) * pixel_size[1]);
     if (!(longest >= std::max(pixel_size[0], pixel_size[1]) && longest <= most))
-        throw InvalidArgument(fmt::format("{}: longest distance {} m; expected one from a pixel, {} m, to {} m", topography::label(map.metadata), longest,
+        throw InvalidArgument(fmt::format("{}: longest distance {} m; expected one from a pixel, {} m, to {} m",
+                                          topography::label(map.metadata), longest,
                                           std::max(pixel_size[0], pixel_size[1]), most));
     const auto lags_along = [&](double step) { return static_cast<Index>(std::floor(longest / step * (1.0 + 1e-12))); };
     LagSums sums(lags_along(pixel_size[0]), lags_along(pixel_size[1]));
     constexpr std::size_t arrays = 8;  // of a band with its overlap: heights as read and centred, six spectra
-    const Index lines = std::min(map.ny, std::max({topography::lines_in(map, band_bytes / arrays) - sums.y, sums.y, Index{1}}));
+    const Index lines =
+        std::min(map.ny, std::max({topography::lines_in(map, band_bytes / arrays) - sums.y, sums.y, Index{1}}));
     bool any_defined = false;
     for (Index first = 0; first < map.ny; first += lines) {
         Band band;
         band.lines = std::min(lines, map.ny - first);
-        band.heights = lines_of(map, first, map.periodic ? band.lines + sums.y : std::min(band.lines + sums.y, map.ny - first));
+        band.heights =
+            lines_of(map, first, map.periodic ? band.lines + sums.y : std::min(band.lines + sums.y, map.ny - first));
         const double origin = mean_of_defined(band.heights);
         if (origin != origin) continue;
         any_defined = true;
         band.heights -= origin;  // each band about its own: differences of heights do not see it
         add_band(band, map.periodic, sums, options.threads);
     }
-    if (!any_defined) throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
+    if (!any_defined)
+        throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
 
     // half a plane with k >= 0 from half a plane with l >= 0: A(−d) = A(d)
     const RadialBins bins(grid, pixel_size, longest);
@@ -161,7 +174,9 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         bins.add(k, values.data(), sums.y, k == 0 ? 1.0 : 2.0, row);
     }
     auto result = radial_average(row, map.metadata);
-    result.reliable_from = std::max({0.5 * shortest_reliable_wavelength(map, lines, options.reliability, options.threads), pixel_size[0], pixel_size[1]});
+    result.reliable_from =
+        std::max({0.5 * shortest_reliable_wavelength(map, lines, options.reliability, options.threads), pixel_size[0],
+                  pixel_size[1]});
     return result;
 }
 

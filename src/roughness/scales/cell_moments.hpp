@@ -7,9 +7,9 @@ namespace setae::scales {
 
 /// Moments of the points of a cell about their own means: what its best plane needs, and what cells joined need.
 struct CellMoments {
-    double weight = 0.0;                     ///< points, or length
-    double x = 0.0, y = 0.0, h = 0.0;        ///< means
-    double xx = 0.0, xy = 0.0, yy = 0.0;     ///< sums of products about the means
+    double weight = 0.0;                  ///< points, or length
+    double x = 0.0, y = 0.0, h = 0.0;     ///< means
+    double xx = 0.0, xy = 0.0, yy = 0.0;  ///< sums of products about the means
     double xh = 0.0, yh = 0.0, hh = 0.0;
 
     /// Joins another cell. Source: Chan, Golub, LeVeque, Am. Stat. 37 (1983) 242.
@@ -33,11 +33,13 @@ struct CellMoments {
         weight = total;
     }
 
-    /// Sum of squares that the best plane leaves; points on one line (or in one place) leave what their best line (or mean) does.
+    /// Sum of squares that the best plane leaves; points on one line (or in one place) leave what their best line (or
+    /// mean) does.
     [[nodiscard]] double residual() const {
         const double determinant = xx * yy - xy * xy, trace = xx + yy;
         double explained = 0.0;
-        if (determinant > 1e-12 * trace * trace) explained = (yy * xh * xh - 2.0 * xy * xh * yh + xx * yh * yh) / determinant;
+        if (determinant > 1e-12 * trace * trace)
+            explained = (yy * xh * xh - 2.0 * xy * xh * yh + xx * yh * yh) / determinant;
         else if (trace > 0.0) explained = (xh * xh + yh * yh) / trace;
         return std::max(0.0, hh - explained);
     }

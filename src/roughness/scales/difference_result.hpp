@@ -10,7 +10,7 @@ namespace setae::scales {
 /// Moments of differences at one distance.
 struct DifferenceMoments {
     double distance = 0.0;
-    double count = 0.0;       ///< or length
+    double count = 0.0;  ///< or length
     double origin = 0.0;
     double powers[4] = {0.0, 0.0, 0.0, 0.0};  ///< Σ (d − origin)^k, k = 1 … 4
     double minimum = 0.0, maximum = 0.0;
@@ -18,7 +18,8 @@ struct DifferenceMoments {
 
 /// Statistics of the distances given.
 /// @throws InvalidArgument where there is none.
-[[nodiscard]] DifferenceStatistics statistics_of(const std::vector<DifferenceMoments>& moments, const DifferenceOptions& options,
+[[nodiscard]] DifferenceStatistics statistics_of(const std::vector<DifferenceMoments>& moments,
+                                                 const DifferenceOptions& options,
                                                  const topography::Metadata& metadata);
 
 /// @throws InvalidArgument for an order outside 1 … 3, order 3 along both, or a distance that is not positive.

@@ -104,7 +104,8 @@ DifferenceRows linear_differences(const Field& field, Running running, int order
         if (field.periodic) {
             continued.resize(static_cast<std::size_t>(taps.before + field.columns + taps.after));
             for (Index j = 0; j < static_cast<Index>(continued.size()); ++j)
-                continued[static_cast<std::size_t>(j)] = base[((j - taps.before) % field.columns + field.columns) % field.columns];
+                continued[static_cast<std::size_t>(j)] =
+                    base[((j - taps.before) % field.columns + field.columns) % field.columns];
             base = continued.data() + taps.before;
         }
         Sources sources{};
@@ -126,7 +127,8 @@ DifferenceRows fourier_differences(const Field& field, int order, double distanc
     std::vector<fourier::Complex> symbol(static_cast<std::size_t>(transforms->forward.modes()));
     for (std::size_t k = 0; k < symbol.size(); ++k)
         for (const auto& point : stencil(order))
-            symbol[k] += point.coefficient * std::polar(1.0, 2.0 * pi * static_cast<double>(k) * point.place * step / (field.step * n));
+            symbol[k] += point.coefficient *
+                         std::polar(1.0, 2.0 * pi * static_cast<double>(k) * point.place * step / (field.step * n));
     const double scale = 1.0 / (std::pow(step, order) * n);
     for (auto& value : symbol) value *= scale;
     symbol[0] = 0.0;

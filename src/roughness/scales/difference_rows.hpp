@@ -20,8 +20,8 @@ enum class Running { along_columns, across_rows };
 
 /// Differences at one distance, row by row.
 struct DifferenceRows {
-    Index first_row = 0, end_row = 0;        ///< rows that have any
-    Index first_column = 0, end_column = 0;  ///< of their values
+    Index first_row = 0, end_row = 0;                     ///< rows that have any
+    Index first_column = 0, end_column = 0;               ///< of their values
     std::function<void(Index row, double* values)> fill;  ///< any thread; NaN where a height in use is undefined
 
     [[nodiscard]] bool empty() const { return first_row >= end_row || first_column >= end_column; }

@@ -45,7 +45,8 @@ double total(const double* v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 }  // namespace
 
-DifferenceSums::DifferenceSums() : minimum(std::numeric_limits<double>::infinity()), maximum(-std::numeric_limits<double>::infinity()) {}
+DifferenceSums::DifferenceSums()
+    : minimum(std::numeric_limits<double>::infinity()), maximum(-std::numeric_limits<double>::infinity()) {}
 
 void DifferenceSums::add(const DifferenceSums& other) {
     count += other.count;

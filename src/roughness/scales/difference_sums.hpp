@@ -13,7 +13,8 @@ struct DifferenceSums {
 
     DifferenceSums();
     void add(const DifferenceSums& other);
-    /// Adds values; undefined ones are left out. In independent lanes, so that it vectorises; a second pass where one is undefined.
+    /// Adds values; undefined ones are left out. In independent lanes, so that it vectorises; a second pass where one
+    /// is undefined.
     void add(const double* values, Index n, double origin);
 };
 

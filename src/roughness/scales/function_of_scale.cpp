@@ -45,25 +45,30 @@ std::string instrument_of(const topography::Metadata& metadata) {
     return instrument.name.empty() ? "unknown" : instrument.name;
 }
 
-double weight_of(const Share& share, const std::vector<Share>& bin, const std::vector<std::string>& instruments, Weighting weighting) {
+double weight_of(const Share& share, const std::vector<Share>& bin, const std::vector<std::string>& instruments,
+                 Weighting weighting) {
     if (weighting == Weighting::equal) return 1.0;
     if (weighting == Weighting::by_count) return share.count;
     const auto same = std::count_if(bin.begin(), bin.end(), [&](const Share& other) {
-        return instruments[static_cast<std::size_t>(other.measurement)] == instruments[static_cast<std::size_t>(share.measurement)];
+        return instruments[static_cast<std::size_t>(other.measurement)] ==
+               instruments[static_cast<std::size_t>(share.measurement)];
     });
     return 1.0 / static_cast<double>(same);
 }
 
 /// Stretches between filled bins that no measurement spans.
-std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const FunctionOfScale> cut, const spectra::LogGrid& grid) {
+std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const FunctionOfScale> cut,
+                                 const spectra::LogGrid& grid) {
     std::vector<Alert> alerts;
     for (std::size_t b = 1; b < bins.size(); ++b) {
         const double from = grid.edge(bins[b - 1] + 1), to = grid.edge(bins[b]);
         const bool spanned = std::any_of(cut.begin(), cut.end(), [&](const auto& function) {
-            return function.distance.size() > 0 && function.distance.minCoeff() < from && function.distance.maxCoeff() >= to * (1.0 - 1e-9);
+            return function.distance.size() > 0 && function.distance.minCoeff() < from &&
+                   function.distance.maxCoeff() >= to * (1.0 - 1e-9);
         });
         if (bins[b] - bins[b - 1] > 1 && !spanned)
-            alerts.push_back({"COVERAGE_GAP", cut[0].quantity, fmt::format("no measurement between {:.4g} m and {:.4g} m", from, to),
+            alerts.push_back({"COVERAGE_GAP", cut[0].quantity,
+                              fmt::format("no measurement between {:.4g} m and {:.4g} m", from, to),
                               "measure these distances or read both sides by themselves"});
     }
     return alerts;
@@ -77,7 +82,8 @@ FunctionOfScale within_limit(FunctionOfScale function) {
     std::vector<Index> kept;
     for (Index k = 0; k < function.distance.size(); ++k)
         if (function.distance[k] >= function.reliable_from * (1.0 - 1e-9)) kept.push_back(k);
-    for (auto* values : {&function.distance, &function.value, &function.standard_error, &function.count}) *values = Array1D((*values)(kept));
+    for (auto* values : {&function.distance, &function.value, &function.standard_error, &function.count})
+        *values = Array1D((*values)(kept));
     return function;
 }
 
@@ -96,23 +102,28 @@ FunctionOfScale binned(const FunctionOfScale& function, const spectra::LogGrid& 
     return result;
 }
 
-double shortest_reliable_wavelength(const topography::HeightMap& map, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+double shortest_reliable_wavelength(const topography::HeightMap& map, const spectra::ReliabilityOptions& options,
+                                    parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(map, options, threads));
 }
 
-double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together,
+                                    const spectra::ReliabilityOptions& options, parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(map, lines_together, options, threads));
 }
 
-double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options,
+                                    parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(scan, options, threads));
 }
 
-double shortest_reliable_wavelength(const topography::Profile& profile, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+double shortest_reliable_wavelength(const topography::Profile& profile, const spectra::ReliabilityOptions& options,
+                                    parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(profile, options, threads));
 }
 
-double shortest_reliable_wavelength(const topography::Measurement& measurement, const spectra::ReliabilityOptions& options, parallel::Threads threads) {
+double shortest_reliable_wavelength(const topography::Measurement& measurement,
+                                    const spectra::ReliabilityOptions& options, parallel::Threads threads) {
     return wavelength_at(spectra::reliable_band(measurement, options, threads));
 }
 
@@ -124,20 +135,25 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const auto& function = functions[i];
         if (function.quantity != functions[0].quantity || function.unit != functions[0].unit)
-            throw InvalidArgument(fmt::format("{} [{}] cannot be combined with {} [{}]; combine one quantity at a time", function.quantity, function.unit,
-                                              functions[0].quantity, functions[0].unit));
+            throw InvalidArgument(fmt::format("{} [{}] cannot be combined with {} [{}]; combine one quantity at a time",
+                                              function.quantity, function.unit, functions[0].quantity,
+                                              functions[0].unit));
         if (options.weighting == Weighting::by_count && function.count_unit != functions[0].count_unit)
-            throw InvalidArgument("a length of a polyline is no number of pairs; weigh lines and polylines equally or per instrument");
+            throw InvalidArgument(
+                "a length of a polyline is no number of pairs; weigh lines and polylines equally or per instrument");
         instruments.push_back(instrument_of(function.metadata));
         cut.push_back(within_limit(function));
-        for (const auto& [bin, share] : shares_of(cut.back(), options.grid, static_cast<Index>(i))) bins[bin].push_back(share);
+        for (const auto& [bin, share] : shares_of(cut.back(), options.grid, static_cast<Index>(i)))
+            bins[bin].push_back(share);
     }
     if (bins.empty())
-        throw InvalidArgument(fmt::format("no reliable {} in {} measurements: every distance is shorter than what tip, resolution and sampling let through",
-                                          functions[0].quantity, functions.size()));
+        throw InvalidArgument(fmt::format(
+            "no reliable {} in {} measurements: every distance is shorter than what tip, resolution and sampling let through",
+            functions[0].quantity, functions.size()));
 
     const auto n = static_cast<Index>(bins.size());
-    CombinedFunction result{functions[0].quantity, functions[0].unit, Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n), {}, {}};
+    CombinedFunction result{
+        functions[0].quantity, functions[0].unit, Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n), {}, {}};
     std::vector<Index> numbers;
     Index k = 0;
     for (const auto& [bin, shares] : bins) {

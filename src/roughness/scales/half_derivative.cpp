@@ -36,10 +36,13 @@ HalfDerivative of_lines(double grating, SurfaceKind kind) {
 
 }  // namespace
 
-HalfDerivative half_derivative_variance(const topography::HeightMap& map, spectra::Window window, parallel::Threads threads) {
+HalfDerivative half_derivative_variance(const topography::HeightMap& map, spectra::Window window,
+                                        parallel::Threads threads) {
     const Array2D C2D = spectra::power_spectrum_map(map, options_of(map.periodic, window, threads));
     const Index nx = C2D.rows(), ny = C2D.cols();
-    const auto wavevector = [](Index k, Index n, double size) { return 2.0 * pi * static_cast<double>(k <= n / 2 ? k : k - n) / size; };
+    const auto wavevector = [](Index k, Index n, double size) {
+        return 2.0 * pi * static_cast<double>(k <= n / 2 ? k : k - n) / size;
+    };
     Array1D qy(ny), rows(nx);
     for (Index m = 0; m < ny; ++m) qy[m] = wavevector(m, ny, map.size[1]);
     for (Index k = 0; k < nx; ++k) {
@@ -59,9 +62,11 @@ HalfDerivative half_derivative_variance(const topography::LineScan& scan, Surfac
     return of_lines(2.0 * sum / scan.size, kind);
 }
 
-HalfDerivative half_derivative_from_autocorrelation(const FunctionOfScale& autocorrelation, double rms_height, SurfaceKind kind) {
+HalfDerivative half_derivative_from_autocorrelation(const FunctionOfScale& autocorrelation, double rms_height,
+                                                    SurfaceKind kind) {
     if (autocorrelation.quantity != "autocorrelation" && autocorrelation.quantity != "autocorrelation_of_area")
-        throw InvalidArgument(fmt::format("the half derivative follows from an autocorrelation; got {}", autocorrelation.quantity));
+        throw InvalidArgument(
+            fmt::format("the half derivative follows from an autocorrelation; got {}", autocorrelation.quantity));
     const auto& r = autocorrelation.distance;
     const auto& A = autocorrelation.value;
     if (r.size() == 0) throw InvalidArgument("an autocorrelation without a distance; expected at least one");

@@ -30,7 +30,10 @@ struct LinePairs::Part {
     Buffer<Complex> line_modes, weight_modes, square_modes;
 
     Part(Index points, Index padded, Index modes)
-        : whole_power(Array1D::Zero(modes)), whole_squares(Array1D::Zero(points)), line(extent(padded), 0.0), line_modes(extent(modes)) {}
+        : whole_power(Array1D::Zero(modes)),
+          whole_squares(Array1D::Zero(points)),
+          line(extent(padded), 0.0),
+          line_modes(extent(modes)) {}
     /// Room for lines with holes, where there are any.
     void make_room_for_holes() {
         if (!weights.empty()) return;
@@ -43,8 +46,13 @@ struct LinePairs::Part {
 };
 
 LinePairs::LinePairs(Index points, bool periodic)
-    : points_(points), padded_(periodic ? points : fourier::fast_length(2 * points - 1)), periodic_(periodic), transform_(padded_),
-      whole_power_(Array1D::Zero(transform_.modes())), whole_squares_(Array1D::Zero(points)), holed_spectrum_(Array1D::Zero(transform_.modes())),
+    : points_(points),
+      padded_(periodic ? points : fourier::fast_length(2 * points - 1)),
+      periodic_(periodic),
+      transform_(padded_),
+      whole_power_(Array1D::Zero(transform_.modes())),
+      whole_squares_(Array1D::Zero(points)),
+      holed_spectrum_(Array1D::Zero(transform_.modes())),
       holed_pairs_(Array1D::Zero(transform_.modes())) {}
 
 void LinePairs::add_line(const double* heights, Part& part) const {
@@ -84,7 +92,8 @@ void LinePairs::add_line(const double* heights, Part& part) const {
     transform_.forward(part.squares.data(), part.square_modes.data());
     for (Index q = 0; q < transform_.modes(); ++q) {
         const Complex weight = part.weight_modes[extent(q)];
-        part.holed_spectrum[q] += (std::conj(weight) * part.square_modes[extent(q)]).real() - std::norm(part.line_modes[extent(q)]);
+        part.holed_spectrum[q] +=
+            (std::conj(weight) * part.square_modes[extent(q)]).real() - std::norm(part.line_modes[extent(q)]);
         part.holed_pairs[q] += std::norm(weight);
     }
 }
@@ -132,7 +141,8 @@ Array1D LinePairs::correlation(const Array1D& spectrum) const {
 LinePairs::Sums LinePairs::sums() const {
     const Index lags = periodic_ ? points_ / 2 + 1 : points_;
     const Array1D lag = Array1D::LinSpaced(points_, 0.0, static_cast<double>(points_ - 1));
-    const Array1D whole_pairs = periodic_ ? Array1D::Constant(points_, static_cast<double>(points_)) : Array1D(static_cast<double>(points_) - lag);
+    const Array1D whole_pairs = periodic_ ? Array1D::Constant(points_, static_cast<double>(points_))
+                                          : Array1D(static_cast<double>(points_) - lag);
     Array1D squares = Array1D::Constant(points_, whole_squares_.sum());
     if (!periodic_) {
         // half the squares of the points that are the first of a pair, and of those that are the second

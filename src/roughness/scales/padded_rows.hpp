@@ -16,8 +16,9 @@ namespace setae::scales {
 using RowSpectra = fourier::Buffer<fourier::Complex>;
 
 /// `load(i, line)` writes the first `points` values of row i; what follows is zero.
-inline void transform_rows(Index rows, Index points, const fourier::RealTransform& along_y, const std::function<void(Index, double*)>& load,
-                           RowSpectra& spectra, parallel::Threads threads) {
+inline void transform_rows(Index rows, Index points, const fourier::RealTransform& along_y,
+                           const std::function<void(Index, double*)>& load, RowSpectra& spectra,
+                           parallel::Threads threads) {
     const Index modes = along_y.modes();
     spectra.resize(static_cast<std::size_t>(rows * modes));
     parallel::for_each_index(static_cast<std::size_t>(fourier::block_count(rows)), threads, [&](std::size_t block) {
@@ -34,7 +35,10 @@ inline void transform_rows(Index rows, Index points, const fourier::RealTransfor
 /// Some neighbouring columns of row spectra, each contiguous and followed by zeros.
 class Columns {
 public:
-    explicit Columns(Index padded) : padded_(padded), stride_((padded + 3) / 4 * 4 + 4), values_(static_cast<std::size_t>(fourier::lines_per_block * stride_)) {}
+    explicit Columns(Index padded)
+        : padded_(padded),
+          stride_((padded + 3) / 4 * 4 + 4),
+          values_(static_cast<std::size_t>(fourier::lines_per_block * stride_)) {}
 
     void take(const RowSpectra& spectra, Index rows, Index modes, Index first, Index count) {
         for (Index i = 0; i < rows; ++i) {

@@ -23,7 +23,8 @@ public:
         segment_ = place - x.data() - 1;
     }
     [[nodiscard]] double segment_end() const {
-        return segment_ + 2 < profile_.positions.size() ? profile_.positions[segment_ + 1] - shift_.offset : std::numeric_limits<double>::infinity();
+        return segment_ + 2 < profile_.positions.size() ? profile_.positions[segment_ + 1] - shift_.offset
+                                                        : std::numeric_limits<double>::infinity();
     }
     void pass(double x) {
         while (segment_end() <= x) ++segment_;
@@ -65,13 +66,14 @@ void add_piece(double a, double b, double length, PieceMoments& sums) {
 
 void require_polyline(const topography::Profile& profile) {
     if (profile.heights.isNaN().any())
-        throw UndefinedDataError(fmt::format("{}: an undefined height in a polyline; leave out its point", topography::label(profile.metadata)));
+        throw UndefinedDataError(fmt::format("{}: an undefined height in a polyline; leave out its point",
+                                             topography::label(profile.metadata)));
     topography::validate(profile);
 }
 
 PieceMoments difference_moments(const topography::Profile& profile, std::span<const Shift> shifts) {
-    const auto [lowest, highest] =
-        std::minmax_element(shifts.begin(), shifts.end(), [](const Shift& a, const Shift& b) { return a.offset < b.offset; });
+    const auto [lowest, highest] = std::minmax_element(
+        shifts.begin(), shifts.end(), [](const Shift& a, const Shift& b) { return a.offset < b.offset; });
     double x = profile.positions[0] - lowest->offset;
     const double end = profile.positions[profile.positions.size() - 1] - highest->offset;
     PieceMoments sums;

@@ -18,15 +18,17 @@ struct Shift {
 
 /// Integrals of a piecewise linear function g over x, about an origin g0: ∫ (g − g0)^k dx, and what it ranges over.
 struct PieceMoments {
-    double length = 0.0;          ///< [m]
-    double origin = 0.0;          ///< g0
+    double length = 0.0;               ///< [m]
+    double origin = 0.0;               ///< g0
     double moments[4] = {0, 0, 0, 0};  ///< k = 1 … 4
     double minimum = 0.0, maximum = 0.0;
 };
 
-/// Exact moments of g(x) = Σ_s w_s h(x + offset_s), Σ w = 0, over every x for which all x + offset_s lie on the polyline.
+/// Exact moments of g(x) = Σ_s w_s h(x + offset_s), Σ w = 0, over every x for which all x + offset_s lie on the
+/// polyline.
 ///
-/// The breakpoints of all shifted copies are merged: O(points · shifts). Length 0 where the stencil is longer than the polyline.
+/// The breakpoints of all shifted copies are merged: O(points · shifts). Length 0 where the stencil is longer than the
+/// polyline.
 [[nodiscard]] PieceMoments difference_moments(const topography::Profile& profile, std::span<const Shift> shifts);
 
 /// The 10^(b/n) m from `shortest` to below `longest` [m].

@@ -13,9 +13,11 @@ constexpr double rounding = 1e-12;  ///< as LogGrid: a length equal to an edge b
 
 }  // namespace
 
-RadialBins::RadialBins(const spectra::LogGrid& grid, std::array<double, 2> pixel_size, double longest) : pixel_size_(pixel_size) {
+RadialBins::RadialBins(const spectra::LogGrid& grid, std::array<double, 2> pixel_size, double longest)
+    : pixel_size_(pixel_size) {
     const Index first = grid.bin_of(std::min(pixel_size[0], pixel_size[1]));
-    for (Index bin = first; grid.edge(bin) * (1.0 - rounding) <= longest; ++bin) edges_.push_back(grid.edge(bin) * (1.0 - rounding));
+    for (Index bin = first; grid.edge(bin) * (1.0 - rounding) <= longest; ++bin)
+        edges_.push_back(grid.edge(bin) * (1.0 - rounding));
     edges_.push_back(longest * (1.0 + rounding));
 }
 
@@ -35,7 +37,10 @@ void RadialBins::add(Index k, const double* values, Index y, double weight, Row&
         if (from >= to) return;
         const auto segment = Eigen::Map<const Array1D>(values + y + from, to - from);
         const Array1D lengths =
-            ((Array1D::LinSpaced(to - from, static_cast<double>(from), static_cast<double>(to - 1)) * pixel_size_[1]).square() + x * x).sqrt();
+            ((Array1D::LinSpaced(to - from, static_cast<double>(from), static_cast<double>(to - 1)) * pixel_size_[1])
+                 .square() +
+             x * x)
+                .sqrt();
         const double sum = segment.sum();
         if (sum == sum) {
             bin.value += weight * sum;

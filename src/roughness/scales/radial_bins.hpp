@@ -19,7 +19,8 @@ public:
     };
     using Row = std::vector<Sums>;
 
-    /// Adds row k of lag vectors, l = −y … y, each counted `weight` times; undefined values are left out. `values` starts on a cache line.
+    /// Adds row k of lag vectors, l = −y … y, each counted `weight` times; undefined values are left out. `values`
+    /// starts on a cache line.
     void add(Index k, const double* values, Index y, double weight, Row& sums) const;
 
 private:

@@ -55,10 +55,10 @@ struct Scale {
     }
 
 private:
-    [[nodiscard]] Index most(Index DifferenceRows::* member) const {
+    [[nodiscard]] Index most(Index DifferenceRows::*member) const {
         return std::max(*parts[0].*member, parts[1] ? *parts[1].*member : Index{0});
     }
-    [[nodiscard]] Index least(Index DifferenceRows::* member) const {
+    [[nodiscard]] Index least(Index DifferenceRows::*member) const {
         return std::min(*parts[0].*member, parts[1] ? *parts[1].*member : *parts[0].*member);
     }
 };
@@ -76,15 +76,25 @@ struct Source {
 
 void require_fourier(const Source& source, const DifferenceOptions& options) {
     const auto label = topography::label(*source.metadata);
-    if (!source.field.periodic) throw InvalidArgument(label + ": Fourier interpolation of data that are not periodic; take linear interpolation");
-    if (options.along == Along::both) throw InvalidArgument(label + ": Fourier interpolation along both directions at once; take x and y by themselves");
+    if (!source.field.periodic)
+        throw InvalidArgument(label +
+                              ": Fourier interpolation of data that are not periodic; take linear interpolation");
+    if (options.along == Along::both)
+        throw InvalidArgument(label +
+                              ": Fourier interpolation along both directions at once; take x and y by themselves");
     const Eigen::Map<const Array1D> heights(source.field.heights, source.field.rows * source.field.columns);
-    if (heights.isNaN().any()) throw UndefinedDataError(label + ": Fourier interpolation of undefined heights; fill them or take linear interpolation");
+    if (heights.isNaN().any())
+        throw UndefinedDataError(
+            label + ": Fourier interpolation of undefined heights; fill them or take linear interpolation");
 }
 
 Source source_of(const topography::HeightMap& map, const DifferenceOptions& options) {
     require_differences(options, map.metadata);
-    Source source{{map.heights.data(), map.heights.rows(), map.heights.cols(), 0.0, map.periodic}, map.pixel_size(), false, {}, &map.metadata};
+    Source source{{map.heights.data(), map.heights.rows(), map.heights.cols(), 0.0, map.periodic},
+                  map.pixel_size(),
+                  false,
+                  {},
+                  &map.metadata};
     if (options.interpolation == Interpolation::fourier) {
         require_fourier(source, options);
         if (options.along == Along::x) {
@@ -98,8 +108,13 @@ Source source_of(const topography::HeightMap& map, const DifferenceOptions& opti
 
 Source source_of(const topography::LineScan& scan, const DifferenceOptions& options) {
     require_differences(options, scan.metadata);
-    if (options.along == Along::y) throw InvalidArgument(topography::label(scan.metadata) + ": differences along y of a line; take x");
-    Source source{{scan.heights.data(), 1, scan.heights.size(), 0.0, scan.periodic}, {scan.pixel_size(), scan.pixel_size()}, true, {}, &scan.metadata};
+    if (options.along == Along::y)
+        throw InvalidArgument(topography::label(scan.metadata) + ": differences along y of a line; take x");
+    Source source{{scan.heights.data(), 1, scan.heights.size(), 0.0, scan.periodic},
+                  {scan.pixel_size(), scan.pixel_size()},
+                  true,
+                  {},
+                  &scan.metadata};
     if (options.interpolation == Interpolation::fourier) require_fourier(source, options);
     return source;
 }
@@ -133,7 +148,9 @@ Array1D distances_of(const Source& source, const DifferenceOptions& options) {
     const auto [dx, dy] = source.pixel_size;
     const bool both = options.along == Along::both && !source.is_line;
     const double step = both ? std::max(dx, dy) : source.step(options.along);
-    const double size_x = dx * static_cast<double>(source.is_line ? source.field.columns : source.turned.size() > 0 ? source.field.columns : source.field.rows);
+    const double size_x = dx * static_cast<double>(source.is_line             ? source.field.columns
+                                                   : source.turned.size() > 0 ? source.field.columns
+                                                                              : source.field.rows);
     const double size_y = dy * static_cast<double>(source.turned.size() > 0 ? source.field.rows : source.field.columns);
     double size = options.along == Along::y ? size_y : size_x;
     if (both) size = std::min(size_x, size_y);
@@ -151,7 +168,8 @@ double origin_of(const Scale& scale, Buffer<double>& first, Buffer<double>& seco
     return 0.0;
 }
 
-DifferenceStatistics statistics_of_source(const Source& source, const DifferenceOptions& options, double reliable_from) {
+DifferenceStatistics statistics_of_source(const Source& source, const DifferenceOptions& options,
+                                          double reliable_from) {
     const Array1D distances = distances_of(source, options);
     const auto scales = extent(distances.size());
     std::vector<Scale> at;
@@ -179,17 +197,26 @@ DifferenceStatistics statistics_of_source(const Source& source, const Difference
         DifferenceSums sums;
         for (Index block = 0; block < blocks; ++block) sums.add(partial[extent(block) * scales + s]);
         if (sums.count < static_cast<double>(std::max<Index>(1, options.fewest))) continue;
-        moments.push_back({at[s].distance, sums.count, at[s].origin, {sums.powers[0], sums.powers[1], sums.powers[2], sums.powers[3]}, sums.minimum, sums.maximum});
+        moments.push_back({at[s].distance,
+                           sums.count,
+                           at[s].origin,
+                           {sums.powers[0], sums.powers[1], sums.powers[2], sums.powers[3]},
+                           sums.minimum,
+                           sums.maximum});
     }
     auto result = statistics_of(moments, options, *source.metadata);
     result.reliable_from = reliable_from;
     return result;
 }
 
-void hand_over_rows(const Source& source, double distance, const DifferenceOptions& options, const RowConsumer& consume) {
-    if (!(distance > 0.0)) throw InvalidArgument(fmt::format("{}: distance {} m; expected positive", topography::label(*source.metadata), distance));
+void hand_over_rows(const Source& source, double distance, const DifferenceOptions& options,
+                    const RowConsumer& consume) {
+    if (!(distance > 0.0))
+        throw InvalidArgument(
+            fmt::format("{}: distance {} m; expected positive", topography::label(*source.metadata), distance));
     if (options.along == Along::both)
-        throw InvalidArgument(topography::label(*source.metadata) + ": differences by rows along both directions; take x and y by themselves");
+        throw InvalidArgument(topography::label(*source.metadata) +
+                              ": differences by rows along both directions; take x and y by themselves");
     const auto rows = rows_along(source, options.along, options, distance);
     if (rows.empty()) return;
     Buffer<double> values(extent(source.field.columns));
@@ -200,17 +227,20 @@ void hand_over_rows(const Source& source, double distance, const DifferenceOptio
 }
 
 template <class Kind>
-FunctionOfScale any_of(const Kind& measurement, const DifferenceOptions& options, const std::function<double(const ArrayView1D&)>& statistic) {
+FunctionOfScale any_of(const Kind& measurement, const DifferenceOptions& options,
+                       const std::function<double(const ArrayView1D&)>& statistic) {
     const auto source = source_of(measurement, options);
     std::vector<double> distances, values, counts;
     for (const double distance : distances_of(source, options)) {
         std::vector<double> differences;
         hand_over_rows(source, distance, options, [&](Index, Index, const ArrayView1D& row) {
-            std::copy_if(row.begin(), row.end(), std::back_inserter(differences), [](double value) { return value == value; });
+            std::copy_if(row.begin(), row.end(), std::back_inserter(differences),
+                         [](double value) { return value == value; });
         });
         if (static_cast<Index>(differences.size()) < std::max<Index>(1, options.fewest)) continue;
         distances.push_back(distance);
-        values.push_back(statistic(Eigen::Map<const Array1D>(differences.data(), static_cast<Index>(differences.size()))));
+        values.push_back(
+            statistic(Eigen::Map<const Array1D>(differences.data(), static_cast<Index>(differences.size()))));
         counts.push_back(static_cast<double>(differences.size()));
     }
     const auto n = static_cast<Index>(distances.size());
@@ -219,7 +249,8 @@ FunctionOfScale any_of(const Kind& measurement, const DifferenceOptions& options
     result.value = Eigen::Map<const Array1D>(values.data(), n);
     result.count = Eigen::Map<const Array1D>(counts.data(), n);
     result.standard_error = Array1D::Constant(n, undefined);
-    result.reliable_from = 0.5 * options.order * shortest_reliable_wavelength(measurement, options.reliability, options.threads);
+    result.reliable_from =
+        0.5 * options.order * shortest_reliable_wavelength(measurement, options.reliability, options.threads);
     result.metadata = measurement.metadata;
     return result;
 }
@@ -227,32 +258,42 @@ FunctionOfScale any_of(const Kind& measurement, const DifferenceOptions& options
 }  // namespace
 
 DifferenceStatistics difference_statistics(const topography::HeightMap& map, const DifferenceOptions& options) {
-    return statistics_of_source(source_of(map, options), options, 0.5 * options.order * shortest_reliable_wavelength(map, options.reliability, options.threads));
+    return statistics_of_source(
+        source_of(map, options), options,
+        0.5 * options.order * shortest_reliable_wavelength(map, options.reliability, options.threads));
 }
 
 DifferenceStatistics difference_statistics(const topography::LineScan& scan, const DifferenceOptions& options) {
-    return statistics_of_source(source_of(scan, options), options, 0.5 * options.order * shortest_reliable_wavelength(scan, options.reliability, options.threads));
+    return statistics_of_source(
+        source_of(scan, options), options,
+        0.5 * options.order * shortest_reliable_wavelength(scan, options.reliability, options.threads));
 }
 
-DifferenceStatistics difference_statistics(const topography::Measurement& measurement, const DifferenceOptions& options) {
+DifferenceStatistics difference_statistics(const topography::Measurement& measurement,
+                                           const DifferenceOptions& options) {
     return std::visit([&](const auto& m) { return difference_statistics(m, options); }, measurement);
 }
 
-void for_each_row_of_differences(const topography::HeightMap& map, double distance, const DifferenceOptions& options, const RowConsumer& consume) {
+void for_each_row_of_differences(const topography::HeightMap& map, double distance, const DifferenceOptions& options,
+                                 const RowConsumer& consume) {
     hand_over_rows(source_of(map, options), distance, options, consume);
 }
 
-void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options, const RowConsumer& consume) {
+void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options,
+                                 const RowConsumer& consume) {
     hand_over_rows(source_of(scan, options), distance, options, consume);
 }
 
-FunctionOfScale any_statistic(const topography::Measurement& measurement, const DifferenceOptions& options, const std::string& name, const std::string& unit,
+FunctionOfScale any_statistic(const topography::Measurement& measurement, const DifferenceOptions& options,
+                              const std::string& name, const std::string& unit,
                               const std::function<double(const ArrayView1D&)>& statistic) {
     if (std::holds_alternative<topography::Profile>(measurement))
-        throw InvalidArgument(topography::label(topography::metadata(measurement)) +
-                              ": a polyline has no differences to list; take difference_statistics, or sample it at equal steps first");
+        throw InvalidArgument(
+            topography::label(topography::metadata(measurement)) +
+            ": a polyline has no differences to list; take difference_statistics, or sample it at equal steps first");
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    auto result = map ? any_of(*map, options, statistic) : any_of(std::get<topography::LineScan>(measurement), options, statistic);
+    auto result = map ? any_of(*map, options, statistic)
+                      : any_of(std::get<topography::LineScan>(measurement), options, statistic);
     result.quantity = name;
     result.unit = unit;
     return result;

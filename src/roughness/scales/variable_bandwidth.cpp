@@ -41,9 +41,9 @@ Index first_point(Index cell, Index cells, Index points) { return (cell * points
 struct Grid {
     const double* heights;
     Index nx, ny;
-    Index stride;                  ///< from x to x
-    std::array<Index, 2> cells;    ///< along x and y at level 0
-    bool halves_y;                 ///< cells are halved along y too
+    Index stride;                ///< from x to x
+    std::array<Index, 2> cells;  ///< along x and y at level 0
+    bool halves_y;               ///< cells are halved along y too
     Index levels;
 };
 
@@ -88,13 +88,14 @@ CellMoments visit(const Grid& grid, Index level, Index cx, Index cy, LevelSums& 
     const Index cells_x = grid.cells[0] << level, cells_y = grid.halves_y ? grid.cells[1] << level : grid.cells[1];
     CellMoments cell;
     if (level + 1 == grid.levels) {
-        cell = moments_of(grid, first_point(cx, cells_x, grid.nx), first_point(cx + 1, cells_x, grid.nx), first_point(cy, cells_y, grid.ny),
-                          first_point(cy + 1, cells_y, grid.ny));
+        cell = moments_of(grid, first_point(cx, cells_x, grid.nx), first_point(cx + 1, cells_x, grid.nx),
+                          first_point(cy, cells_y, grid.ny), first_point(cy + 1, cells_y, grid.ny));
     } else {
         for (Index part = 0; part < 2; ++part) {
             if (!grid.halves_y) cell.add(visit(grid, level + 1, 2 * cx + part, cy, sums));
             else
-                for (Index part_y = 0; part_y < 2; ++part_y) cell.add(visit(grid, level + 1, 2 * cx + part, 2 * cy + part_y, sums));
+                for (Index part_y = 0; part_y < 2; ++part_y)
+                    cell.add(visit(grid, level + 1, 2 * cx + part, 2 * cy + part_y, sums));
         }
     }
     sums.add(level, cell);
@@ -109,15 +110,19 @@ Index levels_of(Index points, Index cells, Index fewest) {
 }
 
 void require_cells(Index levels, const VariableBandwidthOptions& options, const topography::Metadata& metadata) {
-    if (options.fewest_points < 2) throw InvalidArgument(fmt::format("cells of at least {} points; expected 2 or more", options.fewest_points));
+    if (options.fewest_points < 2)
+        throw InvalidArgument(fmt::format("cells of at least {} points; expected 2 or more", options.fewest_points));
     if (levels < 1)
-        throw InvalidArgument(fmt::format("{}: too few points for a cell of {}; take more points or smaller cells", topography::label(metadata), options.fewest_points));
+        throw InvalidArgument(fmt::format("{}: too few points for a cell of {}; take more points or smaller cells",
+                                          topography::label(metadata), options.fewest_points));
 }
 
 /// One value a level, finest first.
-FunctionOfScale result_of(const LevelSums& sums, double longest, double reliable_from, const topography::Metadata& metadata) {
+FunctionOfScale result_of(const LevelSums& sums, double longest, double reliable_from,
+                          const topography::Metadata& metadata) {
     const auto levels = static_cast<Index>(sums.residual.size());
-    if (!(sums.weight[0] > 0.0)) throw UndefinedDataError(fmt::format("{}: no defined height", topography::label(metadata)));
+    if (!(sums.weight[0] > 0.0))
+        throw UndefinedDataError(fmt::format("{}: no defined height", topography::label(metadata)));
     FunctionOfScale result;
     result.quantity = "variable_bandwidth";
     result.unit = "m";
@@ -143,12 +148,16 @@ public:
         CellMoments cell;
         const Index last = profile_.positions.size() - 2;
         for (;;) {
-            const double x0 = profile_.positions[segment_] - profile_.positions[0], x1 = profile_.positions[segment_ + 1] - profile_.positions[0];
-            const double h0 = profile_.heights[segment_] - profile_.heights[0], slope = (profile_.heights[segment_ + 1] - profile_.heights[segment_]) / (x1 - x0);
+            const double x0 = profile_.positions[segment_] - profile_.positions[0],
+                         x1 = profile_.positions[segment_ + 1] - profile_.positions[0];
+            const double h0 = profile_.heights[segment_] - profile_.heights[0],
+                         slope = (profile_.heights[segment_ + 1] - profile_.heights[segment_]) / (x1 - x0);
             const double stop = segment_ == last ? end : std::min(end, x1);
             if (stop > place_) {
-                const double length = stop - place_, middle = 0.5 * (place_ + stop), cube = length * length * length / 12.0;
-                cell.add({length, middle, 0.0, h0 + slope * (middle - x0), cube, 0.0, 0.0, slope * cube, 0.0, slope * slope * cube});
+                const double length = stop - place_, middle = 0.5 * (place_ + stop),
+                             cube = length * length * length / 12.0;
+                cell.add({length, middle, 0.0, h0 + slope * (middle - x0), cube, 0.0, 0.0, slope * cube, 0.0,
+                          slope * slope * cube});
                 place_ = stop;
             }
             if (end < x1 || segment_ == last) return cell;
@@ -181,30 +190,35 @@ FunctionOfScale variable_bandwidth(const topography::LineScan& scan, const Varia
     require_cells(levels, options, scan.metadata);
     LevelSums sums(levels);
     visit(Grid{scan.heights.data(), n, 1, 1, {1, 1}, false, levels}, 0, 0, 0, sums);
-    return result_of(sums, scan.size, shortest_reliable_wavelength(scan, options.reliability, options.threads), scan.metadata);
+    return result_of(sums, scan.size, shortest_reliable_wavelength(scan, options.reliability, options.threads),
+                     scan.metadata);
 }
 
 FunctionOfScale variable_bandwidth_of_lines(const topography::HeightMap& map, const VariableBandwidthOptions& options) {
     constexpr Index gathered = 16;
-    const Index nx = map.heights.rows(), ny = map.heights.cols(), levels = levels_of(nx, 1, std::max<Index>(2, options.fewest_points));
+    const Index nx = map.heights.rows(), ny = map.heights.cols(),
+                levels = levels_of(nx, 1, std::max<Index>(2, options.fewest_points));
     require_cells(levels, options, map.metadata);
     const Index blocks = (ny + gathered - 1) / gathered;
     std::vector<LevelSums> partial(extent(blocks), LevelSums(levels));
     parallel::for_each_index(extent(blocks), options.threads, [&](std::size_t block) {
         const Index first = static_cast<Index>(block) * gathered, lines = std::min(gathered, ny - first);
         const Array2D taken = map.heights.middleCols(first, lines).transpose();
-        for (Index j = 0; j < lines; ++j) visit(Grid{taken.row(j).data(), nx, 1, 1, {1, 1}, false, levels}, 0, 0, 0, partial[block]);
+        for (Index j = 0; j < lines; ++j)
+            visit(Grid{taken.row(j).data(), nx, 1, 1, {1, 1}, false, levels}, 0, 0, 0, partial[block]);
     });
     LevelSums sums(levels);
     for (const auto& block : partial) sums.add(block);
-    return result_of(sums, map.size[0], shortest_reliable_wavelength(map, options.reliability, options.threads), map.metadata);
+    return result_of(sums, map.size[0], shortest_reliable_wavelength(map, options.reliability, options.threads),
+                     map.metadata);
 }
 
 FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map, const VariableBandwidthOptions& options) {
     constexpr Index split = 3;  // cells of this level are shared out among threads
     const Index nx = map.heights.rows(), ny = map.heights.cols(), fewest = std::max<Index>(2, options.fewest_points);
     const double shorter = std::min(map.size[0], map.size[1]);
-    const std::array<Index, 2> cells{static_cast<Index>(std::lround(map.size[0] / shorter)), static_cast<Index>(std::lround(map.size[1] / shorter))};
+    const std::array<Index, 2> cells{static_cast<Index>(std::lround(map.size[0] / shorter)),
+                                     static_cast<Index>(std::lround(map.size[1] / shorter))};
     const Index levels = std::min(levels_of(nx, cells[0], fewest), levels_of(ny, cells[1], fewest));
     require_cells(levels, options, map.metadata);
     const Grid grid{map.heights.data(), nx, ny, ny, cells, true, levels};
@@ -221,13 +235,16 @@ FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map, con
         std::vector<CellMoments> joined(extent((cells[0] << level) * columns));
         for (std::size_t c = 0; c < joined.size(); ++c) {
             const Index cx = static_cast<Index>(c) / columns, cy = static_cast<Index>(c) % columns;
-            for (Index part = 0; part < 4; ++part) joined[c].add(moments[extent((2 * cx + part / 2) * 2 * columns + 2 * cy + part % 2)]);
+            for (Index part = 0; part < 4; ++part)
+                joined[c].add(moments[extent((2 * cx + part / 2) * 2 * columns + 2 * cy + part % 2)]);
             sums.add(level, joined[c]);
         }
         moments = std::move(joined);
     }
-    const double longest = 0.5 * (map.size[0] / static_cast<double>(cells[0]) + map.size[1] / static_cast<double>(cells[1]));
-    return result_of(sums, longest, shortest_reliable_wavelength(map, options.reliability, options.threads), map.metadata);
+    const double longest =
+        0.5 * (map.size[0] / static_cast<double>(cells[0]) + map.size[1] / static_cast<double>(cells[1]));
+    return result_of(sums, longest, shortest_reliable_wavelength(map, options.reliability, options.threads),
+                     map.metadata);
 }
 
 FunctionOfScale variable_bandwidth(const topography::Profile& profile, const VariableBandwidthOptions& options) {
@@ -237,17 +254,24 @@ FunctionOfScale variable_bandwidth(const topography::Profile& profile, const Var
     LevelSums sums(levels);
     Pieces pieces(profile);
     visit(pieces, profile.size(), levels, 0, 0, sums);
-    auto result = result_of(sums, profile.size(), shortest_reliable_wavelength(profile, options.reliability, options.threads), profile.metadata);
+    auto result =
+        result_of(sums, profile.size(), shortest_reliable_wavelength(profile, options.reliability, options.threads),
+                  profile.metadata);
     result.count_unit = "m";
     return result;
 }
 
-FunctionOfScale variable_bandwidth_along_lines(const topography::Measurement& measurement, const VariableBandwidthOptions& options) {
+FunctionOfScale variable_bandwidth_along_lines(const topography::Measurement& measurement,
+                                               const VariableBandwidthOptions& options) {
     struct Visitor {
         const VariableBandwidthOptions& options;
-        FunctionOfScale operator()(const topography::HeightMap& map) const { return variable_bandwidth_of_lines(map, options); }
+        FunctionOfScale operator()(const topography::HeightMap& map) const {
+            return variable_bandwidth_of_lines(map, options);
+        }
         FunctionOfScale operator()(const topography::LineScan& scan) const { return variable_bandwidth(scan, options); }
-        FunctionOfScale operator()(const topography::Profile& profile) const { return variable_bandwidth(profile, options); }
+        FunctionOfScale operator()(const topography::Profile& profile) const {
+            return variable_bandwidth(profile, options);
+        }
     };
     return std::visit(Visitor{options}, measurement);
 }

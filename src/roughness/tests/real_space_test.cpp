@@ -44,7 +44,8 @@ TEST(RealSpaceParameters, OfCosinesAreTheirSymbols) {
 TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureAtOpenBorders) {
     topography::HeightMap map{Array2D(40, 30), {4.0, 3.0}};
     for (Index i = 0; i < 40; ++i)
-        for (Index j = 0; j < 30; ++j) map.heights(i, j) = 1e4 + 0.5 * (0.03 * static_cast<double>(i * i) + 0.02 * static_cast<double>(j * j));
+        for (Index j = 0; j < 30; ++j)
+            map.heights(i, j) = 1e4 + 0.5 * (0.03 * static_cast<double>(i * i) + 0.02 * static_cast<double>(j * j));
     EXPECT_NEAR(real_space_parameters(map).rms_curvature, 0.5 * (3.0 + 2.0), 1e-8);
 }
 
@@ -52,7 +53,8 @@ TEST(RealSpaceParameters, DropEveryDifferenceThatTouchesAHole) {
     // one hole costs 2 differences along x, 2 along y and 5 Laplacians: the plane's slopes stay exact
     topography::HeightMap map{Array2D(10, 12), {1.0, 1.2}};
     for (Index i = 0; i < 10; ++i)
-        for (Index j = 0; j < 12; ++j) map.heights(i, j) = 0.1 * (2.0 * static_cast<double>(i) - static_cast<double>(j));
+        for (Index j = 0; j < 12; ++j)
+            map.heights(i, j) = 0.1 * (2.0 * static_cast<double>(i) - static_cast<double>(j));
     map.heights(4, 5) = undefined;
     const auto p = real_space_parameters(map);
     EXPECT_EQ(p.defined, 119);
@@ -106,7 +108,8 @@ TEST(RealSpaceParameters, SurviveAHugeOffset) {
 }
 
 TEST(RealSpaceParameters, RefuseAMapWithoutAHeight) {
-    EXPECT_THROW((void)real_space_parameters(topography::HeightMap{Array2D::Constant(4, 4, undefined), {1.0, 1.0}}), UndefinedDataError);
+    EXPECT_THROW((void)real_space_parameters(topography::HeightMap{Array2D::Constant(4, 4, undefined), {1.0, 1.0}}),
+                 UndefinedDataError);
 }
 
 TEST(RealSpaceParameters, OfAMapByBandsAreThoseOfTheWholeMap) {

@@ -38,9 +38,13 @@ TEST(SlopeDistribution, OfGaussianSlopesRaisesNoAlarm) {
 TEST(SlopeDistribution, FalseAlarmsAreRareAndRealOnesFound) {
     int false_alarms = 0, found = 0;
     for (unsigned seed = 0; seed < 100; ++seed) {
-        false_alarms += has(slope_distribution(walk(std::normal_distribution<double>(0.0, 1.0), 2000, seed)), "NON_GAUSSIAN") ? 1 : 0;
+        false_alarms +=
+            has(slope_distribution(walk(std::normal_distribution<double>(0.0, 1.0), 2000, seed)), "NON_GAUSSIAN") ? 1
+                                                                                                                  : 0;
         // exponential slopes: skewness 2, excess kurtosis 6
-        found += has(slope_distribution(walk(std::exponential_distribution<double>(1.0), 2000, seed)), "NON_GAUSSIAN") ? 1 : 0;
+        found += has(slope_distribution(walk(std::exponential_distribution<double>(1.0), 2000, seed)), "NON_GAUSSIAN")
+                     ? 1
+                     : 0;
     }
     EXPECT_LE(false_alarms, 5);
     EXPECT_GE(found, 95);
@@ -59,7 +63,8 @@ TEST(SlopeDistribution, FindsAGratingAnisotropic) {
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0.0, 1e-3);
     for (Index i = 0; i < 64; ++i)
-        for (Index j = 0; j < 64; ++j) map.heights(i, j) = 0.1 * std::cos(2.0 * pi * 4.0 * static_cast<double>(i) / 64.0) + noise(random);
+        for (Index j = 0; j < 64; ++j)
+            map.heights(i, j) = 0.1 * std::cos(2.0 * pi * 4.0 * static_cast<double>(i) / 64.0) + noise(random);
     const auto d = slope_distribution(map);
     EXPECT_TRUE(has(d, "ANISOTROPIC"));
     EXPECT_GT(d.isotropy_ratio, 5.0);

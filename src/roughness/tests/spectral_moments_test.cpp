@@ -14,7 +14,9 @@ namespace {
 
 const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
 
-Array1D log_spaced(double lower, double upper, Index n) { return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp(); }
+Array1D log_spaced(double lower, double upper, Index n) {
+    return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp();
+}
 
 /// The model's C_iso is a power law on either side of its roll-off, so two nodes a side hold it exactly.
 SpectrumCurve isotropic_curve() {
@@ -62,7 +64,8 @@ TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
 TEST(SpectralParameters, ContinueTheOuterPowerLawsToTheBand) {
     const Array1D inner = log_spaced(1e6, 1e9, 5), outer = log_spaced(1e5, 1e10, 9);
     const auto law = [](const Array1D& q) -> Array1D { return 1e-20 * (q / 1e6).pow(-2.6); };
-    const auto a = spectral_parameters({inner, law(inner), {1e5, 1e10}}), b = spectral_parameters({outer, law(outer), {1e5, 1e10}});
+    const auto a = spectral_parameters({inner, law(inner), {1e5, 1e10}}),
+               b = spectral_parameters({outer, law(outer), {1e5, 1e10}});
     EXPECT_NEAR(a.rms_height / b.rms_height, 1.0, 1e-12);
     EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 1e-12);
 }

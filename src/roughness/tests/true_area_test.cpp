@@ -41,7 +41,8 @@ topography::HeightMap plane(double slope_x, double slope_y) {
     topography::HeightMap map{Array2D(20, 30), {4.0, 3.0}};
     const auto [dx, dy] = map.pixel_size();
     for (Index i = 0; i < 20; ++i)
-        for (Index j = 0; j < 30; ++j) map.heights(i, j) = slope_x * static_cast<double>(i) * dx + slope_y * static_cast<double>(j) * dy;
+        for (Index j = 0; j < 30; ++j)
+            map.heights(i, j) = slope_x * static_cast<double>(i) * dx + slope_y * static_cast<double>(j) * dy;
     return map;
 }
 

@@ -45,22 +45,26 @@ StrongestDirection strongest_direction(const topography::HeightMap& map, double 
             row[j] = h == h ? (h - mean) * window_x[i] * window_y[j] : 0.0;
         }
     };
-    fourier::transform_map(nx, ny, load, [&](const fourier::SpectrumBlock& block) {
-        auto& sums = blocks[static_cast<std::size_t>(block.index)];
-        for (Index line = 0; line < block.lines; ++line) {
-            const auto m = block.first + line;
-            const double weight = m == 0 || 2 * m == ny ? 1.0 : 2.0, q_y = step_y * static_cast<double>(m);
-            for (Index k = 0; k < nx; ++k) {
-                const double q_x = step_x * static_cast<double>(2 * k > nx ? k - nx : k);
-                if ((m == 0 && k == 0) || q_x * q_x + q_y * q_y > longest * longest) continue;
-                const double power = weight * std::norm(block.line(line)[k]);
-                const double angle = std::atan2(q_y, q_x);
-                const auto sector = static_cast<std::size_t>(wrapped(static_cast<int>(std::lround(angle * sectors / pi))));
-                sums.power[sector] += power;
-                sums.doubled[sector] += std::polar(power, 2.0 * angle);
+    fourier::transform_map(
+        nx, ny, load,
+        [&](const fourier::SpectrumBlock& block) {
+            auto& sums = blocks[static_cast<std::size_t>(block.index)];
+            for (Index line = 0; line < block.lines; ++line) {
+                const auto m = block.first + line;
+                const double weight = m == 0 || 2 * m == ny ? 1.0 : 2.0, q_y = step_y * static_cast<double>(m);
+                for (Index k = 0; k < nx; ++k) {
+                    const double q_x = step_x * static_cast<double>(2 * k > nx ? k - nx : k);
+                    if ((m == 0 && k == 0) || q_x * q_x + q_y * q_y > longest * longest) continue;
+                    const double power = weight * std::norm(block.line(line)[k]);
+                    const double angle = std::atan2(q_y, q_x);
+                    const auto sector =
+                        static_cast<std::size_t>(wrapped(static_cast<int>(std::lround(angle * sectors / pi))));
+                    sums.power[sector] += power;
+                    sums.doubled[sector] += std::polar(power, 2.0 * angle);
+                }
             }
-        }
-    }, threads);
+        },
+        threads);
     Sectors all;
     double total = 0.0;
     for (const auto& block : blocks)

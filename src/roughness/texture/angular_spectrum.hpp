@@ -12,6 +12,7 @@ struct StrongestDirection {
 };
 
 /// The direction of the waves that carry most: see SpatialParameters.
-[[nodiscard]] StrongestDirection strongest_direction(const topography::HeightMap& map, double mean, parallel::Threads threads);
+[[nodiscard]] StrongestDirection strongest_direction(const topography::HeightMap& map, double mean,
+                                                     parallel::Threads threads);
 
 }  // namespace setae::texture

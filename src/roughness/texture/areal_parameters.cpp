@@ -25,7 +25,9 @@ class HeightErrors {
 public:
     HeightErrors(const SpatialParameters& spatial, double area) : areas_(spatial.correlation_areas), area_(area) {}
 
-    [[nodiscard]] Estimate of_scale(double value) const { return with(value, value * std::sqrt(areas_[0] / (2.0 * area_))); }
+    [[nodiscard]] Estimate of_scale(double value) const {
+        return with(value, value * std::sqrt(areas_[0] / (2.0 * area_)));
+    }
     [[nodiscard]] Estimate of_skewness(double value) const { return with(value, std::sqrt(6.0 * areas_[1] / area_)); }
     [[nodiscard]] Estimate of_kurtosis(double value) const { return with(value, std::sqrt(24.0 * areas_[2] / area_)); }
 
@@ -33,7 +35,9 @@ public:
     [[nodiscard]] double patches() const { return area_ / areas_[0]; }
 
 private:
-    static Estimate with(double value, double error) { return {.value = value, .standard_error = error, .method = "autocorrelation, Gaussian heights"}; }
+    static Estimate with(double value, double error) {
+        return {.value = value, .standard_error = error, .method = "autocorrelation, Gaussian heights"};
+    }
 
     std::array<double, 3> areas_;
     double area_;
@@ -44,11 +48,13 @@ SpatialParameters no_spatial_parameters(const topography::HeightMap& map) {
     SpatialParameters none;
     none.Sal = none.Str = none.Std = none.longest = undefined;
     none.correlation_areas.fill(undefined);
-    none.alerts.push_back({"CONSTANT", topography::label(map.metadata), "all heights are equal, so that nothing is correlated", "look at the data"});
+    none.alerts.push_back({"CONSTANT", topography::label(map.metadata),
+                           "all heights are equal, so that nothing is correlated", "look at the data"});
     return none;
 }
 
-void add_heights(ParameterRows& rows, const HeightParameters& heights, const HeightErrors& errors, std::vector<Alert> alerts) {
+void add_heights(ParameterRows& rows, const HeightParameters& heights, const HeightErrors& errors,
+                 std::vector<Alert> alerts) {
     rows.add("Sq", errors.of_scale(heights.Sq), alerts);
     rows.add("Ssk", errors.of_skewness(heights.Ssk), alerts);
     rows.add("Sku", errors.of_kurtosis(heights.Sku), alerts);
@@ -78,24 +84,29 @@ std::vector<Alert> alerts_of(const SpatialParameters& spatial, std::string_view 
 
 }  // namespace
 
-std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement, const ArealOptions& options, parallel::Threads threads) {
+std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement, const ArealOptions& options,
+                                               parallel::Threads threads) {
     if (!measurement.as<topography::HeightMap>())
-        throw InvalidArgument(topography::label(measurement.metadata()) + ": parameters of ISO 25178-2 are of maps, this is a line; take those of ISO 21920-2");
+        throw InvalidArgument(topography::label(measurement.metadata()) +
+                              ": parameters of ISO 25178-2 are of maps, this is a line; take those of ISO 21920-2");
     const auto own = filtered(measurement, options.filters, ProfileKind::roughness, threads);
     const MeasurementView view = own ? MeasurementView(*own) : measurement;
     const auto& map = *view.as<topography::HeightMap>();
     const auto heights = height_parameters(view, threads);
     const auto hybrid = hybrid_parameters(map, threads);
-    const auto spatial = heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads) : no_spatial_parameters(map);
+    const auto spatial = heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads)
+                                          : no_spatial_parameters(map);
     const auto functional = functional_parameters(view, options.ratios, options.between, threads);
 
     const double pixel = map.pixel_size()[0] * map.pixel_size()[1];
     const HeightErrors errors(spatial, pixel * static_cast<double>(heights.defined));
     std::vector<Alert> few;
     if (errors.patches() < fewest_patches)
-        few.push_back({"FEW_PATCHES", topography::label(map.metadata), fmt::format("the map holds {:.1f} independent patches", errors.patches()),
+        few.push_back({"FEW_PATCHES", topography::label(map.metadata),
+                       fmt::format("the map holds {:.1f} independent patches", errors.patches()),
                        "measure a larger map, or take out long waves with an L-filter"});
-    ParameterRows rows(Standard::iso25178, description(options.filters, ProfileKind::roughness), bandwidth(measurement, options.filters, ProfileKind::roughness, threads),
+    ParameterRows rows(Standard::iso25178, description(options.filters, ProfileKind::roughness),
+                       bandwidth(measurement, options.filters, ProfileKind::roughness, threads),
                        undefined_alerts(measurement), heights.defined);
     add_heights(rows, heights, errors, few);
     rows.add("Sal", {spatial.Sal}, alerts_of(spatial, "SAL"));
@@ -105,8 +116,11 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     rows.add("Sdr", {hybrid.Sdr});
     rows.add("Sdq_c", {hybrid.Sdq_central});
     rows.add("Sdr_c", {hybrid.Sdr_central});
-    rows.add("Smr(c)", {bearing_area(view, Array1D::Constant(1, heights.mean + options.material_height), options.between, threads)[0]});
-    rows.add("Smc(p)", {heights_at_ratio(view, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] - heights.mean});
+    rows.add("Smr(c)", {bearing_area(view, Array1D::Constant(1, heights.mean + options.material_height),
+                                     options.between, threads)[0]});
+    rows.add("Smc(p)",
+             {heights_at_ratio(view, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] -
+              heights.mean});
     rows.add("Sdc", {functional.Sdc});
     rows.add("Sxp", {functional.Sxp});
     rows.add("Sk", {functional.Sk});

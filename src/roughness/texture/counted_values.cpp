@@ -26,12 +26,15 @@ CountedValues values_of(const HeightMap& map, Counted counted) {
     if (counted == Counted::curvature) {
         for (Index i = edge; i < nx - edge; ++i)
             for (Index j = edge; j < ny - edge; ++j)
-                keep(all, 0.5 * ((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)) / (dx * dx) + (at(i, j - 1) - 2.0 * at(i, j) + at(i, j + 1)) / (dy * dy)));
+                keep(all, 0.5 * ((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)) / (dx * dx) +
+                                 (at(i, j - 1) - 2.0 * at(i, j) + at(i, j + 1)) / (dy * dy)));
         return all;
     }
     for (Index i = 0; i < nx - after_x; ++i)
         for (Index j = 0; j < ny - after_y; ++j)
-            keep(all, counted == Counted::height ? h[i * ny + j] : counted == Counted::slope_x ? (at(i + 1, j) - at(i, j)) / dx : (at(i, j + 1) - at(i, j)) / dy);
+            keep(all, counted == Counted::height    ? h[i * ny + j]
+                      : counted == Counted::slope_x ? (at(i + 1, j) - at(i, j)) / dx
+                                                    : (at(i, j + 1) - at(i, j)) / dy);
     return all;
 }
 
@@ -68,7 +71,8 @@ CountedValues values_of(const Profile& profile, Counted counted) {
 
 CountedValues counted_values(const MeasurementView& measurement, Counted counted) {
     if (counted == Counted::slope_y && !measurement.as<HeightMap>())
-        throw InvalidArgument(topography::label(measurement.metadata()) + ": slopes along y are of maps, this is a line; take slope_x");
+        throw InvalidArgument(topography::label(measurement.metadata()) +
+                              ": slopes along y are of maps, this is a line; take slope_x");
     return measurement.visit([counted](const auto& m) { return values_of(m, counted); });
 }
 

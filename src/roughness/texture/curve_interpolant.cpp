@@ -15,7 +15,9 @@ std::vector<double> refined(const std::vector<double>& nodes, const CurveSums& s
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
         const auto at = static_cast<Index>(k);
         const double drop = (sums.above[at] - sums.above[at + 1]) / sums.weight, width = nodes[k + 1] - nodes[k];
-        const int parts = drop <= largest_step || width < narrowest ? 1 : std::min(256, static_cast<int>(std::ceil(2.0 * drop / largest_step)));
+        const int parts = drop <= largest_step || width < narrowest
+                              ? 1
+                              : std::min(256, static_cast<int>(std::ceil(2.0 * drop / largest_step)));
         for (int part = 0; part < parts; ++part) result.push_back(nodes[k] + width * part / parts);
     }
     result.push_back(nodes.back());
@@ -43,7 +45,9 @@ CurveInterpolant::CurveInterpolant(const MeasurementView& measurement, Between b
     for (int k = 0; k < first_parts && span > 0.0; ++k) nodes.push_back(range.lowest + span * k / first_parts);
     nodes.push_back(range.highest);
     const auto sums_at = [&](const std::vector<double>& heights) {
-        return sum_curve(elements, HeightLocator(Eigen::Map<const Array1D>(heights.data(), static_cast<Index>(heights.size()))), Volumes::yes, threads);
+        return sum_curve(elements,
+                         HeightLocator(Eigen::Map<const Array1D>(heights.data(), static_cast<Index>(heights.size()))),
+                         Volumes::yes, threads);
     };
     auto sums = sums_at(nodes);
     for (int pass = 1; pass < most_passes; ++pass) {
@@ -73,7 +77,9 @@ std::size_t CurveInterpolant::interval_of(double height) const {
     return static_cast<std::size_t>(above - 1);
 }
 
-double CurveInterpolant::ratio_in(std::size_t k, double s) const { return (1.0 - s) * ratios_[k] + s * ratios_[k + 1] + bulge_[k] * s * (1.0 - s); }
+double CurveInterpolant::ratio_in(std::size_t k, double s) const {
+    return (1.0 - s) * ratios_[k] + s * ratios_[k + 1] + bulge_[k] * s * (1.0 - s);
+}
 
 double CurveInterpolant::ratio(double height) const {
     if (height <= heights_.front()) return 1.0;
@@ -83,7 +89,9 @@ double CurveInterpolant::ratio(double height) const {
 }
 
 double CurveInterpolant::height(double ratio) const {
-    const auto below = std::lower_bound(ratios_.begin(), ratios_.end(), ratio, [](double r, double wanted) { return r >= wanted; }) - ratios_.begin();
+    const auto below =
+        std::lower_bound(ratios_.begin(), ratios_.end(), ratio, [](double r, double wanted) { return r >= wanted; }) -
+        ratios_.begin();
     if (below == 0) return heights_.front();
     if (below == static_cast<std::ptrdiff_t>(ratios_.size())) return heights_.back();
     const auto k = static_cast<std::size_t>(below - 1);
@@ -100,7 +108,8 @@ double CurveInterpolant::volume(double height) const {
     if (height >= heights_.back()) return 0.0;
     const auto k = interval_of(height);
     const double width = heights_[k + 1] - heights_[k];
-    return volumes_[k + 1] + width * integral_to_one((height - heights_[k]) / width, [&](double s) { return ratio_in(k, s); });
+    return volumes_[k + 1] +
+           width * integral_to_one((height - heights_[k]) / width, [&](double s) { return ratio_in(k, s); });
 }
 
 double CurveInterpolant::void_volume(double height) const { return std::max(0.0, volume(height) + height); }
@@ -110,7 +119,8 @@ double CurveInterpolant::square(double height) const {
     if (height >= heights_.back()) return 0.0;
     const auto k = interval_of(height);
     const double width = heights_[k + 1] - heights_[k];
-    return squares_[k + 1] + width * integral_to_one((height - heights_[k]) / width, [&](double s) { return squared(ratio_in(k, s)); });
+    return squares_[k + 1] +
+           width * integral_to_one((height - heights_[k]) / width, [&](double s) { return squared(ratio_in(k, s)); });
 }
 
 }  // namespace setae::texture

@@ -7,11 +7,12 @@
 
 namespace setae::texture {
 
-/// A material ratio curve between nodes: parabolas that keep the exact ratios at the nodes and the exact volume between them. Heights
-/// are counted from the mean.
+/// A material ratio curve between nodes: parabolas that keep the exact ratios at the nodes and the exact volume between
+/// them. Heights are counted from the mean.
 class CurveInterpolant {
 public:
-    /// Nodes are added where the ratio falls by more than 1/1024 from one to the next: two or three passes over the measurement.
+    /// Nodes are added where the ratio falls by more than 1/1024 from one to the next: two or three passes over the
+    /// measurement.
     CurveInterpolant(const MeasurementView& measurement, Between between, parallel::Threads threads);
 
     [[nodiscard]] double lowest() const { return heights_.front(); }

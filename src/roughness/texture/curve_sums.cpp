@@ -9,7 +9,8 @@ namespace {
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
 
-/// The sums of one block; an element is "whole" for all heights up to its lowest corner, which one entry at their number tells.
+/// The sums of one block; an element is "whole" for all heights up to its lowest corner, which one entry at their
+/// number tells.
 template <Volumes volumes>
 class BlockSums {
 public:
@@ -32,12 +33,14 @@ public:
             const double above_a = heights_[k] - t.a;
             part_[static_cast<std::size_t>(k)] += 1.0 - square(above_a) * lower;
             if constexpr (volumes == Volumes::yes)
-                part_volume_[static_cast<std::size_t>(k)] += moment - (heights_[k] - origin_) + cube(above_a) * lower / 3.0;
+                part_volume_[static_cast<std::size_t>(k)] +=
+                    moment - (heights_[k] - origin_) + cube(above_a) * lower / 3.0;
         }
         for (int k = t.below_b; k < t.below_c; ++k) {
             const double below_c = t.c - heights_[k];
             part_[static_cast<std::size_t>(k)] += square(below_c) * upper;
-            if constexpr (volumes == Volumes::yes) part_volume_[static_cast<std::size_t>(k)] += cube(below_c) * upper / 3.0;
+            if constexpr (volumes == Volumes::yes)
+                part_volume_[static_cast<std::size_t>(k)] += cube(below_c) * upper / 3.0;
         }
     }
 
@@ -47,7 +50,8 @@ public:
         for (int k = s.below_a; k < s.below_c; ++k) {
             const double share = (s.c - heights_[k]) / (s.c - s.a);
             part_[static_cast<std::size_t>(k)] += s.weight * share;
-            if constexpr (volumes == Volumes::yes) part_volume_[static_cast<std::size_t>(k)] += s.weight * 0.5 * share * (s.c - heights_[k]);
+            if constexpr (volumes == Volumes::yes)
+                part_volume_[static_cast<std::size_t>(k)] += s.weight * 0.5 * share * (s.c - heights_[k]);
         }
     }
 
@@ -83,8 +87,13 @@ CurveSums summed(const Elements& elements, const HeightLocator& locate, parallel
     std::vector<BlockSums<volumes>> blocks(elements.blocks(), BlockSums<volumes>(locate));
     parallel::for_each_index(elements.blocks(), threads, [&](std::size_t b) { elements.visit(b, locate, blocks[b]); });
     const auto n = static_cast<Index>(locate.count());
-    CurveSums sums{Array1D::Zero(n), Array1D::Zero(n), volumes == Volumes::yes ? Array1D::Zero(n) : Array1D(), 0.0, 0.0,
-                   std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    CurveSums sums{Array1D::Zero(n),
+                   Array1D::Zero(n),
+                   volumes == Volumes::yes ? Array1D::Zero(n) : Array1D(),
+                   0.0,
+                   0.0,
+                   std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
     Array1D whole = Array1D::Zero(n + 1), moment = whole;
     for (const auto& block : blocks) block.add_to(sums, whole, moment);
     for (Index k = n; k >= 0; --k) {
@@ -93,7 +102,8 @@ CurveSums summed(const Elements& elements, const HeightLocator& locate, parallel
         if (k == 0) break;
         sums.whole[k - 1] = sums.weight;
         sums.above[k - 1] += sums.weight;
-        if constexpr (volumes == Volumes::yes) sums.volume[k - 1] += sums.moment - sums.weight * (locate.heights()[k - 1] - locate.heights()[0]);
+        if constexpr (volumes == Volumes::yes)
+            sums.volume[k - 1] += sums.moment - sums.weight * (locate.heights()[k - 1] - locate.heights()[0]);
     }
     return sums;
 }
@@ -101,7 +111,8 @@ CurveSums summed(const Elements& elements, const HeightLocator& locate, parallel
 }  // namespace
 
 CurveSums sum_curve(const Elements& elements, const HeightLocator& locate, Volumes volumes, parallel::Threads threads) {
-    auto sums = volumes == Volumes::yes ? summed<Volumes::yes>(elements, locate, threads) : summed<Volumes::no>(elements, locate, threads);
+    auto sums = volumes == Volumes::yes ? summed<Volumes::yes>(elements, locate, threads)
+                                        : summed<Volumes::no>(elements, locate, threads);
     elements.require_weight(sums.weight);
     return sums;
 }
@@ -127,7 +138,8 @@ public:
 
     void operator()(const Triangle& t) {
         for (auto place = first(t.below_a); place < intervals_.size() && intervals_[place] <= t.below_c - 1; ++place) {
-            const auto inside = static_cast<int>(intervals_[place]) + 1;  // corners with so many heights below lie in the interval
+            const auto inside =
+                static_cast<int>(intervals_[place]) + 1;  // corners with so many heights below lie in the interval
             auto& part = parts[place];
             if (t.below_a == inside || t.below_b == inside || t.below_c == inside) {
                 part.triangles.push_back(t);
@@ -144,10 +156,10 @@ public:
     void operator()(const Segment& s) {
         for (auto place = first(s.below_a); place < intervals_.size() && intervals_[place] <= s.below_c - 1; ++place) {
             const auto inside = static_cast<int>(intervals_[place]) + 1;
-            if (s.below_a == inside || s.below_c == inside)
-                parts[place].segments.push_back(s);
+            if (s.below_a == inside || s.below_c == inside) parts[place].segments.push_back(s);
             else
-                add(parts[place].parabola, s.weight * (s.c - heights_[inside - 1]) / (s.c - s.a), -s.weight / (s.c - s.a), 0.0);
+                add(parts[place].parabola, s.weight * (s.c - heights_[inside - 1]) / (s.c - s.a),
+                    -s.weight / (s.c - s.a), 0.0);
         }
     }
 
@@ -158,7 +170,9 @@ private:
         p.square += quadratic;
     }
     /// The first interval that does not end below an element's lowest corner.
-    [[nodiscard]] std::size_t first(int below_a) const { return from_[static_cast<std::size_t>(std::max(0, below_a - 1))]; }
+    [[nodiscard]] std::size_t first(int below_a) const {
+        return from_[static_cast<std::size_t>(std::max(0, below_a - 1))];
+    }
 
     std::span<const Index> intervals_;
     const double* heights_;
@@ -170,11 +184,13 @@ public:
 
 }  // namespace
 
-Brackets::Brackets(const Elements& elements, const HeightLocator& locate, const CurveSums& sums, std::span<const Index> intervals, parallel::Threads threads)
+Brackets::Brackets(const Elements& elements, const HeightLocator& locate, const CurveSums& sums,
+                   std::span<const Index> intervals, parallel::Threads threads)
     : intervals_(intervals.size()), weight_(sums.weight) {
     std::vector<std::size_t> from(static_cast<std::size_t>(locate.count()) + 1, intervals.size());
     for (auto place = intervals.size(); place-- > 0;)
-        for (Index j = intervals[place]; j >= 0 && from[static_cast<std::size_t>(j)] != place; --j) from[static_cast<std::size_t>(j)] = place;
+        for (Index j = intervals[place]; j >= 0 && from[static_cast<std::size_t>(j)] != place; --j)
+            from[static_cast<std::size_t>(j)] = place;
     std::vector<BlockBrackets> blocks(elements.blocks(), BlockBrackets(intervals, locate.heights(), from));
     parallel::for_each_index(elements.blocks(), threads, [&](std::size_t b) { elements.visit(b, locate, blocks[b]); });
     for (std::size_t place = 0; place < intervals.size(); ++place) {

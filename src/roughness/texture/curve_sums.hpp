@@ -9,26 +9,28 @@ namespace setae::texture {
 
 /// Sums over elements behind a material ratio curve, at the locator's heights h_k.
 struct CurveSums {
-    Array1D whole;          ///< weight of the elements that lie at or above h_k
-    Array1D above;          ///< weight of what lies at or above h_k
-    Array1D volume;         ///< ∫ max(z − h_k, 0); empty where not asked for
-    double weight = 0.0;    ///< of all elements
-    double moment = 0.0;    ///< ∫ (z − h_0), where volumes are asked for
-    double lowest = 0.0;    ///< corner
-    double highest = 0.0;   ///< corner
+    Array1D whole;         ///< weight of the elements that lie at or above h_k
+    Array1D above;         ///< weight of what lies at or above h_k
+    Array1D volume;        ///< ∫ max(z − h_k, 0); empty where not asked for
+    double weight = 0.0;   ///< of all elements
+    double moment = 0.0;   ///< ∫ (z − h_0), where volumes are asked for
+    double lowest = 0.0;   ///< corner
+    double highest = 0.0;  ///< corner
 };
 
 enum class Volumes { no, yes };
 
 /// One pass. @throws UndefinedDataError where no element is defined.
-[[nodiscard]] CurveSums sum_curve(const Elements& elements, const HeightLocator& locate, Volumes volumes, parallel::Threads threads);
+[[nodiscard]] CurveSums sum_curve(const Elements& elements, const HeightLocator& locate, Volumes volumes,
+                                  parallel::Threads threads);
 
-/// The exact material ratio inside intervals h_j … h_{j+1} of the locator's heights: elements with a corner inside are kept, the others
-/// summed as one parabola.
+/// The exact material ratio inside intervals h_j … h_{j+1} of the locator's heights: elements with a corner inside are
+/// kept, the others summed as one parabola.
 class Brackets {
 public:
     /// intervals: j, increasing, each once. whole: CurveSums::whole. One pass.
-    Brackets(const Elements& elements, const HeightLocator& locate, const CurveSums& sums, std::span<const Index> intervals, parallel::Threads threads);
+    Brackets(const Elements& elements, const HeightLocator& locate, const CurveSums& sums,
+             std::span<const Index> intervals, parallel::Threads threads);
 
     /// P(height), h_j <= height < h_{j+1}; place: position of j among the intervals.
     [[nodiscard]] double ratio(std::size_t place, double height) const;

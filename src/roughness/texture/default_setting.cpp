@@ -37,17 +37,21 @@ ProfileSetting default_setting(const MeasurementView& line, parallel::Threads th
     require_line(line);
     const auto name = topography::label(line.metadata());
     const auto* scan = line.as<topography::LineScan>();
-    if (!scan) throw InvalidArgument(name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
+    if (!scan)
+        throw InvalidArgument(
+            name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
     std::optional<ProfileSetting> last;
     for (const auto& row : rows) {
         if (row.setting.section_length > scan->size * 1.01) break;
         last = row.setting;
-        const auto roughness = filtered(line, {.l_filter = row.setting.section_length}, ProfileKind::roughness, threads);
+        const auto roughness =
+            filtered(line, {.l_filter = row.setting.section_length}, ProfileKind::roughness, threads);
         if (height_parameters(*roughness, threads).Sa <= row.largest_Ra) break;
     }
     if (!last)
-        throw InvalidArgument(fmt::format("{}: its {} are shorter than the smallest section of the standards, {}; give filters and section length", name,
-                                          format_value(scan->size, "m"), format_value(rows.front().setting.section_length, "m")));
+        throw InvalidArgument(fmt::format(
+            "{}: its {} are shorter than the smallest section of the standards, {}; give filters and section length",
+            name, format_value(scan->size, "m"), format_value(rows.front().setting.section_length, "m")));
     return *last;
 }
 

@@ -45,7 +45,10 @@ double weighted_quantile(const CountedValues& all, double probability) {
     double before = 0.0, last_middle = 0.0, last_value = all.values[order.front()];
     for (const auto k : order) {
         const double middle = before + 0.5 * all.weights[k];
-        if (middle >= wanted) return middle > last_middle ? last_value + (all.values[k] - last_value) * std::max(0.0, wanted - last_middle) / (middle - last_middle) : last_value;
+        if (middle >= wanted)
+            return middle > last_middle ? last_value + (all.values[k] - last_value) *
+                                                           std::max(0.0, wanted - last_middle) / (middle - last_middle)
+                                        : last_value;
         before += all.weights[k];
         last_middle = middle;
         last_value = all.values[k];
@@ -53,7 +56,9 @@ double weighted_quantile(const CountedValues& all, double probability) {
     return last_value;
 }
 
-double quantile_of(CountedValues& all, double probability) { return all.weights.empty() ? quantile(all.values, probability) : weighted_quantile(all, probability); }
+double quantile_of(CountedValues& all, double probability) {
+    return all.weights.empty() ? quantile(all.values, probability) : weighted_quantile(all, probability);
+}
 
 /// Quartiles and the median of deviations.
 void take_ranks(Distribution& result, CountedValues all) {
@@ -62,7 +67,8 @@ void take_ranks(Distribution& result, CountedValues all) {
     result.median = at.median;
     result.mad = gaussian_mad * quantile_of(all, 0.5);
     result.interquartile_range = at.third - at.first;
-    result.robust_skewness = result.interquartile_range > 0.0 ? (at.third + at.first - 2.0 * at.median) / result.interquartile_range : 0.0;
+    result.robust_skewness =
+        result.interquartile_range > 0.0 ? (at.third + at.first - 2.0 * at.median) / result.interquartile_range : 0.0;
 }
 
 void take_moments(Distribution& result, const CountedValues& all) {
@@ -95,7 +101,9 @@ void take_gaussian(Distribution& result, double lowest, double width) {
     result.centre = Array1D::NullaryExpr(n, [=](Index k) { return lowest + (static_cast<double>(k) + 0.5) * width; });
     result.gaussian = Array1D::Zero(n);
     if (!(result.rms > 0.0)) return;
-    const auto below = [&](Index k) { return normal_probability((lowest + static_cast<double>(k) * width - result.mean) / result.rms); };
+    const auto below = [&](Index k) {
+        return normal_probability((lowest + static_cast<double>(k) * width - result.mean) / result.rms);
+    };
     double share = 0.0;
     for (Index k = 0; k < n; ++k) {
         result.gaussian[k] = (below(k + 1) - below(k)) / width;
@@ -122,7 +130,9 @@ Distribution of_segments(const topography::Profile& profile, Index bins) {
     result.median = quartiles[1];
     result.mad = gaussian_mad * mad_height(profile, 0.5);
     result.interquartile_range = quartiles[0] - quartiles[2];
-    result.robust_skewness = result.interquartile_range > 0.0 ? (quartiles[0] + quartiles[2] - 2.0 * quartiles[1]) / result.interquartile_range : 0.0;
+    result.robust_skewness = result.interquartile_range > 0.0
+                                 ? (quartiles[0] + quartiles[2] - 2.0 * quartiles[1]) / result.interquartile_range
+                                 : 0.0;
     result.values = heights.defined;
     const double lowest = profile.heights.minCoeff(), range = profile.heights.maxCoeff() - lowest;
     const auto n = bin_count(bins, range, result.interquartile_range, result.values);
@@ -138,14 +148,17 @@ Distribution of_segments(const topography::Profile& profile, Index bins) {
 }  // namespace
 
 Distribution distribution(const MeasurementView& measurement, Counted counted, Index bins) {
-    if (bins < 0) throw InvalidArgument(fmt::format("a distribution has {} bins, expected 1 or more, or 0 for a number by rule", bins));
+    if (bins < 0)
+        throw InvalidArgument(
+            fmt::format("a distribution has {} bins, expected 1 or more, or 0 for a number by rule", bins));
     if (const auto* profile = measurement.as<topography::Profile>(); profile && counted == Counted::height) {
         topography::validate(*profile);
         return of_segments(*profile, bins);
     }
     auto all = counted_values(measurement, counted);
     if (all.values.size() < 2)
-        throw UndefinedDataError(fmt::format("{}: {} values to make a distribution of, expected two or more", topography::label(measurement.metadata()), all.values.size()));
+        throw UndefinedDataError(fmt::format("{}: {} values to make a distribution of, expected two or more",
+                                             topography::label(measurement.metadata()), all.values.size()));
     Distribution result;
     result.values = static_cast<Index>(all.values.size());
     take_moments(result, all);

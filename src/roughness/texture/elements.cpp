@@ -11,7 +11,9 @@ Elements::Elements(const MeasurementView& measurement, Between between) : measur
     constexpr Index most_blocks = 64;
     if (const auto* profile = measurement.as<topography::Profile>()) {
         if (between == Between::nothing)
-            throw InvalidArgument(topography::label(profile->metadata) + ": points of a polyline have no weight of their own, take its segments (Between::linear)");
+            throw InvalidArgument(
+                topography::label(profile->metadata) +
+                ": points of a polyline have no weight of their own, take its segments (Between::linear)");
         topography::validate(*profile);
     }
     Index least = 1;
@@ -35,14 +37,16 @@ Range Elements::range() const {
             range.highest = h[i] > range.highest ? h[i] : range.highest;
         }
     });
-    if (!(range.lowest <= range.highest)) throw UndefinedDataError(topography::label(measurement_.metadata()) + ": no defined height");
+    if (!(range.lowest <= range.highest))
+        throw UndefinedDataError(topography::label(measurement_.metadata()) + ": no defined height");
     return range;
 }
 
 void Elements::require_weight(double weight) const {
     if (!(weight > 0.0))
-        throw UndefinedDataError(topography::label(measurement_.metadata()) +
-                                 ": no two neighbouring heights (of a map: three) are defined; fill undefined heights first");
+        throw UndefinedDataError(
+            topography::label(measurement_.metadata()) +
+            ": no two neighbouring heights (of a map: three) are defined; fill undefined heights first");
 }
 
 }  // namespace setae::texture

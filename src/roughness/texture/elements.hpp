@@ -25,7 +25,8 @@ struct Segment {
 
 /// Calls visitor(Triangle) for the triangles between rows first … last − 1 of a map and the rows behind them.
 template <class Visitor>
-void visit_triangles(const topography::HeightMap& map, Index first, Index last, const HeightLocator& locate, Visitor& visitor) {
+void visit_triangles(const topography::HeightMap& map, Index first, Index last, const HeightLocator& locate,
+                     Visitor& visitor) {
     const auto nx = map.heights.rows(), ny = map.heights.cols();
     const auto columns = map.periodic ? ny : ny - 1;
     std::vector<int> lower_below(static_cast<std::size_t>(ny)), upper_below(static_cast<std::size_t>(ny));
@@ -49,8 +50,8 @@ void visit_triangles(const topography::HeightMap& map, Index first, Index last, 
             const int k_low = std::min(k_x, k_y), k_high = std::max(k_x, k_y);
             const auto corner = [&](double h, int k) {
                 if (k < 0) return;
-                visitor(Triangle{std::min(low, h), std::max(low, std::min(high, h)), std::max(high, h), std::min(k_low, k),
-                                 std::max(k_low, std::min(k_high, k)), std::max(k_high, k)});
+                visitor(Triangle{std::min(low, h), std::max(low, std::min(high, h)), std::max(high, h),
+                                 std::min(k_low, k), std::max(k_low, std::min(k_high, k)), std::max(k_high, k)});
             };
             corner(lower[j], lower_k[j]);
             corner(upper[next], upper_k[next]);
@@ -68,13 +69,15 @@ void visit_points(const double* heights, Index first, Index last, const HeightLo
 
 /// Calls visitor(Segment) for the segments of a line; weight(i) is the length of segment i.
 template <class Visitor, class Weight>
-void visit_segments(const Array1D& heights, bool periodic, const HeightLocator& locate, Visitor& visitor, Weight weight) {
+void visit_segments(const Array1D& heights, bool periodic, const HeightLocator& locate, Visitor& visitor,
+                    Weight weight) {
     const auto n = heights.size();
     for (Index i = 0; i < (periodic ? n : n - 1); ++i) {
         const double left = heights[i], right = heights[i + 1 == n ? 0 : i + 1];
         const int k_left = locate(left), k_right = locate(right);
         if ((k_left | k_right) >= 0)
-            visitor(Segment{std::min(left, right), std::max(left, right), weight(i), std::min(k_left, k_right), std::max(k_left, k_right)});
+            visitor(Segment{std::min(left, right), std::max(left, right), weight(i), std::min(k_left, k_right),
+                            std::max(k_left, k_right)});
     }
 }
 
@@ -97,14 +100,14 @@ public:
         const auto first = static_cast<Index>(block) * block_size_, last = std::min(count_, first + block_size_);
         measurement_.visit([&](const auto& m) {
             using Kind = std::decay_t<decltype(m)>;
-            if (between_ == Between::nothing)
-                visit_points(m.heights.data(), first, last, locate, visitor);
+            if (between_ == Between::nothing) visit_points(m.heights.data(), first, last, locate, visitor);
             else if constexpr (std::is_same_v<Kind, topography::HeightMap>)
                 visit_triangles(m, first, last, locate, visitor);
             else if constexpr (std::is_same_v<Kind, topography::LineScan>)
                 visit_segments(m.heights, m.periodic, locate, visitor, [](Index) { return 1.0; });
             else
-                visit_segments(m.heights, false, locate, visitor, [&m](Index i) { return m.positions[i + 1] - m.positions[i]; });
+                visit_segments(m.heights, false, locate, visitor,
+                               [&m](Index i) { return m.positions[i + 1] - m.positions[i]; });
         });
     }
 
@@ -118,7 +121,7 @@ public:
 private:
     MeasurementView measurement_;
     Between between_;
-    Index count_ = 1;       ///< rows of triangles, points, or 1 for all segments
+    Index count_ = 1;  ///< rows of triangles, points, or 1 for all segments
     Index block_size_ = 1;
     std::size_t blocks_ = 1;
 };

@@ -34,17 +34,22 @@ double mean_curvature(const topography::HeightMap& map, const std::vector<Peak>&
     const auto at = [&](Index i, Index j) { return map.heights((i + nx) % nx, (j + ny) % ny); };
     double sum = 0.0;
     for (const auto& [i, j, height] : peaks)
-        sum -= 0.5 * ((at(i - 1, j) - 2.0 * height + at(i + 1, j)) / (dx * dx) + (at(i, j - 1) - 2.0 * height + at(i, j + 1)) / (dy * dy));
+        sum -= 0.5 * ((at(i - 1, j) - 2.0 * height + at(i + 1, j)) / (dx * dx) +
+                      (at(i, j - 1) - 2.0 * height + at(i, j + 1)) / (dy * dy));
     return peaks.empty() ? undefined : sum / static_cast<double>(peaks.size());
 }
 
 }  // namespace
 
-FeatureParameters feature_parameters(const topography::HeightMap& map, const FeatureOptions& options, parallel::Threads threads) {
-    if (!(options.pruning >= 0.0 && options.pruning <= 1.0)) throw InvalidArgument(fmt::format("pruning is {} of Sz, expected 0 … 1", options.pruning));
+FeatureParameters feature_parameters(const topography::HeightMap& map, const FeatureOptions& options,
+                                     parallel::Threads threads) {
+    if (!(options.pruning >= 0.0 && options.pruning <= 1.0))
+        throw InvalidArgument(fmt::format("pruning is {} of Sz, expected 0 … 1", options.pruning));
     const auto heights = height_parameters(map, threads);
     std::array<std::vector<Peak>, 2> found;
-    parallel::for_each_index(2, threads, [&](std::size_t k) { found[k] = significant_peaks(map, k == 0 ? Up::hills : Up::dales, options.pruning * heights.Sz); });
+    parallel::for_each_index(2, threads, [&](std::size_t k) {
+        found[k] = significant_peaks(map, k == 0 ? Up::hills : Up::dales, options.pruning * heights.Sz);
+    });
     const auto& [peaks, pits] = found;
     const double area = map.pixel_size()[0] * map.pixel_size()[1] * static_cast<double>(heights.defined);
     const auto from_mean = [&](const std::vector<Peak>& list, double sign) {

@@ -18,14 +18,16 @@ namespace {
 void require_filters(const MeasurementView& measurement, const Filters& filters, ProfileKind kind) {
     const auto name = topography::label(measurement.metadata());
     for (const auto& nesting : {filters.s_filter, filters.l_filter})
-        if (nesting && !(*nesting > 0.0)) throw InvalidArgument(fmt::format("{}: nesting index of a filter is {} m, expected > 0", name, *nesting));
+        if (nesting && !(*nesting > 0.0))
+            throw InvalidArgument(fmt::format("{}: nesting index of a filter is {} m, expected > 0", name, *nesting));
     if (filters.s_filter && filters.l_filter && !(*filters.s_filter < *filters.l_filter))
-        throw InvalidArgument(fmt::format("{}: the S-filter of {} leaves nothing below the L-filter of {}", name, format_value(*filters.s_filter, "m"),
-                                          format_value(*filters.l_filter, "m")));
+        throw InvalidArgument(fmt::format("{}: the S-filter of {} leaves nothing below the L-filter of {}", name,
+                                          format_value(*filters.s_filter, "m"), format_value(*filters.l_filter, "m")));
     if (kind == ProfileKind::waviness && !filters.l_filter)
         throw InvalidArgument(name + ": waviness is what an L-filter takes out; give one");
     if ((filters.s_filter || filters.l_filter) && measurement.as<topography::Profile>())
-        throw InvalidArgument(name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
+        throw InvalidArgument(
+            name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
 }
 
 /// A length without digits that say nothing.
@@ -42,16 +44,21 @@ std::string length(double value) {
 
 }  // namespace
 
-std::optional<topography::Measurement> filtered(const MeasurementView& measurement, const Filters& filters, ProfileKind kind, parallel::Threads threads) {
+std::optional<topography::Measurement> filtered(const MeasurementView& measurement, const Filters& filters,
+                                                ProfileKind kind, parallel::Threads threads) {
     require_filters(measurement, filters, kind);
     const bool with_l = filters.l_filter && kind != ProfileKind::primary;
     if (!filters.s_filter && !with_l) return {};
     auto result = measurement.visit([](const auto& m) { return topography::Measurement(m); });
     const auto pass = [&](double cutoff, processing::Kept keep) {
-        result = processing::apply(processing::GaussianFilter{.cutoff = cutoff, .keep = keep, .order = 1}, std::move(result), threads).measurement;
+        result = processing::apply(processing::GaussianFilter{.cutoff = cutoff, .keep = keep, .order = 1},
+                                   std::move(result), threads)
+                     .measurement;
     };
     if (filters.s_filter) pass(*filters.s_filter, processing::Kept::long_waves);
-    if (with_l) pass(*filters.l_filter, kind == ProfileKind::waviness ? processing::Kept::long_waves : processing::Kept::short_waves);
+    if (with_l)
+        pass(*filters.l_filter,
+             kind == ProfileKind::waviness ? processing::Kept::long_waves : processing::Kept::short_waves);
     return result;
 }
 
@@ -59,17 +66,23 @@ std::string description(const Filters& filters, ProfileKind kind) {
     std::string text;
     if (filters.s_filter) text = "Gaussian S-filter " + length(*filters.s_filter);
     if (filters.l_filter && kind != ProfileKind::primary)
-        text += (text.empty() ? "" : ", ") + std::string(kind == ProfileKind::waviness ? "waves longer than the Gaussian L-filter " : "Gaussian L-filter ") +
+        text += (text.empty() ? "" : ", ") +
+                std::string(kind == ProfileKind::waviness ? "waves longer than the Gaussian L-filter "
+                                                          : "Gaussian L-filter ") +
                 length(*filters.l_filter);
     return text.empty() ? "none" : text;
 }
 
-Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, ProfileKind kind, parallel::Threads threads) {
-    const auto reliable = measurement.visit([threads](const auto& m) { return spectra::reliable_band(m, {}, threads); });
+Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, ProfileKind kind,
+                    parallel::Threads threads) {
+    const auto reliable =
+        measurement.visit([threads](const auto& m) { return spectra::reliable_band(m, {}, threads); });
     Bandwidth result{reliable.band, reliable.alerts};
     if (filters.s_filter) result.band.upper = std::min(result.band.upper, 2.0 * pi / *filters.s_filter);
-    if (filters.l_filter && kind == ProfileKind::roughness) result.band.lower = std::max(result.band.lower, 2.0 * pi / *filters.l_filter);
-    if (filters.l_filter && kind == ProfileKind::waviness) result.band.upper = std::min(result.band.upper, 2.0 * pi / *filters.l_filter);
+    if (filters.l_filter && kind == ProfileKind::roughness)
+        result.band.lower = std::max(result.band.lower, 2.0 * pi / *filters.l_filter);
+    if (filters.l_filter && kind == ProfileKind::waviness)
+        result.band.upper = std::min(result.band.upper, 2.0 * pi / *filters.l_filter);
     return result;
 }
 
@@ -79,7 +92,8 @@ std::vector<Alert> undefined_alerts(const MeasurementView& measurement) {
     });
     const double share = static_cast<double>(undefined_heights) / static_cast<double>(all);
     if (share <= 0.01) return {};
-    return {{"UNDEF", topography::label(measurement.metadata()), fmt::format("{:.1f} % of the heights are undefined", 100.0 * share),
+    return {{"UNDEF", topography::label(measurement.metadata()),
+             fmt::format("{:.1f} % of the heights are undefined", 100.0 * share),
              "fill them or crop the measurement; parameters are of the rest"}};
 }
 

@@ -7,7 +7,9 @@ namespace setae::texture {
 
 /// A measurement behind filters, or nothing where none applies.
 /// @throws InvalidArgument for a polyline, nesting indices that are not positive or S >= L, waviness without L-filter.
-[[nodiscard]] std::optional<topography::Measurement> filtered(const MeasurementView& measurement, const Filters& filters, ProfileKind kind, parallel::Threads threads);
+[[nodiscard]] std::optional<topography::Measurement> filtered(const MeasurementView& measurement,
+                                                              const Filters& filters, ProfileKind kind,
+                                                              parallel::Threads threads);
 
 /// "Gaussian S-filter 2.5 µm, Gaussian L-filter 800 µm"; "none".
 [[nodiscard]] std::string description(const Filters& filters, ProfileKind kind);
@@ -17,7 +19,8 @@ struct Bandwidth {
     Band band;
     std::vector<Alert> alerts;  ///< TIP_CUTOFF
 };
-[[nodiscard]] Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, ProfileKind kind, parallel::Threads threads);
+[[nodiscard]] Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, ProfileKind kind,
+                                  parallel::Threads threads);
 
 /// UNDEF where more than 1 % of the heights are undefined.
 [[nodiscard]] std::vector<Alert> undefined_alerts(const MeasurementView& measurement);

@@ -33,7 +33,8 @@ double flattest_start(const CurveInterpolant& curve) {
     }
     // golden section between the neighbours
     constexpr double golden = 0.618033988749894848;
-    double lower = (1.0 - central_share) * std::max(0, best - 1) / steps, upper = (1.0 - central_share) * std::min(steps, best + 1) / steps;
+    double lower = (1.0 - central_share) * std::max(0, best - 1) / steps,
+           upper = (1.0 - central_share) * std::min(steps, best + 1) / steps;
     double best_place = (1.0 - central_share) * best / steps;
     for (int k = 0; k < 40; ++k) {
         const double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
@@ -65,19 +66,23 @@ CoreLine core_line(const CurveInterpolant& curve) {
 }
 
 void require_ratio(double ratio) {
-    if (!(ratio >= 0.0 && ratio <= 1.0)) throw InvalidArgument(fmt::format("material ratio is {}, expected 0 … 1", ratio));
+    if (!(ratio >= 0.0 && ratio <= 1.0))
+        throw InvalidArgument(fmt::format("material ratio is {}, expected 0 … 1", ratio));
 }
 
 /// Volumes above and below heights, which may stand in any order.
-MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between, parallel::Threads threads) {
+MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
+                               parallel::Threads threads) {
     MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size())};
     std::vector<double> sorted(heights.begin(), heights.end());
     std::sort(sorted.begin(), sorted.end());
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     if (sorted.empty()) return volumes;
-    const auto curve = material_ratio_curve(measurement, Eigen::Map<const Array1D>(sorted.data(), static_cast<Index>(sorted.size())), between, threads);
+    const auto curve = material_ratio_curve(
+        measurement, Eigen::Map<const Array1D>(sorted.data(), static_cast<Index>(sorted.size())), between, threads);
     for (Index k = 0; k < heights.size(); ++k) {
-        const auto place = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
+        const auto place =
+            static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
         volumes.material[k] = curve.volume[place];
         volumes.void_volume[k] = std::max(0.0, curve.volume[place] + (heights[k] - curve.mean));
     }
@@ -86,8 +91,11 @@ MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayVi
 
 }  // namespace
 
-FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios, Between between, parallel::Threads threads) {
-    for (const double ratio : {ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower}) require_ratio(ratio);
+FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios,
+                                           Between between, parallel::Threads threads) {
+    for (const double ratio :
+         {ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower})
+        require_ratio(ratio);
     const CurveInterpolant curve(measurement, between, threads);
     FunctionalParameters result;
     if (curve.highest() == curve.lowest()) {
@@ -104,7 +112,9 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     result.Svk = 1.0 - result.Smrk2 > rounding ? 2.0 * result.Sak2 / (1.0 - result.Smrk2) : 0.0;
     result.Spkx = std::max(0.0, curve.highest() - core.upper);
     result.Svkx = std::max(0.0, core.lower - curve.lowest());
-    const Array1D wanted = (Array1D(6) << ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower).finished();
+    const Array1D wanted = (Array1D(6) << ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference,
+                            ratios.upper, ratios.lower)
+                               .finished();
     const auto heights = heights_at_ratio(measurement, wanted, between, threads);
     const auto volumes = volumes_beside(measurement, heights.head(2), between, threads);
     result.Vmp = volumes.material[0];
@@ -116,7 +126,8 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     return result;
 }
 
-MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios, Between between, parallel::Threads threads) {
+MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,
+                                 parallel::Threads threads) {
     return volumes_beside(measurement, heights_at_ratio(measurement, ratios, between, threads), between, threads);
 }
 

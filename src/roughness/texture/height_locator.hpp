@@ -15,7 +15,8 @@ namespace setae::texture {
 class HeightLocator {
 public:
     /// heights: not decreasing, at least one.
-    explicit HeightLocator(const ArrayView1D& heights) : heights_(heights.begin(), heights.end()), count_(static_cast<int>(heights.size())) {
+    explicit HeightLocator(const ArrayView1D& heights)
+        : heights_(heights.begin(), heights.end()), count_(static_cast<int>(heights.size())) {
         const double range = heights_.back() - heights_.front();
         const int steps = std::clamp(4 * count_, 64, 1 << 16);
         scale_ = steps / range;
@@ -24,7 +25,8 @@ public:
         first_.assign(static_cast<std::size_t>(steps) + 2, count_);
         for (int k = count_ - 1; k >= 0; --k) first_[step_of(heights_[static_cast<std::size_t>(k)])] = k;
         for (auto step = first_.size() - 1; step-- > 0;) first_[step] = std::min(first_[step], first_[step + 1]);
-        for (std::size_t step = 0; step + 1 < first_.size(); ++step) most_ = std::max(most_, first_[step + 1] - first_[step]);
+        for (std::size_t step = 0; step + 1 < first_.size(); ++step)
+            most_ = std::max(most_, first_[step + 1] - first_[step]);
     }
 
     /// Number of heights <= value; −1 for NaN.
@@ -46,7 +48,9 @@ public:
 
 private:
     /// Monotonic in the value, rounding included.
-    [[nodiscard]] std::size_t step_of(double value) const { return static_cast<std::size_t>(static_cast<std::int64_t>((value - heights_.front()) * scale_)); }
+    [[nodiscard]] std::size_t step_of(double value) const {
+        return static_cast<std::size_t>(static_cast<std::int64_t>((value - heights_.front()) * scale_));
+    }
 
     std::vector<double> heights_;  ///< one infinity behind them
     int count_;

@@ -72,7 +72,8 @@ Powers powers_of_segment(double a, double b, double dx) {
 Powers powers(const topography::Profile& profile, double origin, parallel::Threads) {
     Powers sums;
     for (Index i = 0; i + 1 < profile.heights.size(); ++i)
-        sums.add(powers_of_segment(profile.heights[i] - origin, profile.heights[i + 1] - origin, profile.positions[i + 1] - profile.positions[i]));
+        sums.add(powers_of_segment(profile.heights[i] - origin, profile.heights[i + 1] - origin,
+                                   profile.positions[i + 1] - profile.positions[i]));
     return sums;
 }
 
@@ -121,7 +122,8 @@ HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std:
 
 }  // namespace
 
-HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads, std::optional<double> mean_line) {
+HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads,
+                                   std::optional<double> mean_line) {
     if (const auto* profile = measurement.as<topography::Profile>()) topography::validate(*profile);
     return measurement.visit([=](const auto& m) { return parameters_of(m, threads, mean_line); });
 }

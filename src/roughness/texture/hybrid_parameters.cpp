@@ -16,10 +16,12 @@ struct Sums {
 };
 
 /// Central differences of one row of points; previous and next are the rows beside it.
-Sums central_sums(const double* previous, const double* row, const double* next, Index ny, bool periodic, double dx, double dy) {
+Sums central_sums(const double* previous, const double* row, const double* next, Index ny, bool periodic, double dx,
+                  double dy) {
     Sums sums;
     for (Index j = periodic ? 0 : 1; j < (periodic ? ny : ny - 1); ++j) {
-        const double x = (next[j] - previous[j]) / (2.0 * dx), y = (row[j + 1 == ny ? 0 : j + 1] - row[j == 0 ? ny - 1 : j - 1]) / (2.0 * dy);
+        const double x = (next[j] - previous[j]) / (2.0 * dx),
+                     y = (row[j + 1 == ny ? 0 : j + 1] - row[j == 0 ? ny - 1 : j - 1]) / (2.0 * dy);
         const double slope2 = x * x + y * y;
         if (slope2 != slope2 || row[j] != row[j]) continue;
         sums.slope2 += slope2;

@@ -17,15 +17,20 @@ namespace {
 template <class Load>
 Array2D products(Index nx, Index ny, Load load, parallel::Threads threads) {
     Array2D power(ny / 2 + 1, nx);
-    fourier::transform_map(nx, ny, load, [&power](const fourier::SpectrumBlock& block) {
-        for (Index m = 0; m < block.lines; ++m)
-            for (Index k = 0; k < block.modes; ++k) power(block.first + m, k) = std::norm(block.line(m)[k]);
-    }, threads);
+    fourier::transform_map(
+        nx, ny, load,
+        [&power](const fourier::SpectrumBlock& block) {
+            for (Index m = 0; m < block.lines; ++m)
+                for (Index k = 0; k < block.modes; ++k) power(block.first + m, k) = std::norm(block.line(m)[k]);
+        },
+        threads);
     Array2D sums(nx, ny);
     const double scale = 1.0 / (static_cast<double>(nx) * static_cast<double>(ny));
-    fourier::inverse_transform_map([&](Index m, fourier::Complex* modes) {
-        for (Index k = 0; k < nx; ++k) modes[k] = power(m, k) * scale;
-    }, sums, threads);
+    fourier::inverse_transform_map(
+        [&](Index m, fourier::Complex* modes) {
+            for (Index k = 0; k < nx; ++k) modes[k] = power(m, k) * scale;
+        },
+        sums, threads);
     return sums;
 }
 
@@ -33,7 +38,8 @@ Array2D products(Index nx, Index ny, Load load, parallel::Threads threads) {
 
 LagMap::LagMap(const topography::HeightMap& map, double mean, parallel::Threads threads) {
     const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const auto grid_x = map.periodic ? nx : fourier::fast_length(2 * nx - 1), grid_y = map.periodic ? ny : fourier::fast_length(2 * ny - 1);
+    const auto grid_x = map.periodic ? nx : fourier::fast_length(2 * nx - 1),
+               grid_y = map.periodic ? ny : fourier::fast_length(2 * ny - 1);
     reach_x_ = map.periodic ? nx / 2 : nx - 1;
     reach_y_ = map.periodic ? ny / 2 : ny - 1;
     const auto load = [&](auto value) {
@@ -47,7 +53,8 @@ LagMap::LagMap(const topography::HeightMap& map, double mean, parallel::Threads 
     if (whole && !map.periodic) {
         for (Index i = 0; i < grid_x; ++i)
             for (Index j = 0; j < grid_y; ++j) {
-                const double pairs = (static_cast<double>(nx) - lag(i, grid_x)) * (static_cast<double>(ny) - lag(j, grid_y));
+                const double pairs =
+                    (static_cast<double>(nx) - lag(i, grid_x)) * (static_cast<double>(ny) - lag(j, grid_y));
                 values_(i, j) = pairs > 0.0 ? values_(i, j) / pairs : undefined;
             }
     } else if (!whole) {
@@ -55,7 +62,9 @@ LagMap::LagMap(const topography::HeightMap& map, double mean, parallel::Threads 
         values_ = (pairs > 0.5).select(values_ / pairs.round(), undefined);
     }
     const double square = values_(0, 0);
-    if (!(square > 0.0)) throw UndefinedDataError(topography::label(map.metadata) + ": all heights are equal, so their autocorrelation is undefined");
+    if (!(square > 0.0))
+        throw UndefinedDataError(topography::label(map.metadata) +
+                                 ": all heights are equal, so their autocorrelation is undefined");
     values_ /= square;
 }
 

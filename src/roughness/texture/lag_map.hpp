@@ -8,7 +8,8 @@ namespace setae::texture {
 
 /// Mean products of heights z about their mean at every lag of the full circle, over those at lag 0.
 ///
-/// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the standard's parameters are of products.
+/// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the standard's parameters are of
+/// products.
 class LagMap {
 public:
     /// @throws UndefinedDataError for a constant map.

@@ -55,7 +55,8 @@ Array1D ratios_at_infinity(const ArrayView1D& heights) {
 
 /// Weights of elements by the number of heights below their lowest and their highest corner.
 struct ReachingWeights {
-    explicit ReachingWeights(std::size_t heights) : whole(Array1D::Zero(static_cast<Index>(heights) + 1)), reaching(whole) {}
+    explicit ReachingWeights(std::size_t heights)
+        : whole(Array1D::Zero(static_cast<Index>(heights) + 1)), reaching(whole) {}
     void operator()(const Triangle& t) {
         whole[t.below_a] += 1.0;
         reaching[t.below_c] += 1.0;
@@ -68,12 +69,14 @@ struct ReachingWeights {
 };
 
 void require_share(double share) {
-    if (!(share > 0.0 && share < 1.0)) throw InvalidArgument(fmt::format("share of the area is {}, expected 0 < share < 1", share));
+    if (!(share > 0.0 && share < 1.0))
+        throw InvalidArgument(fmt::format("share of the area is {}, expected 0 < share < 1", share));
 }
 
 }  // namespace
 
-Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between, parallel::Threads threads) {
+Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
+                     parallel::Threads threads) {
     const auto order = increasing_order(heights);
     Array1D ratio = ratios_at_infinity(heights);
     if (order.empty()) return ratio;
@@ -83,16 +86,25 @@ Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heig
     return ratio;
 }
 
-MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, const ArrayView1D& heights, Between between, parallel::Threads threads) {
+MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
+                                        parallel::Threads threads) {
     if (heights.size() == 0) throw InvalidArgument("no height to take the material ratio at");
     for (Index k = 1; k < heights.size(); ++k)
         if (!(heights[k] > heights[k - 1]))
-            throw InvalidArgument(fmt::format("heights of a material ratio curve do not increase: {} m is followed by {} m", heights[k - 1], heights[k]));
+            throw InvalidArgument(
+                fmt::format("heights of a material ratio curve do not increase: {} m is followed by {} m",
+                            heights[k - 1], heights[k]));
     const auto sums = sum_curve(Elements(measurement, between), HeightLocator(heights), Volumes::yes, threads);
-    return {heights, sums.above / sums.weight, sums.volume / sums.weight, heights[0] + sums.moment / sums.weight, sums.lowest, sums.highest};
+    return {heights,
+            sums.above / sums.weight,
+            sums.volume / sums.weight,
+            heights[0] + sums.moment / sums.weight,
+            sums.lowest,
+            sums.highest};
 }
 
-BearingBounds bearing_area_bounds(const MeasurementView& measurement, const ArrayView1D& heights, Between between, parallel::Threads threads) {
+BearingBounds bearing_area_bounds(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
+                                  parallel::Threads threads) {
     const auto order = increasing_order(heights);
     BearingBounds bounds{ratios_at_infinity(heights), ratios_at_infinity(heights)};
     if (order.empty()) return bounds;
@@ -116,9 +128,11 @@ BearingBounds bearing_area_bounds(const MeasurementView& measurement, const Arra
     return bounds;
 }
 
-Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between, parallel::Threads threads) {
+Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,
+                         parallel::Threads threads) {
     for (Index k = 0; k < ratios.size(); ++k)
-        if (!(ratios[k] >= 0.0 && ratios[k] <= 1.0)) throw InvalidArgument(fmt::format("material ratio {} is {}, expected 0 … 1", k, ratios[k]));
+        if (!(ratios[k] >= 0.0 && ratios[k] <= 1.0))
+            throw InvalidArgument(fmt::format("material ratio {} is {}, expected 0 … 1", k, ratios[k]));
     const Elements elements(measurement, between);
     const auto range = elements.range();
     const Array1D grid = height_grid(range.lowest, range.highest);
@@ -142,7 +156,8 @@ Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& 
         const auto j = interval[static_cast<std::size_t>(k)];
         if (j < 0) continue;
         const auto place = static_cast<std::size_t>(std::lower_bound(wanted.begin(), wanted.end(), j) - wanted.begin());
-        heights[k] = crossing(grid[j], grid[j + 1], ratios[k], [&](double height) { return brackets.ratio(place, height); });
+        heights[k] =
+            crossing(grid[j], grid[j + 1], ratios[k], [&](double height) { return brackets.ratio(place, height); });
     }
     return heights;
 }
@@ -175,7 +190,8 @@ double mad_height(const MeasurementView& measurement, double share, Between betw
     const std::vector<Index> wanted{steps - k - 1, steps + k};
     const Brackets brackets(elements, locate, sums, wanted, threads);
     return crossing(width(k), width(k + 1), 1.0 - share, [&](double m) {
-        return 1.0 - brackets.ratio(0, std::max(median - m, grid[steps - k - 1])) + brackets.ratio(1, std::min(median + m, grid[steps + k + 1]));
+        return 1.0 - brackets.ratio(0, std::max(median - m, grid[steps - k - 1])) +
+               brackets.ratio(1, std::min(median + m, grid[steps + k + 1]));
     });
 }
 

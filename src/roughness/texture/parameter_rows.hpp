@@ -8,7 +8,8 @@ namespace setae::texture {
 /// Values of parameters on their way into a list, each with what the table says of it and what all share.
 class ParameterRows {
 public:
-    ParameterRows(Standard standard, std::string filter, Bandwidth bandwidth, std::vector<Alert> alerts, Index points, char letter = 0);
+    ParameterRows(Standard standard, std::string filter, Bandwidth bandwidth, std::vector<Alert> alerts, Index points,
+                  char letter = 0);
 
     /// symbol: as in the table. A row whose value is NaN without an alert of its own gets UNDEFINED.
     void add(std::string_view symbol, Estimate estimate, std::vector<Alert> alerts = {});

@@ -31,7 +31,8 @@ std::vector<Part> parts_between_crossings(const Points& points, double mean_line
             part.height = std::max(part.height, std::abs(z(i)));
             continue;
         }
-        const double x = points.positions[i - 1] + (points.positions[i] - points.positions[i - 1]) * z(i - 1) / (z(i - 1) - z(i));
+        const double x =
+            points.positions[i - 1] + (points.positions[i] - points.positions[i - 1]) * z(i - 1) / (z(i - 1) - z(i));
         part.end = x;
         parts.push_back({x, x, sign(i), std::abs(z(i)), true});
     }

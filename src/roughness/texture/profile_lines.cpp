@@ -18,7 +18,8 @@ using topography::Profile;
 
 void require_line(const MeasurementView& line) {
     if (line.as<topography::HeightMap>())
-        throw InvalidArgument(topography::label(line.metadata()) + ": profile parameters are of lines, this is a map; take its scan lines one by one");
+        throw InvalidArgument(topography::label(line.metadata()) +
+                              ": profile parameters are of lines, this is a map; take its scan lines one by one");
 }
 
 Points points_of(const MeasurementView& line) {
@@ -33,7 +34,8 @@ Points points_of(const MeasurementView& line) {
         points = {profile.positions, profile.heights};
     }
     if (!(points.heights == points.heights).all())
-        throw UndefinedDataError(topography::label(line.metadata()) + ": elements of a profile need every height; fill undefined heights first");
+        throw UndefinedDataError(topography::label(line.metadata()) +
+                                 ": elements of a profile need every height; fill undefined heights first");
     return points;
 }
 
@@ -44,7 +46,8 @@ Profile cut(const Profile& profile, double begin, double end) {
     const auto& x = profile.positions;
     const auto height_at = [&](double position) {
         const auto i = std::clamp<Index>(std::upper_bound(x.begin(), x.end(), position) - x.begin(), 1, x.size() - 1);
-        return profile.heights[i - 1] + (profile.heights[i] - profile.heights[i - 1]) * (position - x[i - 1]) / (x[i] - x[i - 1]);
+        return profile.heights[i - 1] +
+               (profile.heights[i] - profile.heights[i - 1]) * (position - x[i - 1]) / (x[i] - x[i - 1]);
     };
     std::vector<double> positions{begin}, heights{height_at(begin)};
     for (Index i = 0; i < x.size(); ++i)
@@ -55,7 +58,8 @@ Profile cut(const Profile& profile, double begin, double end) {
     positions.push_back(end);
     heights.push_back(height_at(end));
     const auto n = static_cast<Index>(positions.size());
-    return {Eigen::Map<const Array1D>(positions.data(), n), Eigen::Map<const Array1D>(heights.data(), n), profile.metadata};
+    return {Eigen::Map<const Array1D>(positions.data(), n), Eigen::Map<const Array1D>(heights.data(), n),
+            profile.metadata};
 }
 
 }  // namespace
@@ -67,21 +71,24 @@ std::vector<topography::Measurement> sections(const MeasurementView& line, doubl
     const double size = scan ? scan->size : profile->size();
     const auto count = section_length > 0.0 ? static_cast<Index>(std::floor(size / section_length + 0.01)) : 0;
     if (count < 1)
-        throw InvalidArgument(fmt::format("{}: a section of {} does not fit into {}; choose shorter sections or a smaller L-filter", topography::label(line.metadata()),
-                                          format_value(section_length, "m"), format_value(size, "m")));
+        throw InvalidArgument(fmt::format(
+            "{}: a section of {} does not fit into {}; choose shorter sections or a smaller L-filter",
+            topography::label(line.metadata()), format_value(section_length, "m"), format_value(size, "m")));
     std::vector<topography::Measurement> parts;
     if (scan) {
         const auto fitting = static_cast<Index>(std::floor(section_length / scan->pixel_size() * (1.0 + 1e-9)));
         const auto points = std::max<Index>(1, std::min(fitting, scan->heights.size() / count));
         for (Index k = 0; k < count; ++k)
-            parts.emplace_back(LineScan{scan->heights.segment(k * points, points), static_cast<double>(points) * scan->pixel_size(), false, scan->metadata});
+            parts.emplace_back(LineScan{scan->heights.segment(k * points, points),
+                                        static_cast<double>(points) * scan->pixel_size(), false, scan->metadata});
         return parts;
     }
     topography::validate(*profile);
     const double length = std::min(section_length, size / static_cast<double>(count)), start = profile->positions[0];
     for (Index k = 0; k < count; ++k) {
         const double begin = start + static_cast<double>(k) * length;
-        parts.emplace_back(cut(*profile, begin, std::min(begin + length, profile->positions[profile->positions.size() - 1])));
+        parts.emplace_back(
+            cut(*profile, begin, std::min(begin + length, profile->positions[profile->positions.size() - 1])));
     }
     return parts;
 }
@@ -126,7 +133,8 @@ ProfileSlopes profile_slopes(const MeasurementView& line) {
     for (Index i = scan.periodic ? 0 : 1; i < n; ++i) narrow.add((z(i) - z(i - 1)) / step, 1.0);
     const Index margin = scan.periodic ? 0 : 3;
     for (Index i = margin; i < n - margin && n >= 7; ++i)
-        wide.add((45.0 * (z(i + 1) - z(i - 1)) - 9.0 * (z(i + 2) - z(i - 2)) + (z(i + 3) - z(i - 3))) / (60.0 * step), 1.0);
+        wide.add((45.0 * (z(i + 1) - z(i - 1)) - 9.0 * (z(i + 2) - z(i - 2)) + (z(i + 3) - z(i - 3))) / (60.0 * step),
+                 1.0);
     return {wide.rms(), wide.mean(), wide.maximum(), narrow.excess(), narrow.rms()};
 }
 

@@ -48,30 +48,42 @@ bool has_undefined(const MeasurementView& line) {
     return line.visit([](const auto& m) { return !(m.heights == m.heights).all(); });
 }
 
-Stretch stretch(const MeasurementView& line, double mean_line, double section_length, double total_height, const Discrimination& discrimination, parallel::Threads threads) {
-    Stretch result{height_parameters(line, threads, mean_line), {undefined, undefined, undefined, undefined, 0}, profile_slopes(line)};
+Stretch stretch(const MeasurementView& line, double mean_line, double section_length, double total_height,
+                const Discrimination& discrimination, parallel::Threads threads) {
+    Stretch result{height_parameters(line, threads, mean_line),
+                   {undefined, undefined, undefined, undefined, 0},
+                   profile_slopes(line)};
     if (!has_undefined(line))
-        result.elements = profile_elements(line, discrimination.height * (total_height > 0.0 ? total_height : result.heights.Sz), discrimination.length * section_length, mean_line);
+        result.elements =
+            profile_elements(line, discrimination.height * (total_height > 0.0 ? total_height : result.heights.Sz),
+                             discrimination.length * section_length, mean_line);
     return result;
 }
 
-char letter_of(ProfileKind kind) { return kind == ProfileKind::primary ? 'P' : kind == ProfileKind::waviness ? 'W' : 'R'; }
+char letter_of(ProfileKind kind) {
+    return kind == ProfileKind::primary ? 'P' : kind == ProfileKind::waviness ? 'W' : 'R';
+}
 
 /// Ral, or what a line lacks for it.
 void add_autocorrelation_length(ParameterRows& rows, const MeasurementView& line, double Rq) {
     const auto* scan = line.as<topography::LineScan>();
-    if (scan && Rq > 0.0)
-        rows.add("Ral", {autocorrelation_length(*scan)});
+    if (scan && Rq > 0.0) rows.add("Ral", {autocorrelation_length(*scan)});
     else
-        rows.add("Ral", {undefined}, {{"RAL_UNDEFINED", topography::label(line.metadata()), scan ? "all heights are equal" : "an autocorrelation needs equal steps, this is a polyline",
-                                       scan ? "look at the data" : "resample the polyline"}});
+        rows.add("Ral", {undefined},
+                 {{"RAL_UNDEFINED", topography::label(line.metadata()),
+                   scan ? "all heights are equal" : "an autocorrelation needs equal steps, this is a polyline",
+                   scan ? "look at the data" : "resample the polyline"}});
 }
 
 /// Rows of the material ratio curve.
-void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line, parallel::Threads threads) {
+void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line,
+               parallel::Threads threads) {
     const auto curve = functional_parameters(line, options.ratios, options.between, threads);
-    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), options.between, threads)[0]});
-    rows.add("Rmc(p)", {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] - mean_line});
+    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), options.between,
+                                     threads)[0]});
+    rows.add("Rmc(p)",
+             {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] -
+              mean_line});
     rows.add("Rdc", {curve.Sdc});
     rows.add("Rk", {curve.Sk});
     rows.add("Rpk", {curve.Spk});
@@ -90,7 +102,8 @@ void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOp
 
 }  // namespace
 
-std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options, parallel::Threads threads) {
+std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options,
+                                                 parallel::Threads threads) {
     require_line(line);
     const auto own = filtered(line, options.filters, options.kind, threads);
     const MeasurementView view = own ? MeasurementView(*own) : line;
@@ -99,14 +112,18 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
     const double mean_line = options.mean_line == MeanLine::zero ? 0.0 : height_parameters(view, threads).mean;
 
     std::vector<Stretch> parts;
-    for (const auto& section : sections(view, section_length)) parts.push_back(stretch(section, mean_line, section_length, 0.0, options.discrimination, threads));
+    for (const auto& section : sections(view, section_length))
+        parts.push_back(stretch(section, mean_line, section_length, 0.0, options.discrimination, threads));
     const auto section_heights = values_of(parts, [](const Stretch& s) { return s.heights.Sz; });
-    const auto whole = stretch(view, mean_line, section_length, section_heights.mean(), options.discrimination, threads);
+    const auto whole =
+        stretch(view, mean_line, section_length, section_heights.mean(), options.discrimination, threads);
 
-    ParameterRows rows(Standard::iso21920, description(options.filters, options.kind), bandwidth(line, options.filters, options.kind, threads), undefined_alerts(line),
+    ParameterRows rows(Standard::iso21920, description(options.filters, options.kind),
+                       bandwidth(line, options.filters, options.kind, threads), undefined_alerts(line),
                        whole.heights.defined, letter_of(options.kind));
     const auto add = [&](std::string_view symbol, const std::function<double(const Stretch&)>& value) {
-        rows.add(symbol, options.averages == Averages::sections ? mean_of(values_of(parts, value)) : Estimate{value(whole)});
+        rows.add(symbol,
+                 options.averages == Averages::sections ? mean_of(values_of(parts, value)) : Estimate{value(whole)});
     };
     add("Rq", [](const Stretch& s) { return s.heights.Sq; });
     add("Rsk", [](const Stretch& s) { return s.heights.Ssk; });

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include "angular_spectrum.hpp"
 #include "lag_map.hpp"
@@ -29,12 +29,14 @@ struct Rim {
     bool closed = true;            ///< no part of it lies beyond the largest lags
 };
 
-/// Where the cubic through four equally spaced values passes `level` between the second (above it) and the third (not above): 0 … 1.
+/// Where the cubic through four equally spaced values passes `level` between the second (above it) and the third (not
+/// above): 0 … 1.
 double passage(double before, double at_0, double at_1, double after, double level) {
     const bool cubic = before == before && after == after;
     const auto value = [&](double t) {
         if (!cubic) return at_0 + t * (at_1 - at_0);
-        return (t - 1.0) * (t - 2.0) * (-t * before + 3.0 * (t + 1.0) * at_0) / 6.0 + (t + 1.0) * t * (-3.0 * (t - 2.0) * at_1 + (t - 1.0) * after) / 6.0;
+        return (t - 1.0) * (t - 2.0) * (-t * before + 3.0 * (t + 1.0) * at_0) / 6.0 +
+               (t + 1.0) * t * (-3.0 * (t - 2.0) * at_1 + (t - 1.0) * after) / 6.0;
     };
     double lower = 0.0, upper = 1.0;
     for (int k = 0; k < 50; ++k) {
@@ -75,11 +77,14 @@ Rim rim_of(const LagMap& f, double level, std::array<double, 2> pixel) {
             }
         }
     }
-    std::sort(rim.points.begin(), rim.points.end(), [](const RimPoint& a, const RimPoint& b) { return std::pair(a.angle, a.distance) < std::pair(b.angle, b.distance); });
+    std::sort(rim.points.begin(), rim.points.end(), [](const RimPoint& a, const RimPoint& b) {
+        return std::pair(a.angle, a.distance) < std::pair(b.angle, b.distance);
+    });
     return rim;
 }
 
-/// The distance at an extreme point of the rim, improved by a parabola over the angles beside it where that fits to 5 % of a pixel.
+/// The distance at an extreme point of the rim, improved by a parabola over the angles beside it where that fits to 5 %
+/// of a pixel.
 double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
     const double reach = std::min(0.5, 1.75 * pixel / extreme.distance);
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -96,7 +101,8 @@ double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
     if (near.size() < 5) return extreme.distance;
     const Eigen::Vector3d fit = normal.inverse() * right;
     double worst = 0.0;
-    for (const auto& [t, distance] : near) worst = std::max(worst, std::abs(fit[0] + fit[1] * t + fit[2] * t * t - distance));
+    for (const auto& [t, distance] : near)
+        worst = std::max(worst, std::abs(fit[0] + fit[1] * t + fit[2] * t * t - distance));
     const double top = fit[2] != 0.0 ? -0.5 * fit[1] / fit[2] : 0.0;
     if (!(worst < 0.05 * pixel) || !(std::abs(top) <= 1.0)) return extreme.distance;
     return fit[0] + 0.5 * fit[1] * top;
@@ -105,11 +111,14 @@ double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
 /// ∫ f^k over a disc of lags, k = 2, 3, 4.
 std::array<double, 3> correlation_areas(const LagMap& f, double radius, std::array<double, 2> pixel) {
     std::array<double, 3> sums{};
-    const auto reach_x = std::min(f.reach_x(), static_cast<Index>(radius / pixel[0])), reach_y = std::min(f.reach_y(), static_cast<Index>(radius / pixel[1]));
+    const auto reach_x = std::min(f.reach_x(), static_cast<Index>(radius / pixel[0])),
+               reach_y = std::min(f.reach_y(), static_cast<Index>(radius / pixel[1]));
     for (Index i = -reach_x; i <= reach_x; ++i)
         for (Index j = -reach_y; j <= reach_y; ++j) {
             const double value = f(i, j);
-            if (std::hypot(static_cast<double>(i) * pixel[0], static_cast<double>(j) * pixel[1]) > radius || value != value) continue;
+            if (std::hypot(static_cast<double>(i) * pixel[0], static_cast<double>(j) * pixel[1]) > radius ||
+                value != value)
+                continue;
             double power = value * value;
             for (auto& sum : sums) {
                 sum += power;
@@ -121,7 +130,8 @@ std::array<double, 3> correlation_areas(const LagMap& f, double radius, std::arr
 }
 
 void require_threshold(double threshold) {
-    if (!(threshold > 0.0 && threshold < 1.0)) throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", threshold));
+    if (!(threshold > 0.0 && threshold < 1.0))
+        throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", threshold));
 }
 
 Alert alert(const topography::HeightMap& map, const char* code, std::string message, const char* action) {
@@ -138,12 +148,14 @@ double autocorrelation_length(const topography::LineScan& scan, const SpatialOpt
         if (!(f(k, 0) <= options.threshold)) continue;
         const double after = k < f.reach_x() ? f(k + 1, 0) : undefined;
         const double before = k > 1 || f.reach_x() > 1 ? f(k - 2, 0) : undefined;
-        return scan.pixel_size() * (static_cast<double>(k - 1) + passage(before, f(k - 1, 0), f(k, 0), after, options.threshold));
+        return scan.pixel_size() *
+               (static_cast<double>(k - 1) + passage(before, f(k - 1, 0), f(k, 0), after, options.threshold));
     }
     return undefined;
 }
 
-SpatialParameters spatial_parameters(const topography::HeightMap& map, const SpatialOptions& options, parallel::Threads threads) {
+SpatialParameters spatial_parameters(const topography::HeightMap& map, const SpatialOptions& options,
+                                     parallel::Threads threads) {
     require_threshold(options.threshold);
     const double mean = height_parameters(map, threads).mean;
     const LagMap products(map, mean, threads);
@@ -163,19 +175,25 @@ SpatialParameters spatial_parameters(const topography::HeightMap& map, const Spa
             result.correlation_areas = correlation_areas(products, 2.0 * result.longest, map.pixel_size());
         }
     } else {
-        result.alerts.push_back(alert(map, "SAL_UNDEFINED", fmt::format("the autocorrelation stays above {} at every lag of the map", options.threshold),
-                                      "measure a larger map, or take out long waves with an L-filter"));
+        result.alerts.push_back(
+            alert(map, "SAL_UNDEFINED",
+                  fmt::format("the autocorrelation stays above {} at every lag of the map", options.threshold),
+                  "measure a larger map, or take out long waves with an L-filter"));
     }
     if (!rim.closed)
-        result.alerts.push_back(alert(map, "STR_UNDEFINED",
-                                      fmt::format("the autocorrelation stays above {} along a direction up to the largest lags, so that Str is at most {:.3g}",
-                                                  options.threshold, result.Sal / result.longest),
-                                      "measure a larger map; lines without end have Str near 0"));
+        result.alerts.push_back(alert(
+            map, "STR_UNDEFINED",
+            fmt::format(
+                "the autocorrelation stays above {} along a direction up to the largest lags, so that Str is at most {:.3g}",
+                options.threshold, result.Sal / result.longest),
+            "measure a larger map; lines without end have Str near 0"));
     result.directionality = direction.directionality;
     result.Std = direction.angle < 0.5 * pi ? direction.angle + 0.5 * pi : direction.angle - 0.5 * pi;
     if (result.Str > 0.5)
-        result.alerts.push_back(alert(map, "STD_WITHOUT_DIRECTION", fmt::format("Str is {:.2f}: no direction stands out, Std says little", result.Str),
-                                      "use Std where Str is below 0.5"));
+        result.alerts.push_back(
+            alert(map, "STD_WITHOUT_DIRECTION",
+                  fmt::format("Str is {:.2f}: no direction stands out, Std says little", result.Str),
+                  "use Std where Str is below 0.5"));
     return result;
 }
 

@@ -33,7 +33,8 @@ private:
     std::vector<Label> parent_;
 };
 
-constexpr std::array<std::array<Index, 2>, 8> neighbours{{{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+constexpr std::array<std::array<Index, 2>, 8> neighbours{
+    {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 constexpr std::size_t first_forward = 4;  ///< of these eight, those behind a point in storage order
 
 /// Heights the way that is up, with neighbours across periodic edges.
@@ -66,7 +67,8 @@ struct Basins {
 
 Basins basins_of(const Grid& grid) {
     const auto n = static_cast<std::size_t>(grid.nx() * grid.ny());
-    if (n > static_cast<std::size_t>(INT32_MAX)) throw InvalidArgument("map has more than 2³¹ points, too many for watersheds; crop it");
+    if (n > static_cast<std::size_t>(INT32_MAX))
+        throw InvalidArgument("map has more than 2³¹ points, too many for watersheds; crop it");
     std::vector<Label> uphill(n, none);
     std::vector<char> rim(n, 0);
     for (Index i = 0; i < grid.nx(); ++i)
@@ -76,10 +78,8 @@ Basins basins_of(const Grid& grid) {
             auto best = point;
             for (const auto& step : neighbours) {
                 const auto other = grid.neighbour(i, j, step);
-                if (other == none || grid.at(other) != grid.at(other))
-                    rim[static_cast<std::size_t>(point)] = 1;
-                else if (grid.at(other) > grid.at(best))
-                    best = other;
+                if (other == none || grid.at(other) != grid.at(other)) rim[static_cast<std::size_t>(point)] = 1;
+                else if (grid.at(other) > grid.at(best)) best = other;
             }
             uphill[static_cast<std::size_t>(point)] = static_cast<Label>(best);
         }
@@ -91,7 +91,9 @@ Basins basins_of(const Grid& grid) {
             if (uphill[static_cast<std::size_t>(point)] != point) continue;
             for (const auto& step : neighbours) {
                 const auto other = grid.neighbour(i, j, step);
-                if (other == none || uphill[static_cast<std::size_t>(other)] != static_cast<Label>(other) || grid.at(other) != grid.at(point)) continue;
+                if (other == none || uphill[static_cast<std::size_t>(other)] != static_cast<Label>(other) ||
+                    grid.at(other) != grid.at(point))
+                    continue;
                 const auto a = tops.find(point), b = tops.find(static_cast<Label>(other));
                 if (a != b) tops.join(std::min(a, b), std::max(a, b));
             }
@@ -102,7 +104,8 @@ Basins basins_of(const Grid& grid) {
         if (uphill[start] == none) continue;
         path.clear();
         auto point = static_cast<Label>(start);
-        while (basins.of_point[static_cast<std::size_t>(point)] == none && uphill[static_cast<std::size_t>(point)] != point) {
+        while (basins.of_point[static_cast<std::size_t>(point)] == none &&
+               uphill[static_cast<std::size_t>(point)] != point) {
             path.push_back(point);
             point = uphill[static_cast<std::size_t>(point)];
         }
@@ -143,7 +146,8 @@ std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
                 if (other == none) continue;
                 const auto beside = basins.of_point[static_cast<std::size_t>(other)];
                 if (beside == none || beside == label) continue;
-                saddles.push_back({std::min(grid.at(point), grid.at(other)), std::min(label, beside), std::max(label, beside)});
+                saddles.push_back(
+                    {std::min(grid.at(point), grid.at(other)), std::min(label, beside), std::max(label, beside)});
             }
         }
     std::sort(saddles.begin(), saddles.end(), [](const Saddle& a, const Saddle& b) {
@@ -159,7 +163,8 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
     const Grid grid(map, up);
     auto basins = basins_of(grid);
     const auto count = basins.peak.size();
-    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill beside it, or stays a hill
+    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill beside
+    // it, or stays a hill
     Sets lands(count), hills(count);
     const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };
     for (const auto& saddle : saddles_of(grid, basins)) {
@@ -173,7 +178,8 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
         if (peak_height(lower) - saddle.height < least) {
             const auto joined = hills.find(lower);
             // the higher peak of the two is that of the hill
-            if (peak_height(joined) > peak_height(hill_beside)) basins.peak[static_cast<std::size_t>(hill_beside)] = basins.peak[static_cast<std::size_t>(joined)];
+            if (peak_height(joined) > peak_height(hill_beside))
+                basins.peak[static_cast<std::size_t>(hill_beside)] = basins.peak[static_cast<std::size_t>(joined)];
             auto& complete = basins.complete[static_cast<std::size_t>(hill_beside)];
             complete = complete != 0 && basins.complete[static_cast<std::size_t>(joined)] != 0 ? 1 : 0;
             hills.join(hill_beside, joined);
@@ -186,7 +192,8 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
         const auto point = basins.peak[static_cast<std::size_t>(basin)];
         peaks.push_back({point / grid.ny(), point % grid.ny(), map.heights.data()[point]});
     }
-    std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+    std::sort(peaks.begin(), peaks.end(),
+              [](const Peak& a, const Peak& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
     return peaks;
 }
 

@@ -16,8 +16,8 @@ struct Peak {
     double height;  ///< of the map [m]
 };
 
-/// Peaks of the hills (pits of the dales) that rise over their highest saddle by at least `least` [m] and lie inside the map; see
-/// FeatureParameters. In the order of the points.
+/// Peaks of the hills (pits of the dales) that rise over their highest saddle by at least `least` [m] and lie inside
+/// the map; see FeatureParameters. In the order of the points.
 [[nodiscard]] std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least);
 
 }  // namespace setae::texture

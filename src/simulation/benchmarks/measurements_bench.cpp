@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include "surfaces/surface_patches.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/synthesis/random_surface.hpp"
+#include "surfaces/surface_patches.hpp"
 
 namespace {
 
@@ -27,7 +27,8 @@ BENCHMARK(truth)->Arg(0)->Arg(6)->Unit(benchmark::kMillisecond);
 void stylus_strip(benchmark::State& state) {
     const KnownSurface surface = rough();
     const LineSpectrum C1D(surface);
-    const StylusProtocol protocol{.lengths = std::vector<double>(5, 500e-6), .steps = {0.1e-6, 0.2e-6, 0.5e-6, 1e-6, 0.1e-6}};
+    const StylusProtocol protocol{.lengths = std::vector<double>(5, 500e-6),
+                                  .steps = {0.1e-6, 0.2e-6, 0.5e-6, 1e-6, 0.1e-6}};
     for (auto _ : state) benchmark::DoNotOptimize(stylus_scans(surface, C1D, protocol, {1, 2}));
 }
 BENCHMARK(stylus_strip)->Unit(benchmark::kMillisecond);
@@ -36,7 +37,8 @@ BENCHMARK(stylus_strip)->Unit(benchmark::kMillisecond);
 void bare_surface_of_a_strip(benchmark::State& state) {
     const KnownSurface surface = rough();
     for (auto _ : state)
-        benchmark::DoNotOptimize(synthesis::random_surface(surface.C_iso, {20480, 800, 512e-6, 20e-6}, {.key = {1, 2}, .threads = {1}}));
+        benchmark::DoNotOptimize(
+            synthesis::random_surface(surface.C_iso, {20480, 800, 512e-6, 20e-6}, {.key = {1, 2}, .threads = {1}}));
 }
 BENCHMARK(bare_surface_of_a_strip)->Unit(benchmark::kMillisecond);
 
@@ -51,7 +53,8 @@ BENCHMARK(afm)->Args({5000, 512})->Args({1000, 512})->Args({200, 256})->Unit(ben
 void bare_surface_of_a_map(benchmark::State& state) {
     const KnownSurface surface = rough();
     for (auto _ : state)
-        benchmark::DoNotOptimize(synthesis::random_surface(surface.C_iso, {2560, 2560, 6.25e-6, 6.25e-6}, {.key = {1, 2}, .threads = {1}}));
+        benchmark::DoNotOptimize(
+            synthesis::random_surface(surface.C_iso, {2560, 2560, 6.25e-6, 6.25e-6}, {.key = {1, 2}, .threads = {1}}));
 }
 BENCHMARK(bare_surface_of_a_map)->Unit(benchmark::kMillisecond);
 

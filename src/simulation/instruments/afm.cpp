@@ -14,8 +14,9 @@ namespace {
 
 void check(const AfmOptions& options) {
     if (options.nx < 2 || options.ny < 2 || !(options.size > 0.0) || !std::isfinite(options.size))
-        throw InvalidArgument(fmt::format("afm map of {} by {} points over {} m; expected at least 2 by 2 and a positive length", options.nx,
-                                          options.ny, options.size));
+        throw InvalidArgument(
+            fmt::format("afm map of {} by {} points over {} m; expected at least 2 by 2 and a positive length",
+                        options.nx, options.ny, options.size));
     require_not_negative(options.noise_rms, "rms noise [m] of the afm");
     require_not_negative(options.line_offset_rms, "rms line offset [m] of the afm");
     require_not_negative(options.line_drift_rms, "rms line drift [m] of the afm");
@@ -86,21 +87,25 @@ topography::HeightMap afm_map(const topography::Dilator& touched, const AfmOptio
 topography::HeightMap recorded_map(Array2D readings, const AfmOptions& options) {
     check(options);
     if (readings.rows() != options.nx || readings.cols() != options.ny)
-        throw InvalidArgument(fmt::format("{} by {} readings of an afm map of {} by {} points", readings.rows(), readings.cols(), options.nx,
-                                          options.ny));
+        throw InvalidArgument(fmt::format("{} by {} readings of an afm map of {} by {} points", readings.rows(),
+                                          readings.cols(), options.nx, options.ny));
     const double pixel = options.size / static_cast<double>(options.nx);
-    topography::HeightMap map{std::move(readings), {options.size, static_cast<double>(options.ny) * pixel}, false,
+    topography::HeightMap map{std::move(readings),
+                              {options.size, static_cast<double>(options.ny) * pixel},
+                              false,
                               simulated_with_tip("afm", options.tip, options.tip_radius_standard_error)};
     if (options.feedback_lag > 0.0)
         for (Index j = 0; j < options.ny; ++j) lag_line(map.heights, j, pixel, options.feedback_lag);
     const Array1D shifts = line_shifts(options);
     parallel::for_each_index(static_cast<std::size_t>(options.nx), options.touch.threads, [&](std::size_t row) {
         const auto i = static_cast<Index>(row);
-        const Array1D noise = numerics::normal_numbers(substream(options.key, 0), static_cast<std::uint64_t>(i * options.ny), options.ny);
+        const Array1D noise =
+            numerics::normal_numbers(substream(options.key, 0), static_cast<std::uint64_t>(i * options.ny), options.ny);
         const double share = static_cast<double>(i) / static_cast<double>(options.nx - 1);
         const double along_x = options.tilt_x * static_cast<double>(i) * pixel + bow_at(options.bow, share);
         for (Index j = 0; j < options.ny; ++j)
-            map.heights(i, j) += along_x + options.tilt_y * static_cast<double>(j) * pixel + shifts[j] + options.noise_rms * noise[j];
+            map.heights(i, j) +=
+                along_x + options.tilt_y * static_cast<double>(j) * pixel + shifts[j] + options.noise_rms * noise[j];
     });
     return map;
 }

@@ -24,13 +24,17 @@ topography::Metadata simulated_with_tip(const std::string& type, const topograph
     topography::Metadata metadata;
     metadata.name = "simulated " + type;
     metadata.unit = "m";
-    metadata.instrument = {"simulated " + type, type, std::visit([](const auto& shape) { return apex_radius(shape); }, tip),
-                           tip_radius_standard_error, {}};
+    metadata.instrument = {"simulated " + type,
+                           type,
+                           std::visit([](const auto& shape) { return apex_radius(shape); }, tip),
+                           tip_radius_standard_error,
+                           {}};
     return metadata;
 }
 
 void require_not_negative(double value, const char* what) {
-    if (!(value >= 0.0) || !std::isfinite(value)) throw InvalidArgument(fmt::format("{} {}; expected finite, >= 0", what, value));
+    if (!(value >= 0.0) || !std::isfinite(value))
+        throw InvalidArgument(fmt::format("{} {}; expected finite, >= 0", what, value));
 }
 
 void require_finite(double value, const char* what) {

@@ -20,6 +20,8 @@ void require_not_negative(double value, const char* what);
 void require_finite(double value, const char* what);
 
 /// bow (1 − (2s − 1)²) at the share s of a scan.
-[[nodiscard]] inline double bow_at(double bow, double share) { return bow * (1.0 - (2.0 * share - 1.0) * (2.0 * share - 1.0)); }
+[[nodiscard]] inline double bow_at(double bow, double share) {
+    return bow * (1.0 - (2.0 * share - 1.0) * (2.0 * share - 1.0));
+}
 
 }  // namespace setae::simulation

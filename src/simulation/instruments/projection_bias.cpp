@@ -28,7 +28,9 @@ struct SurfaceSums {
 class LineAverage {
 public:
     explicit LineAverage(const fourier::RealTransform& transform)
-        : transform_(transform), in_(static_cast<std::size_t>(transform.points())), out_(static_cast<std::size_t>(transform.modes())) {
+        : transform_(transform),
+          in_(static_cast<std::size_t>(transform.points())),
+          out_(static_cast<std::size_t>(transform.modes())) {
         sums_.power = Array1D::Zero(transform.modes());
     }
 
@@ -39,7 +41,9 @@ public:
         line = heights - mean;
         sums_.mean += mean;
         sums_.variance += line.square().mean();
-        sums_.square_difference += ((line.tail(n - 1) - line.head(n - 1)).square().sum() + std::pow(line[0] - line[n - 1], 2)) / static_cast<double>(n);
+        sums_.square_difference +=
+            ((line.tail(n - 1) - line.head(n - 1)).square().sum() + std::pow(line[0] - line[n - 1], 2)) /
+            static_cast<double>(n);
         transform_.forward(in_.data(), out_.data());
         for (Index k = 0; k < sums_.power.size(); ++k) sums_.power[k] += std::norm(out_[static_cast<std::size_t>(k)]);
         sums_.power[0] += std::pow(mean * static_cast<double>(n), 2);
@@ -62,14 +66,15 @@ private:
 Index lines_of_foil(const ProjectionOptions& options) {
     const double step = options.grid.size_y / static_cast<double>(options.grid.ny);
     if (!(options.thickness >= 0.0) || !(options.thickness <= options.grid.size_y - step * (1.0 - 1e-9)))
-        throw InvalidArgument(fmt::format("foil {} m thick on a surface {} m wide; expected 0 <= thickness < width", options.thickness,
-                                          options.grid.size_y));
+        throw InvalidArgument(fmt::format("foil {} m thick on a surface {} m wide; expected 0 <= thickness < width",
+                                          options.thickness, options.grid.size_y));
     return static_cast<Index>(std::floor(options.thickness / step * (1.0 + 1e-12))) + 1;
 }
 
 SurfaceSums simulate(const spectra::SpectralDensity& C_iso, const ProjectionOptions& options, Index index,
                      const fourier::RealTransform& transform) {
-    const auto map = random_surface(C_iso, options.grid, {.key = substream(options.key, static_cast<std::uint64_t>(index)), .threads = {1}});
+    const auto map = random_surface(C_iso, options.grid,
+                                    {.key = substream(options.key, static_cast<std::uint64_t>(index)), .threads = {1}});
     LineAverage lines(transform), silhouettes(transform);
     for (Index j = 0; j < options.grid.ny; ++j) lines.add(map.heights.col(j));
     const Index foil = lines_of_foil(options);
@@ -121,7 +126,8 @@ void fill_bins(ProjectionBias& bias, const std::vector<SurfaceSums>& surfaces, c
     };
     // what is left of lines beyond the spectrum's end is rounding
     double strongest = 0.0;
-    for (const auto& surface : surfaces) strongest = std::max(strongest, surface.lines.power.tail(modes - 1).maxCoeff());
+    for (const auto& surface : surfaces)
+        strongest = std::max(strongest, surface.lines.power.tail(modes - 1).maxCoeff());
     const double rounding = 1e-16 * strongest * static_cast<double>(surfaces.size());
     std::vector<double> centres, values, errors;
     for (Index first = 1; first < modes;) {
@@ -130,7 +136,8 @@ void fill_bins(ProjectionBias& bias, const std::vector<SurfaceSums>& surfaces, c
         const auto power_in = [&](const LineSums& sums) { return sums.power.segment(first, last - first + 1).sum(); };
         const auto denominator = of_each(surfaces, [&](const SurfaceSums& s) { return power_in(s.lines); });
         if (denominator.sum() > rounding * static_cast<double>(last - first + 1)) {
-            const auto factor = ratio(of_each(surfaces, [&](const SurfaceSums& s) { return power_in(s.silhouettes); }), denominator);
+            const auto factor =
+                ratio(of_each(surfaces, [&](const SurfaceSums& s) { return power_in(s.silhouettes); }), denominator);
             centres.push_back(std::pow(10.0, (static_cast<double>(bin_of(first)) + 0.5) / options.bins_per_decade));
             values.push_back(factor.value);
             errors.push_back(factor.standard_error);
@@ -147,8 +154,9 @@ void fill_bins(ProjectionBias& bias, const std::vector<SurfaceSums>& surfaces, c
 
 ProjectionBias projection_bias(const spectra::SpectralDensity& C_iso, const ProjectionOptions& options) {
     if (options.surfaces < 2 || options.bins_per_decade < 1)
-        throw InvalidArgument(fmt::format("{} surfaces, {} bins a decade for the bias of a foil; expected at least 2 and 1", options.surfaces,
-                                          options.bins_per_decade));
+        throw InvalidArgument(
+            fmt::format("{} surfaces, {} bins a decade for the bias of a foil; expected at least 2 and 1",
+                        options.surfaces, options.bins_per_decade));
     (void)lines_of_foil(options);
     const fourier::RealTransform transform(options.grid.nx);
     std::vector<SurfaceSums> surfaces(static_cast<std::size_t>(options.surfaces));
@@ -159,10 +167,12 @@ ProjectionBias projection_bias(const spectra::SpectralDensity& C_iso, const Proj
     bias.thickness = options.thickness;
     Array1D power = Array1D::Zero(transform.modes());
     for (const auto& surface : surfaces) power += surface.lines.power;
-    bias.correlation_length = correlation_length(power, options.grid.nx, options.grid.size_x / static_cast<double>(options.grid.nx));
+    bias.correlation_length =
+        correlation_length(power, options.grid.nx, options.grid.size_x / static_cast<double>(options.grid.nx));
     fill_bins(bias, surfaces, options);
     const auto variance = of_each(surfaces, [](const SurfaceSums& s) { return s.lines.variance; });
-    bias.rms_height = root(ratio(of_each(surfaces, [](const SurfaceSums& s) { return s.silhouettes.variance; }), variance));
+    bias.rms_height =
+        root(ratio(of_each(surfaces, [](const SurfaceSums& s) { return s.silhouettes.variance; }), variance));
     bias.rms_slope = root(ratio(of_each(surfaces, [](const SurfaceSums& s) { return s.silhouettes.square_difference; }),
                                 of_each(surfaces, [](const SurfaceSums& s) { return s.lines.square_difference; })));
     const auto shift = of_each(surfaces, [](const SurfaceSums& s) { return s.silhouettes.mean - s.lines.mean; });
@@ -174,30 +184,37 @@ std::vector<Alert> projection_alerts(const ProjectionBias& bias, const std::stri
     const double lowest = std::min({bias.C1D.minCoeff(), bias.rms_height.value, bias.rms_slope.value});
     const double highest = std::max({bias.C1D.maxCoeff(), bias.rms_height.value, bias.rms_slope.value});
     if (1.0 - lowest <= tolerance && highest - 1.0 <= tolerance) return {};
-    return {{"FOIL_PROJECTION", subject,
-             fmt::format("a contour is the silhouette of a foil {:.3g} nm thick, not a line scan: on a Gaussian surface of this spectrum it reads "
-                         "{:.3g} of the rms height, {:.3g} of the slope, and C1D {:.3g} … {:.3g} of the truth",
-                         bias.thickness * 1e9, bias.rms_height.value, bias.rms_slope.value, bias.C1D.minCoeff(), bias.C1D.maxCoeff()),
-             "divide C1D by the factor of each wavevector, use thinner foils, or leave out wavelengths shorter than the foil is thick"}};
+    return {
+        {"FOIL_PROJECTION", subject,
+         fmt::format(
+             "a contour is the silhouette of a foil {:.3g} nm thick, not a line scan: on a Gaussian surface of this spectrum it reads "
+             "{:.3g} of the rms height, {:.3g} of the slope, and C1D {:.3g} … {:.3g} of the truth",
+             bias.thickness * 1e9, bias.rms_height.value, bias.rms_slope.value, bias.C1D.minCoeff(),
+             bias.C1D.maxCoeff()),
+         "divide C1D by the factor of each wavevector, use thinner foils, or leave out wavelengths shorter than the foil is thick"}};
 }
 
 Array1D without_projection_bias(const ArrayView1D& wavevector, const ArrayView1D& C1D, const ProjectionBias& bias) {
     if (wavevector.size() != C1D.size())
-        throw InvalidArgument(fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), C1D.size()));
+        throw InvalidArgument(
+            fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), C1D.size()));
     if (bias.wavevector.size() < 1 || bias.C1D.size() != bias.wavevector.size() || !(bias.C1D > 0.0).all())
-        throw InvalidArgument(fmt::format("{} factors at {} wavevectors for the bias of a foil; expected positive ones at each", bias.C1D.size(),
-                                          bias.wavevector.size()));
+        throw InvalidArgument(
+            fmt::format("{} factors at {} wavevectors for the bias of a foil; expected positive ones at each",
+                        bias.C1D.size(), bias.wavevector.size()));
     const auto factor_at = [&](double q) {
         const double* begin = bias.wavevector.data();
         const auto above = std::upper_bound(begin, begin + bias.wavevector.size(), q) - begin;
         if (above == 0) return bias.C1D[0];
         if (above == bias.wavevector.size()) return bias.C1D[above - 1];
-        const double share = std::log(q / bias.wavevector[above - 1]) / std::log(bias.wavevector[above] / bias.wavevector[above - 1]);
+        const double share =
+            std::log(q / bias.wavevector[above - 1]) / std::log(bias.wavevector[above] / bias.wavevector[above - 1]);
         return (1.0 - share) * bias.C1D[above - 1] + share * bias.C1D[above];
     };
     Array1D result(C1D.size());
     for (Index i = 0; i < C1D.size(); ++i) {
-        if (!(wavevector[i] > 0.0)) throw InvalidArgument(fmt::format("wavevector {} is {} 1/m; expected positive", i, wavevector[i]));
+        if (!(wavevector[i] > 0.0))
+            throw InvalidArgument(fmt::format("wavevector {} is {} 1/m; expected positive", i, wavevector[i]));
         result[i] = C1D[i] / factor_at(wavevector[i]);
     }
     return result;

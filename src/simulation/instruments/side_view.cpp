@@ -21,26 +21,30 @@ enum Stream : std::uint64_t { step_stream, trace_stream, reentrant_stream };
 
 void check(const SideViewOptions& options) {
     if (!(options.step > 0.0) || !(options.length >= options.step) || !(options.length / options.step < 1e8))
-        throw InvalidArgument(fmt::format("contour of {} m in steps of {} m; expected 0 < step <= length and fewer than 1e8 points",
-                                          options.length, options.step));
+        throw InvalidArgument(
+            fmt::format("contour of {} m in steps of {} m; expected 0 < step <= length and fewer than 1e8 points",
+                        options.length, options.step));
     const double widest = widest_spread(options.steps);
     if (!(options.step_spread >= 0.0) || !(options.step_spread <= widest))
-        throw InvalidArgument(fmt::format("spread {} of the contour's steps; expected 0 … {}", options.step_spread, widest));
+        throw InvalidArgument(
+            fmt::format("spread {} of the contour's steps; expected 0 … {}", options.step_spread, widest));
     require_not_negative(options.blur, "blur [m] of the side view");
     require_not_negative(options.trace_noise_rms, "rms deviation [m] of the trace");
     if (options.trace_noise_rms > 0.0 && !(options.trace_noise_length > 0.0))
         throw InvalidArgument(fmt::format("the trace's deviation is correlated over {} m; expected a positive length",
                                           options.trace_noise_length));
     if (!(options.reentrant_share >= 0.0) || !(options.reentrant_share <= 0.5) || options.reentrant_points < 1)
-        throw InvalidArgument(fmt::format("share {} of re-entrant points in stretches of {}; expected 0 … 0.5 and at least 1",
-                                          options.reentrant_share, options.reentrant_points));
+        throw InvalidArgument(
+            fmt::format("share {} of re-entrant points in stretches of {}; expected 0 … 0.5 and at least 1",
+                        options.reentrant_share, options.reentrant_points));
 }
 
 /// Distances of neighbouring points over their mean.
 class StepLaw {
 public:
     explicit StepLaw(const SideViewOptions& options)
-        : kind_(options.step_spread > 0.0 ? options.steps : ContourSteps::regular), spread_(options.step_spread),
+        : kind_(options.step_spread > 0.0 ? options.steps : ContourSteps::regular),
+          spread_(options.step_spread),
           key_(substream(options.key, step_stream)) {
         if (kind_ == ContourSteps::gamma) freedoms_ = std::max<Index>(1, std::llround(2.0 / (spread_ * spread_)));
     }
@@ -48,7 +52,8 @@ public:
     [[nodiscard]] double operator()(Index k) const {
         if (kind_ == ContourSteps::regular) return 1.0;
         if (kind_ == ContourSteps::uniform)
-            return 1.0 + std::numbers::sqrt3 * spread_ * (2.0 * uniform_number(key_, static_cast<std::uint64_t>(k)) - 1.0);
+            return 1.0 +
+                   std::numbers::sqrt3 * spread_ * (2.0 * uniform_number(key_, static_cast<std::uint64_t>(k)) - 1.0);
         const auto first = static_cast<std::uint64_t>(k * freedoms_);
         return numerics::normal_numbers(key_, first, freedoms_).square().sum() / static_cast<double>(freedoms_);
     }
@@ -66,7 +71,8 @@ Array1D positions_of(const SideViewOptions& options) {
     const double end = options.length * (1.0 + 1e-9);
     std::vector<double> positions{0.0};
     if (options.steps == ContourSteps::regular || options.step_spread == 0.0) {
-        for (Index k = 1; static_cast<double>(k) * options.step <= end; ++k) positions.push_back(static_cast<double>(k) * options.step);
+        for (Index k = 1; static_cast<double>(k) * options.step <= end; ++k)
+            positions.push_back(static_cast<double>(k) * options.step);
     } else {
         for (Index k = 0;; ++k) {
             const double next = positions.back() + options.step * law(k);
@@ -82,7 +88,8 @@ Array1D blurred(const topography::LineScan& line, double blur) {
     const double step = line.pixel_size();
     const auto n = line.heights.size(), reach = static_cast<Index>(std::ceil(6.0 * blur / step));
     if (blur < 1e-3 * step) return line.heights;
-    const Array1D offsets = Array1D::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach)) * (step / blur);
+    const Array1D offsets =
+        Array1D::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach)) * (step / blur);
     const Array1D weights = (-0.5 * offsets.square()).exp();
     Array1D result(n);
     for (Index i = 0; i < n; ++i) {
@@ -106,15 +113,18 @@ Array1D interpolated(const Array1D& heights, double step, bool periodic, double 
         const double left = std::floor(at);
         const bool outside = !(at >= 0.0) || !(at <= static_cast<double>(n - 1) * (1.0 + 1e-12));
         if (!std::isfinite(at) || (!periodic && outside))
-            throw InvalidArgument(fmt::format("contour at x = {} m, the surface ends at {} m; expected a contour inside it, or a periodic "
-                                              "surface", start + positions[k], static_cast<double>(n - 1) * step));
+            throw InvalidArgument(fmt::format(
+                "contour at x = {} m, the surface ends at {} m; expected a contour inside it, or a periodic "
+                "surface",
+                start + positions[k], static_cast<double>(n - 1) * step));
         const auto i = static_cast<Index>(left), first = (i % n + n) % n;
         const Index second = periodic ? (first + 1) % n : std::min(first + 1, n - 1);
         const double share = at - left;
         result[k] = share == 0.0 ? heights[first] : (1.0 - share) * heights[first] + share * heights[second];
         if (result[k] != result[k])
-            throw UndefinedDataError(fmt::format("the silhouette is undefined at x = {} m; a contour needs a surface without holes",
-                                                 start + positions[k]));
+            throw UndefinedDataError(
+                fmt::format("the silhouette is undefined at x = {} m; a contour needs a surface without holes",
+                            start + positions[k]));
     }
     return result;
 }
@@ -153,14 +163,17 @@ void turn_back(Array1D& positions, const SideViewOptions& options) {
 
 }  // namespace
 
-double widest_spread(ContourSteps steps) { return steps == ContourSteps::gamma ? std::numbers::sqrt2 : 1.0 / std::numbers::sqrt3; }
+double widest_spread(ContourSteps steps) {
+    return steps == ContourSteps::gamma ? std::numbers::sqrt2 : 1.0 / std::numbers::sqrt3;
+}
 
 topography::Profile side_view_contour(const topography::HeightMap& surface, const SideViewOptions& options) {
     check(options);
     const auto line = silhouette(surface, options.thickness, options.start_y);
     topography::Profile contour;
     contour.positions = positions_of(options);
-    contour.heights = interpolated(blurred(line, options.blur), line.pixel_size(), line.periodic, options.start_x, contour.positions) +
+    contour.heights = interpolated(blurred(line, options.blur), line.pixel_size(), line.periodic, options.start_x,
+                                   contour.positions) +
                       trace_deviation(options, contour.positions);
     turn_back(contour.positions, options);
     contour.metadata.name = "simulated tem";

@@ -32,13 +32,15 @@ public:
         for (int k = 1; k <= artefact_waves; ++k) power += 1.0 / (k * k);
         amplitude_ = artefact.rms * std::sqrt(2.0 / power);
         for (int k = 1; k <= artefact_waves; ++k)
-            phases_[static_cast<std::size_t>(k - 1)] = 2.0 * pi * numerics::uniform_number(session, static_cast<std::uint64_t>(k));
+            phases_[static_cast<std::size_t>(k - 1)] =
+                2.0 * pi * numerics::uniform_number(session, static_cast<std::uint64_t>(k));
     }
 
     [[nodiscard]] double operator()(double position) const {
         if (amplitude_ == 0.0) return 0.0;
         double sum = 0.0;
-        for (int k = 1; k <= artefact_waves; ++k) sum += std::cos(base_ * k * position + phases_[static_cast<std::size_t>(k - 1)]) / k;
+        for (int k = 1; k <= artefact_waves; ++k)
+            sum += std::cos(base_ * k * position + phases_[static_cast<std::size_t>(k - 1)]) / k;
         return amplitude_ * sum;
     }
 
@@ -48,13 +50,15 @@ private:
 };
 
 Index points_of(const StylusOptions& options) {
-    if (!(options.step > 0.0) || !std::isfinite(options.step) || !std::isfinite(options.length) || !(options.length / options.step < 1e9))
-        throw InvalidArgument(fmt::format("stylus scan of {} m with steps of {} m; expected positive lengths and fewer than 1e9 points",
-                                          options.length, options.step));
+    if (!(options.step > 0.0) || !std::isfinite(options.step) || !std::isfinite(options.length) ||
+        !(options.length / options.step < 1e9))
+        throw InvalidArgument(
+            fmt::format("stylus scan of {} m with steps of {} m; expected positive lengths and fewer than 1e9 points",
+                        options.length, options.step));
     const auto points = static_cast<Index>(std::llround(options.length / options.step));
     if (points < 2)
-        throw InvalidArgument(fmt::format("stylus scan of {} m with steps of {} m has {} points; expected at least 2", options.length,
-                                          options.step, points));
+        throw InvalidArgument(fmt::format("stylus scan of {} m with steps of {} m has {} points; expected at least 2",
+                                          options.length, options.step, points));
     return points;
 }
 
@@ -86,7 +90,8 @@ topography::LineScan recorded_scan(Array1D readings, const StylusOptions& option
     const ArtefactCurve artefact(options.artefact);
     const Array1D noise = numerics::normal_numbers(substream(options.key, 0), 0, points);
     for (Index i = 0; i < points; ++i) {
-        const double x = static_cast<double>(i) * options.step, share = static_cast<double>(i) / static_cast<double>(points - 1);
+        const double x = static_cast<double>(i) * options.step,
+                     share = static_cast<double>(i) / static_cast<double>(points - 1);
         readings[i] += options.tilt * x + bow_at(options.bow, share) + artefact(x) + options.noise_rms * noise[i];
     }
     return {std::move(readings), static_cast<double>(points) * options.step, false,

@@ -27,21 +27,24 @@ void require_valid(const LoopArtefacts& artefacts) {
 
 /// Times at which the motor passes what it passes.
 struct Schedule {
-    double turn = 0.0;          ///< largest motor position reached [s]
-    double retraction = 0.0;    ///< end of the hold [s]
-    double end = 0.0;           ///< [s]
-    double largest = 0.0;       ///< motor position at the turn [m]
+    double turn = 0.0;        ///< largest motor position reached [s]
+    double retraction = 0.0;  ///< end of the hold [s]
+    double end = 0.0;         ///< [s]
+    double largest = 0.0;     ///< motor position at the turn [m]
     Index samples = 0;
 
-    Schedule(const LoadingProtocol& protocol, double turning_position, double parting_position) : largest(turning_position) {
+    Schedule(const LoadingProtocol& protocol, double turning_position, double parting_position)
+        : largest(turning_position) {
         turn = (protocol.start_gap + largest) / protocol.approach_speed;
         retraction = turn + protocol.hold_time;
         end = retraction + (largest - parting_position + protocol.start_gap) / protocol.retraction_speed;
         constexpr double most_samples = 1e8;
         const double count = std::floor(end * protocol.force_rate) + 1.0;
         if (!(count <= most_samples))
-            throw InvalidArgument(fmt::format("the record would have {:.3g} samples, {} at most; lower the force rate or move "
-                                              "faster", count, most_samples));
+            throw InvalidArgument(
+                fmt::format("the record would have {:.3g} samples, {} at most; lower the force rate or move "
+                            "faster",
+                            count, most_samples));
         samples = static_cast<Index>(count);
     }
 
@@ -81,7 +84,8 @@ void add_artefacts(loops::Loop& loop, const Array1D& motor, const LoopArtefacts&
 
 }  // namespace
 
-SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol, const LoopArtefacts& artefacts) {
+SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol,
+                             const LoopArtefacts& artefacts) {
     require_valid(artefacts);
     SimulatedLoop result{.truth = loop_truth(specimen, protocol)};
     const LoopTruth& truth = result.truth;

@@ -28,8 +28,9 @@ void require_valid(const LoopSpecimen& specimen) {
     require_positive(specimen.contact_modulus, "contact modulus", "Pa");
     require_positive(specimen.work_approach, "work of adhesion on approach", "J/m2");
     if (!(specimen.work_retraction >= specimen.work_approach && std::isfinite(specimen.work_retraction)))
-        throw InvalidArgument(fmt::format("work of adhesion on retraction must not be below that on approach, {} J/m2, got {}",
-                                          specimen.work_approach, specimen.work_retraction));
+        throw InvalidArgument(
+            fmt::format("work of adhesion on retraction must not be below that on approach, {} J/m2, got {}",
+                        specimen.work_approach, specimen.work_retraction));
 }
 
 void require_valid(const LoadingProtocol& protocol) {
@@ -41,8 +42,8 @@ void require_valid(const LoadingProtocol& protocol) {
     require_positive(protocol.force_rate, "force rate", "1/s");
     require_positive(protocol.camera_rate, "camera rate", "1/s");
     if (protocol.camera_rate > protocol.force_rate)
-        throw InvalidArgument(fmt::format("camera rate must not exceed the force rate, {} 1/s, got {}", protocol.force_rate,
-                                          protocol.camera_rate));
+        throw InvalidArgument(fmt::format("camera rate must not exceed the force rate, {} 1/s, got {}",
+                                          protocol.force_rate, protocol.camera_rate));
     if (!(protocol.machine_stiffness > 0.0))
         throw InvalidArgument(fmt::format("machine stiffness must be > 0 N/m, infinite for fixed grips, got {}",
                                           protocol.machine_stiffness));

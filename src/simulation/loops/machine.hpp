@@ -25,12 +25,13 @@ public:
         return state.displacement + compliance_ * state.force;
     }
 
-    /// Contact radius at which the contact springs apart, dm/da = 0 on JKR's curve: between that under fixed grips and that
-    /// under a fixed load. The derivative times √a has one change of sign in its powers of √a, hence one root.
+    /// Contact radius at which the contact springs apart, dm/da = 0 on JKR's curve: between that under fixed grips and
+    /// that under a fixed load. The derivative times √a has one change of sign in its powers of √a, hence one root.
     [[nodiscard]] double instability_radius(const contact::jkr::Contact& contact) const;
 
     /// Contact radius in stable equilibrium at a motor position, at most `largest`.
-    [[nodiscard]] double stable_radius(double motor_position, const contact::jkr::Contact& contact, double largest) const;
+    [[nodiscard]] double stable_radius(double motor_position, const contact::jkr::Contact& contact,
+                                       double largest) const;
 
     /// State with the edge held where it is at the turning point.
     [[nodiscard]] contact::jkr::State pinned(const contact::jkr::State& turning_point, double motor_position,

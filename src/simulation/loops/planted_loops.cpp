@@ -12,8 +12,9 @@ namespace setae::simulation {
 namespace {
 
 double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
-    return contact::contact_modulus({.youngs_modulus = elastomer.youngs_modulus, .poisson_ratio = elastomer.poisson_ratio},
-                                    {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
+    return contact::contact_modulus(
+        {.youngs_modulus = elastomer.youngs_modulus, .poisson_ratio = elastomer.poisson_ratio},
+        {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
 }
 
 /// What a pair's loop is of, or why there is none.
@@ -24,30 +25,34 @@ struct RoughPair {
 
 RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
-    RoughPair pair{.specimen = {.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)}, .refusal = {}};
+    RoughPair pair{
+        .specimen = {.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)},
+        .refusal = {}};
     LoopSpecimen& specimen = pair.specimen;
     const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
     const auto work = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
                                                  {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
     if (!work.conforms) {
-        pair.refusal = fmt::format("(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
-                                   "surface or a larger work of adhesion", 1e3 * work.raw);
+        pair.refusal = fmt::format(
+            "(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
+            "surface or a larger work of adhesion",
+            1e3 * work.raw);
         return pair;
     }
     specimen.work_approach = specimen.work_retraction = work.raw;
     if (loops.law == RetractionLaw::pinning) {
-        specimen.work_retraction = work_retraction_by_pinning({.work_approach = work.raw,
-                                                               .mean_work = recipe.work_of_adhesion,
-                                                               .stored_energy = stored_energy});
+        specimen.work_retraction = work_retraction_by_pinning(
+            {.work_approach = work.raw, .mean_work = recipe.work_of_adhesion, .stored_energy = stored_energy});
         return pair;
     }
     const LoopTruth least = loop_truth(specimen, loops.protocol);
     const double loss = loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * least.largest_contact_area();
     if (loss < least.energy_loss())
-        pair.refusal = fmt::format("the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
-                                   "loss_factor", least.energy_loss(), loss);
-    else
-        specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
+        pair.refusal = fmt::format(
+            "the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+            "loss_factor",
+            least.energy_loss(), loss);
+    else specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
     return pair;
 }
 
@@ -62,7 +67,8 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
 
 std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths) {
     if (truths.size() != recipe.surfaces.size())
-        throw InvalidArgument(fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
+        throw InvalidArgument(
+            fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
     std::vector<PlantedLoop> loops;
     if (!recipe.loops) return loops;
     const auto add = [&](PlantedLoop loop) {
@@ -80,8 +86,9 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                      .elastomer = elastomer.name,
                      .specimen = pair.specimen});
             else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
-                throw InvalidArgument(fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
-                                                  rough.surface.name, elastomer.name, pair.refusal));
+                throw InvalidArgument(
+                    fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
+                                rough.surface.name, elastomer.name, pair.refusal));
         }
     }
     if (const auto& work = recipe.loops->reference_work)

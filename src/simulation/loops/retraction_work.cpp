@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <fmt/format.h>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "setae/core/errors.hpp"
 
@@ -28,7 +28,8 @@ double pinning_coefficient(double energy_share) {
     if (above == simulated_fronts.begin()) return above->value;
     if (above == simulated_fronts.end()) return simulated_fronts.back().value;
     const auto below = above - 1;
-    const double share = std::log(energy_share / below->energy_share) / std::log(above->energy_share / below->energy_share);
+    const double share =
+        std::log(energy_share / below->energy_share) / std::log(above->energy_share / below->energy_share);
     return below->value + share * (above->value - below->value);
 }
 
@@ -36,9 +37,10 @@ double pinning_coefficient(double energy_share) {
 
 double work_retraction_by_pinning(const PinningRoughness& roughness) {
     if (!(roughness.work_approach > 0.0 && roughness.mean_work > 0.0 && roughness.stored_energy >= 0.0))
-        throw InvalidArgument(fmt::format("pinning needs works of adhesion > 0 J/m2 and a stored energy >= 0 J/m2, got W_app {}, "
-                                          "W {}, U_el/A {}",
-                                          roughness.work_approach, roughness.mean_work, roughness.stored_energy));
+        throw InvalidArgument(
+            fmt::format("pinning needs works of adhesion > 0 J/m2 and a stored energy >= 0 J/m2, got W_app {}, "
+                        "W {}, U_el/A {}",
+                        roughness.work_approach, roughness.mean_work, roughness.stored_energy));
     return roughness.work_approach +
            2.0 * pinning_coefficient(roughness.stored_energy / roughness.mean_work) * roughness.stored_energy;
 }
@@ -47,9 +49,10 @@ double work_retraction_for_loss(LoopSpecimen specimen, const LoadingProtocol& pr
     specimen.work_retraction = specimen.work_approach;
     const LoopTruth least = loop_truth(specimen, protocol);
     if (!(energy_loss >= least.energy_loss() && std::isfinite(energy_loss)))
-        throw InvalidArgument(fmt::format("a loop with W_app = {:.4g} J/m2 loses at least {:.4g} J in its jumps, got {:.4g} J; ask "
-                                          "for more, or press harder",
-                                          specimen.work_approach, least.energy_loss(), energy_loss));
+        throw InvalidArgument(
+            fmt::format("a loop with W_app = {:.4g} J/m2 loses at least {:.4g} J in its jumps, got {:.4g} J; ask "
+                        "for more, or press harder",
+                        specimen.work_approach, least.energy_loss(), energy_loss));
     const auto excess = [&](double work) {
         specimen.work_retraction = work;
         return loop_truth(specimen, protocol).energy_loss() - energy_loss;

@@ -8,7 +8,8 @@ namespace setae::simulation {
 GaussianKernel::GaussianKernel(double standard_deviation) {
     const auto reach = static_cast<Index>(std::ceil(5.0 * standard_deviation));
     weights = Array1D::Ones(2 * reach + 1);
-    for (Index k = 0; k < weights.size() && reach > 0; ++k) weights[k] = std::exp(-0.5 * std::pow(static_cast<double>(k - reach) / standard_deviation, 2));
+    for (Index k = 0; k < weights.size() && reach > 0; ++k)
+        weights[k] = std::exp(-0.5 * std::pow(static_cast<double>(k - reach) / standard_deviation, 2));
     weights /= weights.sum();
 }
 

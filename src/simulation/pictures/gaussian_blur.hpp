@@ -16,7 +16,8 @@ struct GaussianKernel {
     [[nodiscard]] double noise_left() const { return weights.square().sum(); }
 };
 
-/// The picture blurred along rows and columns, without the border of half() pixels that its surroundings would be needed for.
+/// The picture blurred along rows and columns, without the border of half() pixels that its surroundings would be
+/// needed for.
 [[nodiscard]] Array2D blurred(const Array2D& picture, const GaussianKernel& kernel);
 
 }  // namespace setae::simulation

@@ -26,42 +26,60 @@ void require(bool holds, const std::string& what) {
 }
 
 void check(const MicrographOptions& o) {
-    require(o.width >= 1 && o.height >= 1, fmt::format("a picture of {} × {} pixels; expected at least 1 × 1", o.width, o.height));
-    require(std::isfinite(o.vacuum_level) && std::isfinite(o.sample_level), fmt::format("grey levels {} of vacuum and {} of the sample; expected finite numbers", o.vacuum_level, o.sample_level));
-    const auto not_negative = [](double value, const char* name) { require(value >= 0.0 && std::isfinite(value), fmt::format("{} is {}; expected a finite number, at least 0", name, value)); };
+    require(o.width >= 1 && o.height >= 1,
+            fmt::format("a picture of {} × {} pixels; expected at least 1 × 1", o.width, o.height));
+    require(std::isfinite(o.vacuum_level) && std::isfinite(o.sample_level),
+            fmt::format("grey levels {} of vacuum and {} of the sample; expected finite numbers", o.vacuum_level,
+                        o.sample_level));
+    const auto not_negative = [](double value, const char* name) {
+        require(value >= 0.0 && std::isfinite(value),
+                fmt::format("{} is {}; expected a finite number, at least 0", name, value));
+    };
     not_negative(o.noise, "the picture's noise");
     not_negative(o.noise_blur, "the blur of noise");
     not_negative(o.blur, "the blur");
     not_negative(o.texture, "the texture's standard deviation");
-    const auto finite = [](double value, const char* name) { require(std::isfinite(value), fmt::format("{} is {}; expected a finite number", name, value)); };
+    const auto finite = [](double value, const char* name) {
+        require(std::isfinite(value), fmt::format("{} is {}; expected a finite number", name, value));
+    };
     finite(o.fringe_amplitude, "the fringe's amplitude");
     finite(o.drift, "the drift of the grey level");
     finite(o.lattice_amplitude, "the lattice's amplitude");
     finite(o.lattice_angle, "the lattice's angle");
-    require(o.fringe_width > 0.0 && std::isfinite(o.fringe_width), fmt::format("the fringe's width is {} px; expected more than 0", o.fringe_width));
-    require(o.lattice_period > 0.0 && std::isfinite(o.lattice_period), fmt::format("the lattice's period is {} px; expected more than 0", o.lattice_period));
+    require(o.fringe_width > 0.0 && std::isfinite(o.fringe_width),
+            fmt::format("the fringe's width is {} px; expected more than 0", o.fringe_width));
+    require(o.lattice_period > 0.0 && std::isfinite(o.lattice_period),
+            fmt::format("the lattice's period is {} px; expected more than 0", o.lattice_period));
 }
 
 void check(const PixelCurve& curve, const MicrographOptions& options) {
     const Index n = curve.x.size();
-    require(n >= 2 && curve.y.size() == n, fmt::format("a curve of {} x and {} y; expected as many of both, at least 2", n, curve.y.size()));
-    require(curve.x.isFinite().all() && curve.y.isFinite().all(), "a curve with places that are not finite; expected numbers");
+    require(n >= 2 && curve.y.size() == n,
+            fmt::format("a curve of {} x and {} y; expected as many of both, at least 2", n, curve.y.size()));
+    require(curve.x.isFinite().all() && curve.y.isFinite().all(),
+            "a curve with places that are not finite; expected numbers");
     const double left = -0.5, right = static_cast<double>(options.width) - 0.5;
-    require(curve.x[0] <= left && curve.x[n - 1] >= right,
-            fmt::format("the curve runs from x = {} to {} px; expected from {} or before to {} or beyond, as the picture is {} px wide", curve.x[0], curve.x[n - 1], left, right, options.width));
+    require(
+        curve.x[0] <= left && curve.x[n - 1] >= right,
+        fmt::format(
+            "the curve runs from x = {} to {} px; expected from {} or before to {} or beyond, as the picture is {} px wide",
+            curve.x[0], curve.x[n - 1], left, right, options.width));
 }
 
 void check_simple(const Array2D& coverage, const PixelWindow& window) {
     constexpr double rounding = 1e-9;
     Index row = 0, column = 0;
     if (coverage.maxCoeff(&row, &column) <= 1.0 + rounding && coverage.minCoeff(&row, &column) >= -rounding) return;
-    throw InvalidArgument(fmt::format("the curve crosses itself near x = {}, y = {} px; expected a curve that turns back at most", column + window.left, row + window.top));
+    throw InvalidArgument(
+        fmt::format("the curve crosses itself near x = {}, y = {} px; expected a curve that turns back at most",
+                    column + window.left, row + window.top));
 }
 
 /// Share of the sample in each pixel, blurred.
 Array2D blurred_coverage(const PixelCurve& curve, const MicrographOptions& options) {
     const GaussianKernel kernel(options.blur);
-    const PixelWindow window{-kernel.half(), -kernel.half(), options.width + 2 * kernel.half(), options.height + 2 * kernel.half()};
+    const PixelWindow window{-kernel.half(), -kernel.half(), options.width + 2 * kernel.half(),
+                             options.height + 2 * kernel.half()};
     const Array2D coverage = coverage_below(curve, window);
     check_simple(coverage, window);
     return blurred(coverage, kernel);
@@ -87,7 +105,8 @@ void add_fringe(Array2D& picture, const PixelCurve& curve, const MicrographOptio
         const double d = distance.data()[i];
         if (std::abs(d) >= reach) continue;
         const double t = d / options.fringe_width;
-        picture.data()[i] += options.fringe_amplitude * std::sin(pi / 6.0 * t * (2.0 + t * t)) * std::exp(-std::pow(t * t - 1.0, 2) / 4.5);
+        picture.data()[i] += options.fringe_amplitude * std::sin(pi / 6.0 * t * (2.0 + t * t)) *
+                             std::exp(-std::pow(t * t - 1.0, 2) / 4.5);
     }
 }
 
@@ -96,8 +115,8 @@ struct Patch {
     double x, y, wave_x, wave_y, phase;
 };
 
-/// One patch in each square of a grid that surrounds the picture, at least a fifth of a square from its sides: the nearest to a
-/// place is then that of its square or of the eight around it.
+/// One patch in each square of a grid that surrounds the picture, at least a fifth of a square from its sides: the
+/// nearest to a place is then that of its square or of the eight around it.
 class Patches {
 public:
     explicit Patches(const MicrographOptions& options) : across_(count(options.width)) {
@@ -106,10 +125,12 @@ public:
         for (long row = 0; row < down; ++row)
             for (long column = 0; column < across_; ++column) {
                 const auto number = 4 * static_cast<std::uint64_t>(row * across_ + column);
-                const double place_x = uniform_number(key, number), place_y = uniform_number(key, number + 1), phase = uniform_number(key, number + 2);
+                const double place_x = uniform_number(key, number), place_y = uniform_number(key, number + 1),
+                             phase = uniform_number(key, number + 2);
                 const double angle = options.lattice_angle + patch_angles * normal_number(substream(key, 0), number);
                 const double wave = 2.0 * pi / options.lattice_period;
-                patches_.push_back({(static_cast<double>(column - 1) + 0.2 + 0.6 * place_x) * patch_size, (static_cast<double>(row - 1) + 0.2 + 0.6 * place_y) * patch_size,
+                patches_.push_back({(static_cast<double>(column - 1) + 0.2 + 0.6 * place_x) * patch_size,
+                                    (static_cast<double>(row - 1) + 0.2 + 0.6 * place_y) * patch_size,
                                     wave * std::cos(angle), wave * std::sin(angle), 2.0 * pi * phase});
             }
     }
@@ -138,11 +159,13 @@ void add_lattice(Array2D& picture, const Array2D& coverage, const MicrographOpti
     for (long row = 0; row < options.height; ++row)
         for (long column = 0; column < options.width; ++column)
             if (coverage(row, column) > 0.0)
-                picture(row, column) += options.lattice_amplitude * coverage(row, column) * patches.fringes(static_cast<double>(column), static_cast<double>(row));
+                picture(row, column) += options.lattice_amplitude * coverage(row, column) *
+                                        patches.fringes(static_cast<double>(column), static_cast<double>(row));
 }
 
 void add_drift(Array2D& picture, const MicrographOptions& options) {
-    const Array1D across = Array1D::LinSpaced(options.width, 0.0, 0.5), down = Array1D::LinSpaced(options.height, 0.0, 0.5);
+    const Array1D across = Array1D::LinSpaced(options.width, 0.0, 0.5),
+                  down = Array1D::LinSpaced(options.height, 0.0, 0.5);
     for (long row = 0; row < options.height; ++row) {
         const Array1D along = across + down[row];
         picture.row(row) += (options.drift * (along + 2.0 * along * (1.0 - along))).transpose();
@@ -158,9 +181,12 @@ imaging::FramePixels render_micrograph(const PixelCurve& curve, const Micrograph
     Array2D picture = options.vacuum_level + (options.sample_level - options.vacuum_level) * coverage;
     if (options.fringe_amplitude != 0.0) add_fringe(picture, curve, options);
     if (options.lattice_amplitude != 0.0) add_lattice(picture, coverage, options);
-    if (options.texture > 0.0) picture += options.texture * coverage * blurred_noise(options, texture_correlation / std::sqrt(2.0), substream(options.key, texture_stream));
+    if (options.texture > 0.0)
+        picture += options.texture * coverage *
+                   blurred_noise(options, texture_correlation / std::sqrt(2.0), substream(options.key, texture_stream));
     if (options.drift != 0.0) add_drift(picture, options);
-    if (options.noise > 0.0) picture += options.noise * blurred_noise(options, options.noise_blur, substream(options.key, noise_stream));
+    if (options.noise > 0.0)
+        picture += options.noise * blurred_noise(options, options.noise_blur, substream(options.key, noise_stream));
     return picture.cast<float>();
 }
 

@@ -15,7 +15,8 @@ struct Place {
 /// Areas that a curve's segments add to each pixel and, by the row below, to all pixels further down.
 class SignedAreas {
 public:
-    explicit SignedAreas(const PixelWindow& window) : rows_(window.height), columns_(window.width), steps_(Array2D::Zero(window.height + 1, window.width)) {}
+    explicit SignedAreas(const PixelWindow& window)
+        : rows_(window.height), columns_(window.width), steps_(Array2D::Zero(window.height + 1, window.width)) {}
 
     void add(Place from, Place to) {
         if (from.across == to.across) return;
@@ -24,7 +25,9 @@ public:
         const double slope = (to.down - from.down) / (to.across - from.across);
         const auto [lower, upper] = std::minmax(from.down, to.down);
         const double low = lower, high = upper;
-        const auto down = [&](double across) { return std::clamp(from.down + slope * (across - from.across), low, high); };
+        const auto down = [&](double across) {
+            return std::clamp(from.down + slope * (across - from.across), low, high);
+        };
         double begin = std::max(from.across, 0.0);
         const double end = std::min(to.across, static_cast<double>(columns_));
         for (long column = static_cast<long>(begin); begin < end; ++column) {
@@ -51,8 +54,10 @@ private:
         }
         const double per_row = end > begin ? width / (end - begin) : 0.0;
         if (begin < 0.0) steps_(0, column) -= per_row * begin;
-        for (long row = static_cast<long>(std::max(begin, 0.0)); row < rows_ && static_cast<double>(row) <= end; ++row) {
-            const double top = std::max(begin, static_cast<double>(row)), under = std::min(end, static_cast<double>(row + 1));
+        for (long row = static_cast<long>(std::max(begin, 0.0)); row < rows_ && static_cast<double>(row) <= end;
+             ++row) {
+            const double top = std::max(begin, static_cast<double>(row)),
+                         under = std::min(end, static_cast<double>(row + 1));
             const double part = end > begin ? per_row * (under - top) : width;
             const double middle = 0.5 * (top + under) - static_cast<double>(row);
             steps_(row, column) += part * (1.0 - middle);
@@ -65,7 +70,8 @@ private:
 };
 
 Place place_of(const PixelCurve& curve, Index point, const PixelWindow& window) {
-    return {curve.x[point] - static_cast<double>(window.left) + 0.5, curve.y[point] - static_cast<double>(window.top) + 0.5};
+    return {curve.x[point] - static_cast<double>(window.left) + 0.5,
+            curve.y[point] - static_cast<double>(window.top) + 0.5};
 }
 
 /// The curve's segments with a level one at either end, out of the window.
@@ -84,15 +90,20 @@ void lower_to_segment(Array2D& squared, const Place& from, const Place& to, doub
     const double along_x = to.across - from.across, along_y = to.down - from.down;
     const double length_squared = along_x * along_x + along_y * along_y;
     // centres of pixels lie half a pixel off the corner
-    const auto first = [&](double one, double other) { return std::max(0L, static_cast<long>(std::ceil(std::min(one, other) - reach - 0.5))); };
-    const auto last = [&](double one, double other, Index size) { return std::min(static_cast<long>(size) - 1, static_cast<long>(std::floor(std::max(one, other) + reach - 0.5))); };
+    const auto first = [&](double one, double other) {
+        return std::max(0L, static_cast<long>(std::ceil(std::min(one, other) - reach - 0.5)));
+    };
+    const auto last = [&](double one, double other, Index size) {
+        return std::min(static_cast<long>(size) - 1, static_cast<long>(std::floor(std::max(one, other) + reach - 0.5)));
+    };
     const long first_column = first(from.across, to.across), last_column = last(from.across, to.across, squared.cols());
     const long first_row = first(from.down, to.down), last_row = last(from.down, to.down, squared.rows());
     for (long row = first_row; row <= last_row; ++row) {
         const double dy = static_cast<double>(row) + 0.5 - from.down;
         for (long column = first_column; column <= last_column; ++column) {
             const double dx = static_cast<double>(column) + 0.5 - from.across;
-            const double share = length_squared > 0.0 ? std::clamp((dx * along_x + dy * along_y) / length_squared, 0.0, 1.0) : 0.0;
+            const double share =
+                length_squared > 0.0 ? std::clamp((dx * along_x + dy * along_y) / length_squared, 0.0, 1.0) : 0.0;
             const double off_x = dx - share * along_x, off_y = dy - share * along_y;
             double& least = squared(row, column);
             least = std::min(least, off_x * off_x + off_y * off_y);
@@ -107,9 +118,11 @@ Array2D crossings_above(const PixelCurve& curve, const PixelWindow& window) {
         const double left = std::min(from.across, to.across), right = std::max(from.across, to.across);
         const double sign = to.across > from.across ? 1.0 : -1.0;
         // columns whose centre lies in (left, right]
-        const long first = std::max(0L, static_cast<long>(std::floor(left - 0.5)) + 1), last = std::min(window.width - 1, static_cast<long>(std::floor(right - 0.5)));
+        const long first = std::max(0L, static_cast<long>(std::floor(left - 0.5)) + 1),
+                   last = std::min(window.width - 1, static_cast<long>(std::floor(right - 0.5)));
         for (long column = first; column <= last; ++column) {
-            const double down = from.down + (to.down - from.down) * (static_cast<double>(column) + 0.5 - from.across) / (to.across - from.across);
+            const double down = from.down + (to.down - from.down) * (static_cast<double>(column) + 0.5 - from.across) /
+                                                (to.across - from.across);
             const long row = std::max(0L, static_cast<long>(std::ceil(down - 0.5)));
             if (row < window.height) count(row, column) += sign;
         }

@@ -8,8 +8,6 @@
 
 namespace setae::simulation {
 
-Index fast_length(double n) {
-    return fourier::fast_length(static_cast<Index>(std::ceil(std::max(n, 2.0))));
-}
+Index fast_length(double n) { return fourier::fast_length(static_cast<Index>(std::ceil(std::max(n, 2.0)))); }
 
 }  // namespace setae::simulation

@@ -17,16 +17,19 @@
 namespace setae::simulation {
 namespace {
 
-/// ∫ q^(n+1) C dq of the angle-averaged C_iso of the Gaussian heights over a band. With q' = κ(θ) q, κ = √(s² cos²θ + sin²θ):
-/// the mean over θ of s κ^(−n−2) times the same of C_iso over κ band.
+/// ∫ q^(n+1) C dq of the angle-averaged C_iso of the Gaussian heights over a band. With q' = κ(θ) q, κ = √(s² cos²θ +
+/// sin²θ): the mean over θ of s κ^(−n−2) times the same of C_iso over κ band.
 double moment(const KnownSurface& surface, double order, const Band& band) {
-    const auto isotropic = [&](const Band& part) { return spectral_moment(surface.C_iso, order, surface.band().lower, part); };
+    const auto isotropic = [&](const Band& part) {
+        return spectral_moment(surface.C_iso, order, surface.band().lower, part);
+    };
     if (surface.isotropic()) return isotropic(band);
     constexpr int directions = 16;  // of a quarter turn, periodic: exact to the stretch to the power −32
     const double stretch = surface.anisotropy.stretch, whole = isotropic({0.0, surface.band().upper});
     double sum = 0.0;
     for (int i = 0; i < directions; ++i) {
-        const double angle = 0.5 * pi * (i + 0.5) / directions, factor = std::hypot(stretch * std::cos(angle), std::sin(angle));
+        const double angle = 0.5 * pi * (i + 0.5) / directions,
+                     factor = std::hypot(stretch * std::cos(angle), std::sin(angle));
         double part = whole;
         if (band.lower > 0.0) part -= isotropic({0.0, std::min(factor * band.lower, surface.band().upper)});
         if (factor * band.upper < surface.band().upper) part -= isotropic({factor * band.upper, surface.band().upper});
@@ -101,7 +104,8 @@ private:
 };
 
 /// U_el/(A E*) = ¼ ∫ [R(0) − R(r)]/r² dr.
-double energy_of_transformed(const KnownSurface& surface, const synthesis::HeightTransform& g, double variance, double slope_variance) {
+double energy_of_transformed(const KnownSurface& surface, const synthesis::HeightTransform& g, double variance,
+                             double slope_variance) {
     const StructureFunction parent(surface);
     const synthesis::TransformCorrelation correlation(g);
     const double shortest = 0.05 / surface.band().upper, longest = 300.0 / surface.band().lower;
@@ -123,15 +127,17 @@ roughness::SpectrumCurve profile_curve(const KnownSurface& surface) {
     const double lower = std::log10(band.lower) - decades_below;
     const auto count = static_cast<Index>(std::ceil(nodes_a_decade * (std::log10(band.upper) - lower)));
     roughness::SpectrumCurve curve;
-    curve.wavevector = Array1D::NullaryExpr(count, [&](Index i) -> double { return std::pow(10.0, lower + static_cast<double>(i) / nodes_a_decade); });
+    curve.wavevector = Array1D::NullaryExpr(
+        count, [&](Index i) -> double { return std::pow(10.0, lower + static_cast<double>(i) / nodes_a_decade); });
     curve.values = Array1D::NullaryExpr(count, [&](Index i) -> double { return C1D.averaged(curve.wavevector[i]); });
     curve.band = {curve.wavevector[0], band.upper};
     return curve;
 }
 
 SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
-    SurfaceTruth truth{.source = surface.isotropic() ? "moments of C_iso; (9)"
-                                                     : "moments of the angle-averaged C_iso; mean of (9) over directions"};
+    SurfaceTruth truth{.source = surface.isotropic()
+                                     ? "moments of C_iso; (9)"
+                                     : "moments of the angle-averaged C_iso; mean of (9) over directions"};
     auto& parameters = truth.parameters;
     parameters.rms_height = std::sqrt(moment(surface, 0.0, band) / (2.0 * pi));
     parameters.rms_slope = std::sqrt(moment(surface, 2.0, band) / (2.0 * pi));
@@ -144,8 +150,10 @@ SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
 
 SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
     const Band all{0.0, surface.band().upper};
-    const double variance = moment(surface, 0.0, all) / (2.0 * pi), slope_variance = moment(surface, 2.0, all) / (2.0 * pi);
-    const double s2 = slope_variance / variance, s4 = s2 * s2, v = moment(surface, 4.0, all) / (2.0 * pi) / variance - s4;
+    const double variance = moment(surface, 0.0, all) / (2.0 * pi),
+                 slope_variance = moment(surface, 2.0, all) / (2.0 * pi);
+    const double s2 = slope_variance / variance, s4 = s2 * s2,
+                 v = moment(surface, 4.0, all) / (2.0 * pi) / variance - s4;
     const SmoothTransform transform{synthesis::lognormal_heights(surface.skewness)};
     const double stretch = normal_mean([&](double z) { return std::pow(transform.slope(z), 2); });
     const double curvature = normal_mean([&](double z) {
@@ -153,12 +161,14 @@ SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
         return first * first * (v + s4 * z * z) - 2.0 * first * second * s4 * z + 2.0 * second * second * s4;
     });
     SurfaceTruth truth{.source = "means over transformed Gaussian heights; energy from their autocorrelation"};
-    truth.parameters = {.rms_height = std::sqrt(variance),
-                        .rms_slope = std::sqrt(stretch * slope_variance),
-                        .rms_curvature = 0.5 * std::sqrt(variance * curvature),
-                        .elastic_energy_per_modulus = energy_of_transformed(surface, transform.g, variance, stretch * slope_variance)};
-    truth.area_ratio = normal_mean(
-        [&](double z) { return roughness::gaussian_area_ratio(std::sqrt(slope_variance) * std::abs(transform.slope(z))); });
+    truth.parameters = {
+        .rms_height = std::sqrt(variance),
+        .rms_slope = std::sqrt(stretch * slope_variance),
+        .rms_curvature = 0.5 * std::sqrt(variance * curvature),
+        .elastic_energy_per_modulus = energy_of_transformed(surface, transform.g, variance, stretch * slope_variance)};
+    truth.area_ratio = normal_mean([&](double z) {
+        return roughness::gaussian_area_ratio(std::sqrt(slope_variance) * std::abs(transform.slope(z)));
+    });
     return truth;
 }
 
@@ -170,12 +180,15 @@ SurfaceTruth surface_truth(const KnownSurface& surface) { return surface_truth(s
 
 SurfaceTruth surface_truth(const KnownSurface& surface, const Band& band) {
     if (!(band.lower >= 0.0) || !(band.upper > band.lower))
-        throw InvalidArgument(fmt::format("truth over a band from {} to {} 1/m; expected 0 <= lower < upper", band.lower, band.upper));
+        throw InvalidArgument(
+            fmt::format("truth over a band from {} to {} 1/m; expected 0 <= lower < upper", band.lower, band.upper));
     if (surface.gaussian()) return truth_of_gaussian(surface, {band.lower, std::min(band.upper, surface.band().upper)});
     // where the spectrum is flat, transformed heights keep it flat to the square of the skewness
     if (band.upper < surface.band().upper || band.lower > surface.band().lower)
-        throw InvalidArgument(fmt::format("truth of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
-                                          "roll-off at {} 1/m", band.lower, band.upper, surface.band().lower));
+        throw InvalidArgument(fmt::format(
+            "truth of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
+            "roll-off at {} 1/m",
+            band.lower, band.upper, surface.band().lower));
     SurfaceTruth truth = truth_of_transformed(surface);
     const double missing = band.lower > 0.0 ? moment(surface, 0.0, {0.0, band.lower}) / (2.0 * pi) : 0.0;
     truth.parameters.rms_height = std::sqrt(truth.parameters.rms_height * truth.parameters.rms_height - missing);

@@ -35,7 +35,9 @@ double profile_value(const spectra::SpectralDensity& C_iso, double wavevector, d
 }
 
 LineSpectrum::LineSpectrum(const KnownSurface& surface)
-    : stretch_(surface.anisotropy.stretch), surface_angle_(surface.anisotropy.angle), first_(below_rolloff * surface.band().lower),
+    : stretch_(surface.anisotropy.stretch),
+      surface_angle_(surface.anisotropy.angle),
+      first_(below_rolloff * surface.band().lower),
       upper_(surface.band().upper) {
     const auto nodes = static_cast<Index>(std::ceil(nodes_a_unit * std::log(upper_ / first_)));
     spacing_ = std::log(upper_ / first_) / static_cast<double>(nodes);
@@ -52,7 +54,8 @@ double LineSpectrum::isotropic(double wavevector) const {
     const double at = std::log(std::max(wavevector, first_) / first_) / spacing_;
     const Index left = std::min(static_cast<Index>(at), log_values_.size() - 2);
     const double share = std::min(at - static_cast<double>(left), 1.0);
-    return std::exp(log_values_[left] + share * (log_values_[left + 1] - log_values_[left])) * end_factor(std::max(wavevector, first_), upper_);
+    return std::exp(log_values_[left] + share * (log_values_[left + 1] - log_values_[left])) *
+           end_factor(std::max(wavevector, first_), upper_);
 }
 
 double LineSpectrum::contraction(double angle) const {

@@ -37,7 +37,8 @@ Taps taps_at(double place) {
     for (Index k = 0; k < taps; ++k) {
         double weight = 1.0;
         for (Index other = 0; other < taps; ++other)
-            if (other != k) weight *= (place - static_cast<double>(result.first + other)) / static_cast<double>(k - other);
+            if (other != k)
+                weight *= (place - static_cast<double>(result.first + other)) / static_cast<double>(k - other);
         result.weights[static_cast<std::size_t>(k)] = weight;
     }
     return result;
@@ -48,14 +49,22 @@ Index wrapped(Index i, Index n) { return (i % n + n) % n; }
 }  // namespace
 
 SplitSpectrum split_spectrum(const spectra::SpectralDensity& C_iso, double wavevector) {
-    return {.longer = [=](double q) { return long_share(q / wavevector) > 0.0 ? long_share(q / wavevector) * C_iso(q) : 0.0; },
-            .shorter = [=](double q) { return long_share(q / wavevector) < 1.0 ? (1.0 - long_share(q / wavevector)) * C_iso(q) : 0.0; }};
+    return {
+        .longer =
+            [=](double q) { return long_share(q / wavevector) > 0.0 ? long_share(q / wavevector) * C_iso(q) : 0.0; },
+        .shorter =
+            [=](double q) {
+                return long_share(q / wavevector) < 1.0 ? (1.0 - long_share(q / wavevector)) * C_iso(q) : 0.0;
+            }};
 }
 
-LongWaves::LongWaves(const spectra::SpectralDensity& spectrum, const spectra::Anisotropy& anisotropy, const Patch& patch,
-                     numerics::RandomKey key) {
-    const auto points = [&](double period) { return fast_length(static_cast<double>(taps) * period * patch.end / (2.0 * pi)); };
-    patch_ = synthesis::random_surface(spectrum, {points(patch.period_x), points(patch.period_y), patch.period_x, patch.period_y},
+LongWaves::LongWaves(const spectra::SpectralDensity& spectrum, const spectra::Anisotropy& anisotropy,
+                     const Patch& patch, numerics::RandomKey key) {
+    const auto points = [&](double period) {
+        return fast_length(static_cast<double>(taps) * period * patch.end / (2.0 * pi));
+    };
+    patch_ = synthesis::random_surface(spectrum,
+                                       {points(patch.period_x), points(patch.period_y), patch.period_x, patch.period_y},
                                        {.key = key, .anisotropy = anisotropy, .threads = {1}});
 }
 

@@ -25,7 +25,8 @@ PatchHeights::PatchHeights(const KnownSurface& surface, double patch_size, numer
 void PatchHeights::operator()(double* heights, Index count) const {
     if (!transform_) return;
     const double about = transform_(level_ / rms_height_);
-    for (Index i = 0; i < count; ++i) heights[i] = rms_height_ * (transform_((heights[i] + level_) / rms_height_) - about);
+    for (Index i = 0; i < count; ++i)
+        heights[i] = rms_height_ * (transform_((heights[i] + level_) / rms_height_) - about);
 }
 
 }  // namespace setae::simulation

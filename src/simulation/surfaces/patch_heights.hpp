@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "setae/numerics/random_numbers.hpp"
 #include "setae/simulation/known_surface.hpp"
 #include "setae/synthesis/height_transform.hpp"
-#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::simulation {
 
-/// Heights of a patch of the Gaussian parent become those of the surface. The waves that are longer than the patch set the
-/// height about which it lies, drawn here and taken off again.
+/// Heights of a patch of the Gaussian parent become those of the surface. The waves that are longer than the patch set
+/// the height about which it lies, drawn here and taken off again.
 class PatchHeights {
 public:
     /// patch_size: longest wavelength that the patch holds [m].

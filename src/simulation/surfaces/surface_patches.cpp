@@ -36,8 +36,9 @@ constexpr double lengths_a_line = 8.0;
 double drawn_radius(double told, double standard_error, RandomKey key) {
     const double radius = told + standard_error * numerics::normal_number(substream(key, of_tip), 0);
     if (!(radius > 0.0))
-        throw InvalidArgument(fmt::format("a tip of {} ± {} m was drawn with a radius of {} m; give a smaller uncertainty", told,
-                                          standard_error, radius));
+        throw InvalidArgument(
+            fmt::format("a tip of {} ± {} m was drawn with a radius of {} m; give a smaller uncertainty", told,
+                        standard_error, radius));
     return radius;
 }
 
@@ -50,13 +51,15 @@ StylusOptions stylus_options(const StylusProtocol& protocol, std::size_t scan, R
             .noise_rms = protocol.noise,
             .tilt = protocol.tilt,
             .bow = protocol.bow,
-            .artefact = {.rms = protocol.artefact, .longest_wavelength = protocol.artefact_wavelength, .session = substream(key, of_session)},
+            .artefact = {.rms = protocol.artefact,
+                         .longest_wavelength = protocol.artefact_wavelength,
+                         .session = substream(key, of_session)},
             .key = substream(substream(key, of_instrument), scan)};
 }
 
 /// C1D of points read a step apart: all waves shorter than two steps folded back.
 spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double lowest) {
-    constexpr int single = 16;          // aliases added one by one; beyond them their sum is an integral
+    constexpr int single = 16;  // aliases added one by one; beyond them their sum is an integral
     constexpr double nodes_a_unit = 40.0;
     const double sampling = 2.0 * pi / step, nyquist = 0.5 * sampling;
     double tail = 0.0;
@@ -77,7 +80,8 @@ spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double low
 }
 
 /// Pointwise readings without a tip.
-topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& C1D, const StylusOptions& options, RandomKey key) {
+topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& C1D, const StylusOptions& options,
+                               RandomKey key) {
     const Index points = fast_length(lengths_a_line * options.length / options.step);
     const double extent = options.step * static_cast<double>(points);
     auto line = synthesis::random_line(folded(C1D, options.step, pi / extent), {.points = points, .size = extent},
@@ -88,19 +92,23 @@ topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& 
 }
 
 /// Scans of one length side by side: the strip on which a stylus runs.
-PatchShape strip_for(const KnownSurface& surface, const StylusProtocol& protocol, const std::vector<std::size_t>& scans) {
+PatchShape strip_for(const KnownSurface& surface, const StylusProtocol& protocol,
+                     const std::vector<std::size_t>& scans) {
     constexpr double points_a_rolloff = 40.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
                      highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
     const double longest = protocol.lengths[scans.front()], lanes = static_cast<double>(scans.size());
     const double long_rolloff = surface.anisotropy.stretch * surface.rolloff_wavelength;
-    const double rms_height = std::sqrt(spectral_moment(surface.C_iso, 0.0, surface.band().lower, {0.0, surface.band().upper}) / (2.0 * pi));
-    const double reach = std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
+    const double rms_height =
+        std::sqrt(spectral_moment(surface.C_iso, 0.0, surface.band().lower, {0.0, surface.band().upper}) / (2.0 * pi));
+    const double reach =
+        std::min(protocol.tip_radius, std::sqrt(2.0 * protocol.tip_radius * highest_over_rms * rms_height));
     const double apart = std::max(rolloffs_apart, rolloffs_wide / lanes) * long_rolloff;
     const double lane = std::clamp(apart, 2.0 * reach, std::max(widest_lane, 2.0 * reach));
     const double width = lane * lanes;
     const double length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
-    const double finest = std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
-                                   std::sqrt(length * width / most_points));
+    const double finest =
+        std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
+                 std::sqrt(length * width / most_points));
     double step = protocol.step(scans.front());
     for (const auto scan : scans) step = std::min(step, protocol.step(scan));
     const double pixel = step / std::max(1.0, std::floor(step / finest));
@@ -121,16 +129,20 @@ std::map<double, std::vector<std::size_t>, std::greater<>> by_length(const std::
 /// Points of the fine grid to a pixel of a map.
 Index fine_points(const KnownSurface& surface, double tip_radius, double step, Index pixels) {
     constexpr double points_a_radius = 15.0;
-    constexpr Index most_a_side = 2048, most_without_tip = 8;  // where waves shorter than two fine pixels are white noise
+    constexpr Index most_a_side = 2048,
+                    most_without_tip = 8;  // where waves shorter than two fine pixels are white noise
     const double finest = std::max(0.5 * surface.short_wavelength, tip_radius / points_a_radius);
     const Index most = std::max<Index>(1, most_a_side / pixels);
-    return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1, tip_radius > 0.0 ? most : std::min(most, most_without_tip));
+    return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1,
+                             tip_radius > 0.0 ? most : std::min(most, most_without_tip));
 }
 
 /// Heights along x and, of a foil with thickness, along the beam.
-topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol, double length, RandomKey key) {
+topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol,
+                           double length, RandomKey key) {
     if (protocol.foil_thickness == 0.0) {
-        constexpr double points_a_wave = 64.0;  // straight lines between points take (q step)²/6 of the power: 1.6e-3 at the end
+        constexpr double points_a_wave =
+            64.0;  // straight lines between points take (q step)²/6 of the power: 1.6e-3 at the end
         const double extent = lengths_a_line * length;
         const Index n = fast_length(extent * C1D.upper() / (2.0 * pi) * points_a_wave);
         auto line = synthesis::random_line([&C1D](double q) { return C1D(q); }, {.points = n, .size = extent},
@@ -142,14 +154,16 @@ topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D,
     constexpr double points_a_wave = 16.0, most_points = 1 << 23;
     const double width = std::max(1.25 * protocol.foil_thickness, 0.25 * length), extent = 1.25 * length;
     const double pixel = std::max(surface.short_wavelength / points_a_wave, std::sqrt(extent * width / most_points));
-    return window_patch(surface, {.nx = fast_length(extent / pixel), .ny = fast_length(width / pixel), .pixel = pixel, .window = length},
-                        substream(key, of_heights));
+    return window_patch(
+        surface,
+        {.nx = fast_length(extent / pixel), .ny = fast_length(width / pixel), .pixel = pixel, .window = length},
+        substream(key, of_heights));
 }
 
 }  // namespace
 
-std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D, const StylusProtocol& protocol,
-                                               RandomKey key) {
+std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D,
+                                               const StylusProtocol& protocol, RandomKey key) {
     std::vector<topography::LineScan> scans(protocol.lengths.size());
     const RandomKey heights = substream(key, of_heights);
     if (protocol.tip_radius == 0.0) {
@@ -157,7 +171,8 @@ std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, cons
             scans[k] = bare_scan(surface, C1D, stylus_options(protocol, k, key), substream(heights, k));
         return scans;
     }
-    const topography::Tip tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
+    const topography::Tip tip =
+        topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
     for (const auto& [length, group] : by_length(protocol.lengths)) {
         const PatchShape strip = strip_for(surface, protocol, group);
         const auto map = window_patch(surface, strip, substream(heights, group.front()));
@@ -184,7 +199,8 @@ std::vector<topography::LineScan> stylus_references(const StylusProtocol& protoc
     return scans;
 }
 
-topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol, std::size_t index, RandomKey key) {
+topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol, std::size_t index,
+                               RandomKey key) {
     constexpr double patch_over_map = 1.25;
     const RandomKey own = substream(key, index);
     const Index pixels = protocol.pixels_of(index);
@@ -215,8 +231,8 @@ topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& p
     return recorded_map(map.heights(Eigen::seqN(first, pixels, fine), Eigen::seqN(first, pixels, fine)), options);
 }
 
-topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol, std::size_t index,
-                                RandomKey key) {
+topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol,
+                                std::size_t index, RandomKey key) {
     const RandomKey own = substream(key, index);
     const double length = protocol.lengths[index];
     const auto cut = foil(surface, C1D, protocol, length, own);

@@ -14,14 +14,15 @@ namespace setae::simulation {
                                                              const StylusProtocol& protocol, numerics::RandomKey key);
 
 /// Scans of a smooth standard in the same session.
-[[nodiscard]] std::vector<topography::LineScan> stylus_references(const StylusProtocol& protocol, numerics::RandomKey key);
+[[nodiscard]] std::vector<topography::LineScan> stylus_references(const StylusProtocol& protocol,
+                                                                  numerics::RandomKey key);
 
 /// Map `index` of the protocol, on a patch of its own.
-[[nodiscard]] topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol, std::size_t index,
-                                             numerics::RandomKey key);
+[[nodiscard]] topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol,
+                                             std::size_t index, numerics::RandomKey key);
 
 /// Contour `index` of the protocol, on a line of its own; of a foil with thickness, on a patch.
-[[nodiscard]] topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol,
-                                              std::size_t index, numerics::RandomKey key);
+[[nodiscard]] topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D,
+                                              const TemProtocol& protocol, std::size_t index, numerics::RandomKey key);
 
 }  // namespace setae::simulation

@@ -21,9 +21,10 @@ enum Stream : std::uint64_t { of_short_waves, of_level, of_long_waves, of_shorte
 /// Of a patch's narrower side; how much wider the next one is, and the last one than the window.
 constexpr double modes_below_crossover = 6.0, widening = 8.0, room = 1.25;
 
-topography::HeightMap random_patch(const spectra::SpectralDensity& C_iso, const spectra::Anisotropy& anisotropy, const PatchShape& shape,
-                                   numerics::RandomKey key) {
-    const double size_x = shape.pixel * static_cast<double>(shape.nx), size_y = shape.pixel * static_cast<double>(shape.ny);
+topography::HeightMap random_patch(const spectra::SpectralDensity& C_iso, const spectra::Anisotropy& anisotropy,
+                                   const PatchShape& shape, numerics::RandomKey key) {
+    const double size_x = shape.pixel * static_cast<double>(shape.nx),
+                 size_y = shape.pixel * static_cast<double>(shape.ny);
     return synthesis::random_surface(C_iso, {shape.nx, shape.ny, size_x, size_y},
                                      {.key = substream(key, of_short_waves), .anisotropy = anisotropy, .threads = {1}});
 }
@@ -60,24 +61,28 @@ topography::HeightMap window_patch(const KnownSurface& surface, const PatchShape
     double narrowest = std::min(shape.window, shape.pixel * static_cast<double>(shape.ny));
     double crossover = 2.0 * pi * modes_below_crossover * surface.anisotropy.stretch / narrowest;
     double longest = shape.pixel * static_cast<double>(shape.nx);
-    auto parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, surface.C_iso} : split_spectrum(surface.C_iso, crossover);
+    auto parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, surface.C_iso}
+                                                        : split_spectrum(surface.C_iso, crossover);
     auto map = random_patch(parts.shorter, surface.anisotropy, shape, key);
     // a patch that is not as wide as the window is long leaves waves to the next one, which is wider
     for (std::uint64_t level = 0; parts.longer; ++level) {
         const double end = std::numbers::sqrt2 * crossover;
         const bool last = narrowest >= shape.window;
         const double wider = std::min(widening * narrowest, shape.window);
-        LongWaves::Patch patch{.end = end, .period_x = room * shape.window, .period_y = std::max(room * wider, widening * narrowest)};
+        LongWaves::Patch patch{
+            .end = end, .period_x = room * shape.window, .period_y = std::max(room * wider, widening * narrowest)};
         if (last) {
             patch.period_x = patch.period_y = widening * shape.window;
             parts = {nullptr, parts.longer};
         } else {
             crossover *= narrowest / wider;
-            parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, parts.longer} : split_spectrum(parts.longer, crossover);
+            parts = surface.band().lower > 1.5 * crossover ? SplitSpectrum{nullptr, parts.longer}
+                                                           : split_spectrum(parts.longer, crossover);
         }
         narrowest = wider;
         longest = patch.period_x;
-        add(LongWaves(parts.shorter, surface.anisotropy, patch, substream(substream(key, of_long_waves), level)), patch.period_y, shape, map);
+        add(LongWaves(parts.shorter, surface.anisotropy, patch, substream(substream(key, of_long_waves), level)),
+            patch.period_y, shape, map);
     }
     if (shape.pointwise) {
         const double rms = std::sqrt(variance_between_pixels(surface, shape.pixel));

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <string>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/roughness/true_area.hpp"
 
 namespace setae::simulation {
@@ -64,7 +64,8 @@ KnownSurface self_affine(const spectra::SelfAffine& model, double skewness = 0.0
             .skewness = skewness};
 }
 
-constexpr spectra::SelfAffine model{.plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
+constexpr spectra::SelfAffine model{
+    .plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
 
 TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
     const SurfaceTruth truth = surface_truth(self_affine(model));
@@ -73,7 +74,8 @@ TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
     EXPECT_NEAR(truth.parameters.rms_curvature / spectra::rms_curvature(model), 1.0, 1e-6);
     EXPECT_NEAR(truth.parameters.elastic_energy_per_modulus / (spectra::moment(model, 1.0) / (8.0 * pi)), 1.0, 1e-6);
     const Array1D exact = spectra::profile_power_spectrum(model, truth.C1D.wavevector);
-    const Index inner = truth.C1D.wavevector.size() - 3;  // profile_density is less exact close to q_s, and 1.2e-3 off at the roll-off, where C_iso bends between nodes
+    const Index inner = truth.C1D.wavevector.size() - 3;  // profile_density is less exact close to q_s, and 1.2e-3 off
+                                                          // at the roll-off, where C_iso bends between nodes
     for (Index i = 0; i < inner; ++i) EXPECT_NEAR(truth.C1D.values[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
 }
 
@@ -82,7 +84,8 @@ TEST(SurfaceTruth, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
     EXPECT_NEAR(skewed.parameters.rms_slope / gaussian.parameters.rms_slope, 1.0, 1e-5);
     EXPECT_NEAR(skewed.parameters.rms_curvature / gaussian.parameters.rms_curvature, 1.0, 1e-5);
     EXPECT_NEAR(skewed.area_ratio, gaussian.area_ratio, 1e-5);
-    EXPECT_NEAR(skewed.parameters.elastic_energy_per_modulus / gaussian.parameters.elastic_energy_per_modulus, 1.0, 1e-3);
+    EXPECT_NEAR(skewed.parameters.elastic_energy_per_modulus / gaussian.parameters.elastic_energy_per_modulus, 1.0,
+                1e-3);
 }
 
 TEST(SurfaceTruth, OfLogNormalHeightsStretchesSlopesByItsVariance) {
@@ -101,7 +104,8 @@ TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
     EXPECT_NEAR(surface.parameters.rms_slope, 0.5, 1e-9);
     const double r = surface.area_ratio, E = loops[0].specimen.contact_modulus;
     EXPECT_NEAR(E, 0.7e6 / 0.75, 2e-6 * E);  // diamond is 1.6e6 times stiffer
-    EXPECT_NEAR(loops[0].specimen.work_approach, 0.037 * r - 0.025 * (r - 1.0) - E * surface.parameters.elastic_energy_per_modulus, 1e-12);
+    EXPECT_NEAR(loops[0].specimen.work_approach,
+                0.037 * r - 0.025 * (r - 1.0) - E * surface.parameters.elastic_energy_per_modulus, 1e-12);
     EXPECT_NEAR(loops[0].truth.energy_loss() / (1.2 * 0.037 * r * loops[0].truth.largest_contact_area()), 1.0, 1e-9);
     EXPECT_EQ(loops[2].specimen.work_retraction, 0.040);
     EXPECT_EQ(loops[3].stage, "after");
@@ -146,7 +150,8 @@ TEST(ReadRecipe, NamesWhatContradictsItself) {
         }
         return std::string();
     };
-    EXPECT_NE(message("rms_slope = 0.5", "rms_slope = 0.5, rms_height = \"1 nm\"").find("exactly one"), std::string::npos);
+    EXPECT_NE(message("rms_slope = 0.5", "rms_slope = 0.5, rms_height = \"1 nm\"").find("exactly one"),
+              std::string::npos);
     EXPECT_NE(message("protocol = \"tiny\"", "protocol = \"tny\"").find("'tny' is not declared"), std::string::npos);
     EXPECT_NE(message("loss_factor", "los_factor").find("loss_factor"), std::string::npos);
     EXPECT_NE(message("rolloff_wavelength = \"1 um\"", "rolloff_wavelength = \"0.5 nm\""), "");

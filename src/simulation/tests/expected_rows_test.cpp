@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "surfaces/surface_patches.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/scan_kernel.hpp"
+#include "surfaces/surface_patches.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -15,7 +15,8 @@ constexpr double length = 1e-6;
 
 /// Self-affine; the cutoff stands on a node of the kernel's grid, far beyond the sampling.
 spectra::SelfAffine model_with(double rolloff, double step) {
-    const double upper = std::exp(std::ceil(std::log(30.0) / spectral_fit::node_spacing) * spectral_fit::node_spacing) / step;
+    const double upper =
+        std::exp(std::ceil(std::log(30.0) / spectral_fit::node_spacing) * spectral_fit::node_spacing) / step;
     return {1e-30, 2.0 * pi / rolloff, 0.8, upper};
 }
 
@@ -27,10 +28,15 @@ KnownSurface surface_of(const spectra::SelfAffine& model) {
 
 /// What a detrended, windowed line of points expects of the surface, aliases and all; made without drawing anything.
 Array1D expected(const spectra::SelfAffine& model, const spectral_fit::ScanShape& shape, double step) {
-    const auto first = static_cast<Index>(std::floor(std::log(1e-4 / static_cast<double>(shape.points)) / spectral_fit::node_spacing));
-    const auto last = static_cast<Index>(std::ceil(std::log(model.short_wavevector * step) / spectral_fit::node_spacing));
+    const auto first =
+        static_cast<Index>(std::floor(std::log(1e-4 / static_cast<double>(shape.points)) / spectral_fit::node_spacing));
+    const auto last =
+        static_cast<Index>(std::ceil(std::log(model.short_wavevector * step) / spectral_fit::node_spacing));
     const auto kernel = spectral_fit::scan_kernel(shape, first, last);
-    const Array1D q = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) * spectral_fit::node_spacing).exp() / step;
+    const Array1D q = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) *
+                       spectral_fit::node_spacing)
+                          .exp() /
+                      step;
     const Array1D C_iso = spectra::isotropic_power_spectrum(model, q);
     return ((kernel.response.matrix() * C_iso.matrix()).array() + kernel.flat_response * C_iso[0]) / step;
 }
@@ -58,13 +64,15 @@ TEST(ScansWithoutTip, HaveTheExpectedPeriodogramWithARollOffBeyondTheScan) {
     for (const double rolloff : {0.1 * length, 50.0 * length}) {
         const auto model = model_with(rolloff, step);
         constexpr int scans = 400;
-        const StylusProtocol protocol{.lengths = std::vector<double>(scans, length), .steps = {step}, .tip_radius = 0.0};
+        const StylusProtocol protocol{
+            .lengths = std::vector<double>(scans, length), .steps = {step}, .tip_radius = 0.0};
         const Array1D mean = expected(model, {points, 2}, step);
         Array1D sum = Array1D::Zero(mean.size());
         for (const auto& scan : stylus_scans(surface_of(model), LineSpectrum(surface_of(model)), protocol, {4, 2}))
             sum += spectral_fit::scan_periodogram(scan.heights, step, 2);
         // a mode is exponentially distributed: 5 %; the first, of what the parabola leaves, a little more widely
-        for (Index k = 0; k < mean.size(); ++k) EXPECT_NEAR(sum[k] / scans / mean[k], 1.0, 3.5 * 0.055) << rolloff << ", " << k;
+        for (Index k = 0; k < mean.size(); ++k)
+            EXPECT_NEAR(sum[k] / scans / mean[k], 1.0, 3.5 * 0.055) << rolloff << ", " << k;
     }
 }
 

@@ -9,9 +9,9 @@
 
 #include <unistd.h>
 
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/simulation/data_set.hpp"
 
 namespace setae::simulation {
@@ -44,7 +44,8 @@ std::string surface(const std::string& name) { return "[surfaces." + name + "]" 
 struct RecipeFile {
     explicit RecipeFile(const std::string& text) { bytes::write_whole_file(path, text); }
     ~RecipeFile() { std::filesystem::remove(path); }
-    std::string path = (std::filesystem::path(testing::TempDir()) / ("setae_recipe_" + std::to_string(::getpid()) + ".toml")).string();
+    std::string path =
+        (std::filesystem::path(testing::TempDir()) / ("setae_recipe_" + std::to_string(::getpid()) + ".toml")).string();
 };
 
 Recipe recipe_of(const std::string& text, std::optional<std::uint64_t> seed = {}) {
@@ -93,7 +94,8 @@ TEST(RangesOfARecipe, ScatterUniformlyInTheLogarithm) {
     double sum = 0.0, squares = 0.0;
     constexpr int seeds = 300;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-        const double place = std::log(recipe_of(head + surface("A"), seed).elastomers[0].youngs_modulus / 1e5) / std::log(100.0);
+        const double place =
+            std::log(recipe_of(head + surface("A"), seed).elastomers[0].youngs_modulus / 1e5) / std::log(100.0);
         sum += place;
         squares += place * place;
     }
@@ -121,8 +123,9 @@ TEST(RangesOfARecipe, ThatAreNoneAreRefused) {
 }
 
 TEST(SpectraOfARecipe, HaveTheSlopeAskedForWhateverTheModel) {
-    for (const char* model : {"model = \"soft_cutoff\"", "model = \"bump\", bump_wavelength = \"50 nm\", bump_excess = 2.0",
-                              "model = \"two_slopes\", crossover_wavelength = \"50 nm\", short_hurst_exponent = 0.6"}) {
+    for (const char* model :
+         {"model = \"soft_cutoff\"", "model = \"bump\", bump_wavelength = \"50 nm\", bump_excess = 2.0",
+          "model = \"two_slopes\", crossover_wavelength = \"50 nm\", short_hurst_exponent = 0.6"}) {
         std::string text = head + surface("A");
         text.replace(text.find("model = \"self_affine\""), 21, model);
         text.replace(text.find("skewness = [0.2, 0.8]"), 21, "");
@@ -133,18 +136,25 @@ TEST(SpectraOfARecipe, HaveTheSlopeAskedForWhateverTheModel) {
 }
 
 TEST(ProtocolsOfARecipe, NameWhatContradictsItself) {
-    EXPECT_NE(refusal("step = [\"0.2 um\", \"0.1 um\"]", "step = [\"0.2 um\", \"0.1 um\", \"1 um\"]").find("3 values for 2 measurements"), std::string::npos);
+    EXPECT_NE(refusal("step = [\"0.2 um\", \"0.1 um\"]", "step = [\"0.2 um\", \"0.1 um\", \"1 um\"]")
+                  .find("3 values for 2 measurements"),
+              std::string::npos);
     EXPECT_NE(refusal("step = [\"0.2 um\", \"0.1 um\"]", "step = \"11 um\"").find("length/2"), std::string::npos);
     EXPECT_NE(refusal("pixels = [32]", "pixels = [32, 64]").find("2 values for 1"), std::string::npos);
     EXPECT_NE(refusal("pixels = [32]", "pixels = [4096]").find("2 to 2048"), std::string::npos);
-    EXPECT_NE(refusal("tip_radius = \"5 um\"", "tip_radius = \"5 um\", tip = \"none\"").find("one of them"), std::string::npos);
+    EXPECT_NE(refusal("tip_radius = \"5 um\"", "tip_radius = \"5 um\", tip = \"none\"").find("one of them"),
+              std::string::npos);
     EXPECT_NE(refusal("tip_radius = \"5 um\"", "tip = \"cone\"").find("none"), std::string::npos);
     EXPECT_NE(refusal("tip_radius = \"5 um\"", "noise = \"-1 nm\"").find("noise"), std::string::npos);
     EXPECT_NE(refusal("steps = \"uniform\"", "steps = \"even\"").find("regular, uniform, gamma"), std::string::npos);
-    EXPECT_NE(refusal("steps = \"uniform\"", "steps = \"uniform\", step_spread = 0.6").find("step_spread"), std::string::npos);
-    EXPECT_NE(refusal("[surfaces.A]", "[surfaces.A]\nanisotropy = { stretch = 0.5 }").find("stretch"), std::string::npos);
-    EXPECT_NE(refusal("[surfaces.A]", "[surfaces.A]\nanisotropy = { stretch = 2 }").find("Gaussian heights"), std::string::npos);
-    EXPECT_NE(refusal("[surfaces.A]", "[loops]\nnonconforming = \"drop\"\n[surfaces.A]").find("refuse, skip"), std::string::npos);
+    EXPECT_NE(refusal("steps = \"uniform\"", "steps = \"uniform\", step_spread = 0.6").find("step_spread"),
+              std::string::npos);
+    EXPECT_NE(refusal("[surfaces.A]", "[surfaces.A]\nanisotropy = { stretch = 0.5 }").find("stretch"),
+              std::string::npos);
+    EXPECT_NE(refusal("[surfaces.A]", "[surfaces.A]\nanisotropy = { stretch = 2 }").find("Gaussian heights"),
+              std::string::npos);
+    EXPECT_NE(refusal("[surfaces.A]", "[loops]\nnonconforming = \"drop\"\n[surfaces.A]").find("refuse, skip"),
+              std::string::npos);
 }
 
 TEST(ProtocolsOfARecipe, TakeOneValueForAllOrOneEach) {
@@ -158,8 +168,11 @@ TEST(ProtocolsOfARecipe, TakeOneValueForAllOrOneEach) {
 }
 
 TEST(PlantedLoops, LeaveOutWhatDoesNotConformOnRequest) {
-    const std::string stiff = "[elastomers.stiff]\nyoungs_modulus = \"1 GPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
-    const auto loops = [&](const std::string& choice) { return planted_loops(recipe_of(head + surface("A") + stiff + "[loops]\n" + choice)); };
+    const std::string stiff =
+        "[elastomers.stiff]\nyoungs_modulus = \"1 GPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
+    const auto loops = [&](const std::string& choice) {
+        return planted_loops(recipe_of(head + surface("A") + stiff + "[loops]\n" + choice));
+    };
     EXPECT_THROW((void)loops(""), InvalidArgument);
     const auto kept = loops("nonconforming = \"skip\"");
     ASSERT_EQ(kept.size(), 1u);
@@ -171,7 +184,8 @@ TEST(PlantedLoops, LeaveOutWhatDoesNotConformOnRequest) {
 }
 
 TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
-    for (const char* name : {"standard", "soft_cutoff", "two_slopes", "bump", "non_gaussian", "anisotropic", "no_rolloff"})
+    for (const char* name :
+         {"standard", "soft_cutoff", "two_slopes", "bump", "non_gaussian", "anisotropic", "no_rolloff"})
         for (const std::uint64_t seed : {1u, 2u}) {
             const Recipe recipe = read_recipe(std::string("examples/closure/") + name + ".toml", seed);
             EXPECT_EQ(recipe.surfaces.size(), 4u) << name;

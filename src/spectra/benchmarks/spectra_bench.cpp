@@ -27,7 +27,8 @@ const topography::HeightMap& map() {
     static const topography::HeightMap map = [] {
         topography::HeightMap made{Array2D(side, side), {1e-6, 1e-6}, false, {}};
         std::mt19937_64 engine(1);
-        for (Index i = 0; i < made.heights.size(); ++i) made.heights.data()[i] = 1e-9 * (static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5);
+        for (Index i = 0; i < made.heights.size(); ++i)
+            made.heights.data()[i] = 1e-9 * (static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5);
         return made;
     }();
     return map;
@@ -37,7 +38,8 @@ const topography::HeightMap& map() {
 double peak_arrays() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / (static_cast<double>(side) * side * 8.0);
+        if (line.starts_with("VmHWM:"))
+            return std::stod(line.substr(6)) * 1024.0 / (static_cast<double>(side) * side * 8.0);
     return 0.0;
 }
 
@@ -72,8 +74,8 @@ void bare_line_transforms(benchmark::State& state) {
     fourier::Buffer<double> in(map().heights.data(), map().heights.data() + map().heights.size());
     fourier::Buffer<std::complex<double>> out(static_cast<std::size_t>(side * (side / 2 + 1)));
     const int n = static_cast<int>(side);
-    const auto plan = fftw_plan_many_dft_r2c(1, &n, n, in.data(), nullptr, n, 1, reinterpret_cast<fftw_complex*>(out.data()),
-                                             nullptr, n, 1, FFTW_ESTIMATE);
+    const auto plan = fftw_plan_many_dft_r2c(1, &n, n, in.data(), nullptr, n, 1,
+                                             reinterpret_cast<fftw_complex*>(out.data()), nullptr, n, 1, FFTW_ESTIMATE);
     for (auto _ : state) {
         fftw_execute(plan);
         benchmark::ClobberMemory();
@@ -86,7 +88,8 @@ BENCHMARK(bare_line_transforms)->Unit(benchmark::kMillisecond)->UseRealTime();
 void bare_contiguous_line_transforms(benchmark::State& state) {
     fourier::Buffer<double> in(map().heights.data(), map().heights.data() + map().heights.size());
     fourier::Buffer<std::complex<double>> out(static_cast<std::size_t>(side / 2 + 1));
-    const auto plan = fftw_plan_dft_r2c_1d(static_cast<int>(side), in.data(), reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE);
+    const auto plan = fftw_plan_dft_r2c_1d(static_cast<int>(side), in.data(),
+                                           reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE);
     for (auto _ : state)
         for (Index j = 0; j < side; ++j) {
             fftw_execute_dft_r2c(plan, in.data() + j * side, reinterpret_cast<fftw_complex*>(out.data()));
@@ -134,6 +137,12 @@ void polyline(benchmark::State& state) {
     for (auto _ : state)
         benchmark::DoNotOptimize(polyline_power_spectrum(profile, q, Window::hann, {static_cast<int>(state.range(2))}));
 }
-BENCHMARK(polyline)->Args({3000, 2000, 1})->Args({3000, 2000, 2})->Args({10000, 10000, 1})->Args({10000, 10000, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(polyline)
+    ->Args({3000, 2000, 1})
+    ->Args({3000, 2000, 2})
+    ->Args({10000, 10000, 1})
+    ->Args({10000, 10000, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace

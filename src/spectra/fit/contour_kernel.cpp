@@ -27,10 +27,14 @@ constexpr Index grid_points_a_step = 4;
 class Operator {
 public:
     explicit Operator(const Array1D& positions)
-        : positions_(positions - positions[0]), length_(positions_[positions_.size() - 1]),
-          grid_(grid_points_a_step * (positions.size() - 1)), spline_(positions_, grid_positions()), transform_(grid_) {
+        : positions_(positions - positions[0]),
+          length_(positions_[positions_.size() - 1]),
+          grid_(grid_points_a_step * (positions.size() - 1)),
+          spline_(positions_, grid_positions()),
+          transform_(grid_) {
         const Array1D x = grid_positions();
-        window_ = std::sqrt(2.0 / 3.0) * (1.0 - (x * (2.0 * pi / length_)).cos()) * (length_ / static_cast<double>(grid_));
+        window_ =
+            std::sqrt(2.0 / 3.0) * (1.0 - (x * (2.0 * pi / length_)).cos()) * (length_ / static_cast<double>(grid_));
         const Array1D centred = positions_ - positions_.mean();
         tilt_ = centred / std::sqrt(centred.square().sum());
     }
@@ -54,7 +58,9 @@ public:
     [[nodiscard]] Array1D power(Array1D real, Array1D imaginary) const {
         const auto z = transformed(std::move(real), std::move(imaginary));
         Array1D result(modes());
-        for (Index k = 1; k <= modes(); ++k) result[k - 1] = std::norm(z[static_cast<std::size_t>(k)]) + std::norm(z[static_cast<std::size_t>(grid_ - k)]);
+        for (Index k = 1; k <= modes(); ++k)
+            result[k - 1] =
+                std::norm(z[static_cast<std::size_t>(k)]) + std::norm(z[static_cast<std::size_t>(grid_ - k)]);
         return result;
     }
 
@@ -92,7 +98,8 @@ Array1D integration_grid(double length, double mean_step, double shortest) {
     std::vector<double> q{0.0};
     const double step = 2.0 * pi / (4.0 * length), dense_end = std::min(shortest, 2.0 * pi / mean_step);
     for (const double part : {0.125, 0.25, 0.5}) q.push_back(part * step);
-    for (Index g = 1; static_cast<double>(g) * step < dense_end * (1.0 - 1e-9); ++g) q.push_back(static_cast<double>(g) * step);
+    for (Index g = 1; static_cast<double>(g) * step < dense_end * (1.0 - 1e-9); ++g)
+        q.push_back(static_cast<double>(g) * step);
     constexpr double growth = 1.018;
     for (double next = dense_end; next < shortest * (1.0 - 1e-9); next *= growth) q.push_back(next);
     q.push_back(shortest);
@@ -110,7 +117,8 @@ public:
     }
     /// Below `small` C1D = level + curvature q²; above its reach the whole.
     [[nodiscard]] hat_node::LineIntegrals operator()(double q) const {
-        if (q < small) return {q * (level_ + curvature_ * q * q / 3.0), q * q * (0.5 * level_ + 0.25 * curvature_ * q * q)};
+        if (q < small)
+            return {q * (level_ + curvature_ * q * q / 3.0), q * q * (0.5 * level_ + 0.25 * curvature_ * q * q)};
         const double place = q / step;
         if (place >= static_cast<double>(count)) return entries_[count];
         const auto i = static_cast<std::size_t>(place);
@@ -164,34 +172,40 @@ Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
 Array1D noise_amplitude(const topography::Profile& contour) {
     const auto n = contour.positions.size();
     const auto& x = contour.positions;
-    const Array1D share = Array1D::NullaryExpr(n, [&](Index k) { return 0.5 * (x[std::min(k + 1, n - 1)] - x[std::max<Index>(k - 1, 0)]); });
+    const Array1D share = Array1D::NullaryExpr(
+        n, [&](Index k) { return 0.5 * (x[std::min(k + 1, n - 1)] - x[std::max<Index>(k - 1, 0)]); });
     const bool known = contour.standard_error.size() > 0 && contour.standard_error.maxCoeff() > 0.0;
     const Array1D shape = known ? contour.standard_error : Array1D::Ones(n);
     return shape * std::sqrt(contour.response->noise_density * contour.size() / (shape * share).square().sum());
 }
 
 /// E[P] of the noise of a trace: the rule of 2n equal steps over the circle, exact for white noise.
-Array1D expected_noise(const Operator& transform, const topography::Profile& contour, const ModeBins& bins, parallel::Threads threads) {
+Array1D expected_noise(const Operator& transform, const topography::Profile& contour, const ModeBins& bins,
+                       parallel::Threads threads) {
     const auto n = contour.positions.size();
     const Array1D amplitude = noise_amplitude(contour), count = Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1));
     const Array1D angle = Array1D::LinSpaced(n + 1, 0.0, pi);
-    Array1D weight = topography::smoothing_transfer(*contour.response, angle / contour.response->step).square() * (pi / static_cast<double>(n));
+    Array1D weight = topography::smoothing_transfer(*contour.response, angle / contour.response->step).square() *
+                     (pi / static_cast<double>(n));
     weight[0] *= 0.5;
     weight[n] *= 0.5;
     Array2D power(bins.size(), n + 1);
     parallel::for_each_index(static_cast<std::size_t>(n + 1), threads, [&](std::size_t i) {
         const Array1D phase = count * angle[static_cast<Index>(i)];
-        power.col(static_cast<Index>(i)) = bins.means(transform.power(amplitude * phase.cos(), amplitude * phase.sin()));
+        power.col(static_cast<Index>(i)) =
+            bins.means(transform.power(amplitude * phase.cos(), amplitude * phase.sin()));
     });
     return (power.matrix() * weight.matrix()).array() / (2.0 * pi * transform.length());
 }
 
 /// What each wave of the grid carries of C1D and of the noise of a trace: ∫ C1D dq around it.
-Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, const ArrayView1D& nodes, const ArrayView1D& C_iso) {
+Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, const ArrayView1D& nodes,
+                       const ArrayView1D& C_iso) {
     Array1D power = (quadrature(grid, nodes).matrix() * C_iso.matrix()).array().max(0.0);
     if (!contour.response) return power;
     const double end = pi / contour.response->step;
-    const Array1D noise = topography::smoothing_transfer(*contour.response, grid).square() * contour.response->noise_density;
+    const Array1D noise =
+        topography::smoothing_transfer(*contour.response, grid).square() * contour.response->noise_density;
     power *= topography::trace_transfer(*contour.response, grid).square();
     for (Index g = 0; g + 1 < grid.size() && grid[g] < end; ++g) {
         const double half = 0.5 * (std::min(grid[g + 1], end) - grid[g]);
@@ -204,14 +218,17 @@ Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, 
 void require_points(const topography::Profile& contour) {
     topography::validate(contour);
     if (contour.positions.size() < 8)
-        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8", topography::label(contour.metadata), contour.positions.size()));
+        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8",
+                                          topography::label(contour.metadata), contour.positions.size()));
     if (!std::isfinite(contour.heights.sum()))
-        throw UndefinedDataError(fmt::format("contour '{}' has undefined heights; clean it first", topography::label(contour.metadata)));
+        throw UndefinedDataError(
+            fmt::format("contour '{}' has undefined heights; clean it first", topography::label(contour.metadata)));
 }
 
 Array1D periodogram_by(const Operator& transform, const Array1D& heights) {
     // a real curve has the same power at k and −k
-    return ModeBins(transform.modes()).means(transform.power(heights, Array1D::Zero(heights.size()))) / (2.0 * transform.length());
+    return ModeBins(transform.modes()).means(transform.power(heights, Array1D::Zero(heights.size()))) /
+           (2.0 * transform.length());
 }
 
 }  // namespace
@@ -240,11 +257,14 @@ ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView
     return kernel;
 }
 
-Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes, const ArrayView1D& C_iso, parallel::Threads threads) {
+Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes, const ArrayView1D& C_iso,
+                          parallel::Threads threads) {
     require_points(contour);
     const Operator transform(contour.positions);
     const ModeBins bins(transform.modes());
-    const Array1D grid = integration_grid(transform.length(), transform.length() / static_cast<double>(contour.positions.size() - 1), nodes[nodes.size() - 1]);
+    const Array1D grid =
+        integration_grid(transform.length(), transform.length() / static_cast<double>(contour.positions.size() - 1),
+                         nodes[nodes.size() - 1]);
     const Array1D power = power_of_waves(contour, grid, nodes, C_iso);
     // amplitudes of each wave and of its mirror image at every mode, and at the mode in the middle of each group
     Eigen::MatrixXcd forth(transform.modes(), grid.size()), back(transform.modes(), grid.size());
@@ -257,19 +277,22 @@ Array1D independent_share(const topography::Profile& contour, const ArrayView1D&
     const Array1D variance = (forth.rowwise().squaredNorm() + back.rowwise().squaredNorm()).array();
     Array1D share(bins.size());
     constexpr Index block = 16;  // groups whose covariances with all modes are one matrix product
-    parallel::for_each_index(static_cast<std::size_t>((bins.size() + block - 1) / block), threads, [&](std::size_t task) {
-        const Index first = static_cast<Index>(task) * block, count = std::min(block, bins.size() - first);
-        const auto mode = [&](Index g) { return static_cast<Index>(bins.centre(first + g)) - 1; };
-        Eigen::MatrixXcd forth_there(count, grid.size()), back_there(count, grid.size());
-        for (Index g = 0; g < count; ++g) {
-            forth_there.row(g) = forth.row(mode(g));
-            back_there.row(g) = back.row(mode(g));
-        }
-        const Eigen::MatrixXcd covariance = forth * forth_there.adjoint() + back * back_there.adjoint();
-        const Eigen::MatrixXcd pseudo = forth * back_there.transpose() + back * forth_there.transpose();
-        for (Index g = 0; g < count; ++g)
-            share[first + g] = variance[mode(g)] / ((covariance.col(g).cwiseAbs2() + pseudo.col(g).cwiseAbs2()).array() / variance).sum();
-    });
+    parallel::for_each_index(
+        static_cast<std::size_t>((bins.size() + block - 1) / block), threads, [&](std::size_t task) {
+            const Index first = static_cast<Index>(task) * block, count = std::min(block, bins.size() - first);
+            const auto mode = [&](Index g) { return static_cast<Index>(bins.centre(first + g)) - 1; };
+            Eigen::MatrixXcd forth_there(count, grid.size()), back_there(count, grid.size());
+            for (Index g = 0; g < count; ++g) {
+                forth_there.row(g) = forth.row(mode(g));
+                back_there.row(g) = back.row(mode(g));
+            }
+            const Eigen::MatrixXcd covariance = forth * forth_there.adjoint() + back * back_there.adjoint();
+            const Eigen::MatrixXcd pseudo = forth * back_there.transpose() + back * forth_there.transpose();
+            for (Index g = 0; g < count; ++g)
+                share[first + g] =
+                    variance[mode(g)] /
+                    ((covariance.col(g).cwiseAbs2() + pseudo.col(g).cwiseAbs2()).array() / variance).sum();
+        });
     return share;
 }
 

@@ -15,7 +15,8 @@ namespace {
 constexpr double h = node_spacing;
 constexpr double longest = 3000.0;
 
-/// a(z) = ∫_0^z (J0(t) − 1)/t dt and b(z) = ∫_0^z a(t)/t dt: the first and second integral of J0(e^u) − 1 over u = ln z.
+/// a(z) = ∫_0^z (J0(t) − 1)/t dt and b(z) = ∫_0^z a(t)/t dt: the first and second integral of J0(e^u) − 1 over u = ln
+/// z.
 class BesselIntegrals {
 public:
     struct Values {
@@ -45,7 +46,8 @@ public:
             };
             add(middle, Rule::weights()[0]);
             for (std::size_t g = 1; g < Rule::abscissa().size(); ++g)
-                for (const double sign : {-1.0, 1.0}) add(middle + sign * half * Rule::abscissa()[g], Rule::weights()[g]);
+                for (const double sign : {-1.0, 1.0})
+                    add(middle + sign * half * Rule::abscissa()[g], Rule::weights()[g]);
             first_[i] = first_[i - 1] + da;
             second_[i] = second_[i - 1] + first_[i] * std::log(to) - first_[i - 1] * std::log(from) - weighted;
         }
@@ -78,7 +80,8 @@ private:
     /// da/dz at a node, by central differences of the table (exact to step⁴), one-sided ends never being asked for.
     [[nodiscard]] double slope_of_first(std::size_t i) const {
         const std::size_t n = first_.size();
-        if (i < 2 || i + 2 >= n) return i + 1 < n ? (first_[i + 1] - first_[i]) / step : (first_[i] - first_[i - 1]) / step;
+        if (i < 2 || i + 2 >= n)
+            return i + 1 < n ? (first_[i + 1] - first_[i]) / step : (first_[i] - first_[i - 1]) / step;
         return (8.0 * (first_[i + 1] - first_[i - 1]) - (first_[i + 2] - first_[i - 2])) / (12.0 * step);
     }
 
@@ -104,7 +107,9 @@ double autocovariance_from_integrals(double z) {
 class AutocovarianceTable {
 public:
     AutocovarianceTable() : values_(static_cast<std::size_t>(longest / step) + 4) {
-        for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = autocovariance_from_integrals(step * (static_cast<double>(i) - 1.0 < 0.0 ? 1.0 : static_cast<double>(i) - 1.0));
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            values_[i] = autocovariance_from_integrals(
+                step * (static_cast<double>(i) - 1.0 < 0.0 ? 1.0 : static_cast<double>(i) - 1.0));
     }
     [[nodiscard]] double operator()(double z) const {
         const double place = z / step;
@@ -112,7 +117,8 @@ public:
         const double t = place - static_cast<double>(i);
         const double* v = values_.data() + i;  // v[1] is the value at step · i; the function is even
         const double t1 = t - 1.0, t2 = t - 2.0, tp = t + 1.0;
-        return -t * t1 * t2 / 6.0 * v[0] + tp * t1 * t2 / 2.0 * v[1] - tp * t * t2 / 2.0 * v[2] + tp * t * t1 / 6.0 * v[3];
+        return -t * t1 * t2 / 6.0 * v[0] + tp * t1 * t2 / 2.0 * v[1] - tp * t * t2 / 2.0 * v[2] +
+               tp * t * t1 / 6.0 * v[3];
     }
 
 private:

@@ -8,13 +8,14 @@
 
 namespace setae::spectral_fit {
 
-Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors, const ArrayView1D& signal,
-                          Index lines, double pitch) {
+Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors,
+                          const ArrayView1D& signal, Index lines, double pitch) {
     constexpr Index nodes = 160, lags = 40;
     constexpr double end = 6.0;  // p = q sinh t up to 200 q
     // lags: each by itself at first, then logarithmically, each standing for the lags around it
     Array1D lag(lags + 1);
-    for (Index l = 0; l <= lags; ++l) lag[l] = std::expm1(std::log1p(static_cast<double>(lines - 1)) * static_cast<double>(l) / lags);
+    for (Index l = 0; l <= lags; ++l)
+        lag[l] = std::expm1(std::log1p(static_cast<double>(lines - 1)) * static_cast<double>(l) / lags);
     Array1D result(wavevectors.size());
     for (Index k = 0; k < wavevectors.size(); ++k) {
         const double q = wavevectors[k];
@@ -37,8 +38,10 @@ Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView
             before = lag[l];
             value_before = value;
         }
-        sum -= static_cast<double>(lines) * (total > 0.0 ? signal[k] * signal[k] : 0.0);  // half of the lag 0 the rule counted, both signs
-        result[k] = std::clamp(static_cast<double>(lines) * static_cast<double>(lines) / std::max(sum, 1.0), 1.0, static_cast<double>(lines));
+        sum -= static_cast<double>(lines) *
+               (total > 0.0 ? signal[k] * signal[k] : 0.0);  // half of the lag 0 the rule counted, both signs
+        result[k] = std::clamp(static_cast<double>(lines) * static_cast<double>(lines) / std::max(sum, 1.0), 1.0,
+                               static_cast<double>(lines));
     }
     return result;
 }

@@ -5,25 +5,27 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/estimate.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/abel.hpp"
 #include "setae/spectral_fit/contour_kernel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/independent_lines.hpp"
-#include "setae/spectra/abel.hpp"
-#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::spectral_fit {
 namespace {
 
 /// Σ |ρ|² over the modes of a group of its own size under the Hann window: their mean is worth size/this values.
-double shared_within(double size) { return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size)); }
+double shared_within(double size) {
+    return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size));
+}
 
 /// Agreement below it is an alert: neighbouring groups share the window, so that chance goes further than χ² says.
 constexpr double improbable = 1e-6;
@@ -41,7 +43,9 @@ constexpr double small_change = 0.005;
 class JointFit {
 public:
     JointFit(std::vector<ObservedGroup> groups, const SpectrumRange& range, const LikelihoodOptions& options)
-        : groups_(std::move(groups)), options_(options), spline_(range.lowest, range.shortest),
+        : groups_(std::move(groups)),
+          options_(options),
+          spline_(range.lowest, range.shortest),
           smoothness_{options.bend, 0.5, 8.0 * range.lowest / 0.6} {
         for (auto& g : groups_) {
             const Index n = g.data.wavevector.size();
@@ -67,8 +71,11 @@ public:
 
     [[nodiscard]] LikelihoodSpectrum result() const {
         LikelihoodSpectrum r;
-        const auto count = static_cast<Index>(std::floor(std::log(spline_.shortest() / std::exp(spline_.position(1))) / node_spacing + 1e-9)) + 1;
-        r.wavevector = spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
+        const auto count = static_cast<Index>(std::floor(
+                               std::log(spline_.shortest() / std::exp(spline_.position(1))) / node_spacing + 1e-9)) +
+                           1;
+        r.wavevector =
+            spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
         r.design = spline_.design(r.wavevector);
         r.theta = fit_.theta;
         const auto scatter = scatter_between_measurements();
@@ -82,9 +89,11 @@ public:
         add_scatter_alerts(r, scatter);
         add_rolloff_alert(r);
         for (const auto& g : groups_)
-            if (g.tip.log_transfer.size() > 0) r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
+            if (g.tip.log_transfer.size() > 0)
+                r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
         if (!r.converged)
-            r.alerts.push_back({"NOT_CONVERGED", "spectrum", fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
+            r.alerts.push_back({"NOT_CONVERGED", "spectrum",
+                                fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
                                 "look at the agreement of each instrument; a measurement in the wrong unit does this"});
         return r;
     }
@@ -92,7 +101,8 @@ public:
 private:
     /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
-        return g.data.wavevector[k] <= g.band_end && std::exp(g.data.log_transfer[k]) >= options_.least_transfer && g.data.periodogram[k] > 0.0;
+        return g.data.wavevector[k] <= g.band_end && std::exp(g.data.log_transfer[k]) >= options_.least_transfer &&
+               g.data.periodogram[k] > 0.0;
     }
 
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
@@ -116,7 +126,8 @@ private:
     void find_independent_shares() {
         for (auto& g : groups_) {
             if (!g.contour) continue;
-            const Array1D C_iso = g.data.nodes.unaryExpr([&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+            const Array1D C_iso = g.data.nodes.unaryExpr(
+                [&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
             g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
         }
     }
@@ -156,8 +167,8 @@ private:
         return spectra::tabulated_density(at, line);
     }
 
-    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as the tip reads them. Whether T was what the derivatives had
-    /// led the fit to expect.
+    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as
+    /// the tip reads them. Whether T was what the derivatives had led the fit to expect.
     bool simulate_tips() {
         if (rounds_ == 0) wavelength_ = median_wavelength();
         const auto line_density = C1D();
@@ -182,7 +193,9 @@ private:
     }
 
     void simulate_tip(double radius) {
-        const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) { return g.tip_radius == radius && g.tip_radius_error > 0.0; });
+        const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) {
+            return g.tip_radius == radius && g.tip_radius_error > 0.0;
+        });
         TipSimulation simulation{.tip_radius = radius,
                                  .step = simulation_step(radius, wavelength_, 0.5 * options_.shortest_wavelength),
                                  .points = options_.tip_points,
@@ -203,12 +216,15 @@ private:
         }
     }
 
-    /// Of the surface's heights: what the tip has read less what it adds to them. 0 and certain unless the readings of at least three
-    /// measurements show that the heights are not Gaussian, and where the simulated patch lacks the longest waves.
+    /// Of the surface's heights: what the tip has read less what it adds to them. 0 and certain unless the readings of
+    /// at least three measurements show that the heights are not Gaussian, and where the simulated patch lacks the
+    /// longest waves.
     [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
         constexpr double waves_a_patch = 8.0, significant = 4.0;
         const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.tip_radius);
-        if (!measured.uncertain() || simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_) return gaussian;
+        if (!measured.uncertain() ||
+            simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_)
+            return gaussian;
         auto skewed = simulation;
         if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.tip_radius).value;
         const double excess = measured.value - added_skewness(C_iso(), skewed);
@@ -244,9 +260,9 @@ private:
         return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
     }
 
-    /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m = Σ ν (P/E − 1)/Σ ν
-    /// scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0 unless Σ b²Σν is
-    /// significantly larger than their number.
+    /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m =
+    /// Σ ν (P/E − 1)/Σ ν scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0
+    /// unless Σ b²Σν is significantly larger than their number.
     [[nodiscard]] Scatter scatter_between_measurements() const {
         struct Sum {
             double chi_squared = 0.0, excess = 0.0;
@@ -259,7 +275,8 @@ private:
             if (!(freedom > 0.0)) continue;
             auto& sum = sums[g.data.instrument];
             for (const auto& periodogram : g.periodograms) {
-                const double departure = (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
+                const double departure =
+                    (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
                 sum.chi_squared += departure * departure * freedom;
                 sum.excess += departure * departure - 1.0 / freedom;
                 ++sum.count;
@@ -274,8 +291,8 @@ private:
         return variance;
     }
 
-    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by itself, and what
-    /// measurements differ by as wholes.
+    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by
+    /// itself, and what measurements differ by as wholes.
     [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
         Eigen::MatrixXd covariance = fit_.covariance;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
@@ -295,7 +312,8 @@ private:
                 const Eigen::MatrixXd answers = answer(c);
                 moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
                 moved.col(repetitions) += answers * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
-                moved.col(repetitions + 1) += answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
+                moved.col(repetitions + 1) +=
+                    answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
             covariance += moved * moved.transpose();
         }
@@ -317,20 +335,27 @@ private:
     static void add_rolloff_alert(LikelihoodSpectrum& r) {
         constexpr double much = 0.5;
         const Array1D height = (r.wavevector >= r.band.lower).select(r.wavevector.square() * r.C_iso, 0.0);
-        const auto first = std::lower_bound(r.wavevector.data(), r.wavevector.data() + r.wavevector.size(), r.band.lower) - r.wavevector.data();
+        const auto first =
+            std::lower_bound(r.wavevector.data(), r.wavevector.data() + r.wavevector.size(), r.band.lower) -
+            r.wavevector.data();
         if (first == r.wavevector.size() || height[first] < much * height.maxCoeff()) return;
-        r.alerts.push_back({"ROLLOFF_NOT_SEEN", "spectrum",
-                            fmt::format("it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
-                                        2.0e6 * pi / r.band.lower),
-                            "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
+        r.alerts.push_back(
+            {"ROLLOFF_NOT_SEEN", "spectrum",
+             fmt::format(
+                 "it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
+                 2.0e6 * pi / r.band.lower),
+             "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
     }
 
     static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
         for (const auto& [instrument, variance] : scatter)
             if (variance > 0.0)
-                r.alerts.push_back({"MEASUREMENTS_SCATTER", instrument,
-                                    fmt::format("its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it", 100.0 * std::sqrt(variance)),
-                                    "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
+                r.alerts.push_back(
+                    {"MEASUREMENTS_SCATTER", instrument,
+                     fmt::format(
+                         "its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it",
+                         100.0 * std::sqrt(variance)),
+                     "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
     }
 
     void add_agreement(LikelihoodSpectrum& r) const {
@@ -357,10 +382,12 @@ private:
             row.standard_error = std::sqrt(row.standard_error) / weights[key];
             row.probability = chi_squared_exceedance(row.chi_squared, row.groups);
             if (row.probability < improbable)
-                r.alerts.push_back({"INSTRUMENTS_DISAGREE", row.instrument,
-                                    fmt::format("between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
-                                                row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),
-                                    "check its calibration, tip radius and shape; look at its own spectrum beside the others"});
+                r.alerts.push_back(
+                    {"INSTRUMENTS_DISAGREE", row.instrument,
+                     fmt::format(
+                         "between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
+                         row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),
+                     "check its calibration, tip radius and shape; look at its own spectrum beside the others"});
             r.agreement.push_back(row);
         }
     }

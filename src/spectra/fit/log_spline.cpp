@@ -12,20 +12,24 @@ namespace setae::spectral_fit {
 
 LogSpline::LogSpline(double lowest, double shortest) : shortest_(shortest), spacing_(std::log(10.0) / 10.0) {
     if (!(lowest > 0.0) || !(shortest > lowest) || !std::isfinite(shortest))
-        throw InvalidArgument(fmt::format("a spectrum between {} and {} 1/m; expected 0 < lowest < shortest", lowest, shortest));
+        throw InvalidArgument(
+            fmt::format("a spectrum between {} and {} 1/m; expected 0 < lowest < shortest", lowest, shortest));
     intervals_ = std::max<Index>(1, static_cast<Index>(std::ceil(std::log(shortest / lowest) / spacing_ - 1e-9)));
     origin_ = std::log(shortest) - spacing_ * static_cast<double>(intervals_);
     coefficients_ = intervals_ + 3;
 }
 
-double LogSpline::position(Index coefficient) const { return origin_ + spacing_ * static_cast<double>(coefficient - 1); }
+double LogSpline::position(Index coefficient) const {
+    return origin_ + spacing_ * static_cast<double>(coefficient - 1);
+}
 
 LogSpline::Piece LogSpline::piece(double wavevector) const {
     const double place = std::clamp((std::log(wavevector) - origin_) / spacing_, 0.0, static_cast<double>(intervals_));
     const Index first = std::min(static_cast<Index>(place), intervals_ - 1);
     const double t = place - static_cast<double>(first), s = 1.0 - t;
     return {first,
-            {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0, (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0, t * t * t / 6.0}};
+            {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0, (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0,
+             t * t * t / 6.0}};
 }
 
 Eigen::MatrixXd LogSpline::design(const ArrayView1D& wavevectors) const {

@@ -4,9 +4,14 @@
 namespace setae::spectral_fit {
 
 NaturalSpline::NaturalSpline(const Array1D& positions, const Array1D& targets)
-    : steps_(positions.tail(positions.size() - 1) - positions.head(positions.size() - 1)), diagonal_(positions.size()),
-      factor_(positions.size()), interval_(targets.size()), left_(targets.size()), right_(targets.size()),
-      left_bend_(targets.size()), right_bend_(targets.size()) {
+    : steps_(positions.tail(positions.size() - 1) - positions.head(positions.size() - 1)),
+      diagonal_(positions.size()),
+      factor_(positions.size()),
+      interval_(targets.size()),
+      left_(targets.size()),
+      right_(targets.size()),
+      left_bend_(targets.size()),
+      right_bend_(targets.size()) {
     const Index last = positions.size() - 1;
     factor_[0] = 0.0;
     diagonal_[0] = 1.0;
@@ -32,13 +37,15 @@ Array1D NaturalSpline::operator()(const Array1D& values) const {
     const Index last = values.size() - 1;
     Array1D bend = Array1D::Zero(values.size());
     for (Index i = 1; i < last; ++i)
-        bend[i] = (values[i + 1] - values[i]) / steps_[i] - (values[i] - values[i - 1]) / steps_[i - 1] - factor_[i] * bend[i - 1];
+        bend[i] = (values[i + 1] - values[i]) / steps_[i] - (values[i] - values[i - 1]) / steps_[i - 1] -
+                  factor_[i] * bend[i - 1];
     for (Index i = last - 1; i >= 1; --i)
         bend[i] = (bend[i] - (i + 1 < last ? steps_[i] / 6.0 * bend[i + 1] : 0.0)) / diagonal_[i];
     Array1D result(interval_.size());
     for (Index t = 0; t < result.size(); ++t) {
         const Index i = interval_[t];
-        result[t] = left_[t] * values[i] + right_[t] * values[i + 1] + left_bend_[t] * bend[i] + right_bend_[t] * bend[i + 1];
+        result[t] =
+            left_[t] * values[i] + right_[t] * values[i + 1] + left_bend_[t] * bend[i] + right_bend_[t] * bend[i + 1];
     }
     return result;
 }

@@ -8,11 +8,11 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/spectra/parametric_noise.hpp"
+#include "setae/spectra/reliability.hpp"
 #include "setae/spectral_fit/contour_kernel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/scan_kernel.hpp"
-#include "setae/spectra/parametric_noise.hpp"
-#include "setae/spectra/reliability.hpp"
 #include "setae/topography/trace_response.hpp"
 #include "skewness.hpp"
 
@@ -25,7 +25,10 @@ constexpr double noise_of_traces_known_to = 0.2;
 int trend_degree(topography::Trend trend) { return trend == topography::Trend::parabola ? 2 : 1; }
 
 topography::HeightMap as_map(const topography::LineScan& scan) {
-    topography::HeightMap map{Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, scan.pixel_size()}, false, scan.metadata};
+    topography::HeightMap map{Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1),
+                              {scan.size, scan.pixel_size()},
+                              false,
+                              scan.metadata};
     return map;
 }
 
@@ -36,39 +39,46 @@ double length_of(const topography::Measurement& measurement) {
 }
 
 /// Nodes and response of an equidistant class, the flat part and the end at q_s folded into the outer columns.
-void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRange& range, double length, parallel::Threads threads) {
+void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRange& range, double length,
+                  parallel::Threads threads) {
     const double step = group.pixel_size;
     const auto first = static_cast<Index>(std::floor(std::log(0.03 * 2.0 * pi / length * step) / node_spacing));
     const double end = std::log(range.shortest * step) / node_spacing;
     const auto last = static_cast<Index>(std::floor(end + 1e-9));
-    if (last <= first + 1) throw InvalidArgument(fmt::format("pixels of {} m below the surface's shortest wavelength", step));
+    if (last <= first + 1)
+        throw InvalidArgument(fmt::format("pixels of {} m below the surface's shortest wavelength", step));
     auto kernel = scan_kernel(shape, first, last + 1, threads);
-    // between the last node and q_s C goes on, beyond it there is nothing: the hat of the node behind takes what is missing
+    // between the last node and q_s C goes on, beyond it there is nothing: the hat of the node behind takes what is
+    // missing
     const double rest = end - static_cast<double>(last) - 0.5;
     const Index count = last - first + 1;
     kernel.response.col(count - 1) += rest * std::exp(-2.0 * node_spacing) * kernel.response.col(count);
     kernel.response.col(0) += kernel.flat_response;
-    group.data.nodes = (Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
+    group.data.nodes =
+        (Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
     group.data.response = kernel.response.leftCols(count) / step;
     group.data.noise_response = kernel.noise_response * step;
 }
 
 std::string class_name(const topography::Metadata& metadata, Index points, double size) {
-    return fmt::format("{} of {} points over {:.4g} um", metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
+    return fmt::format("{} of {} points over {:.4g} um",
+                       metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
 }
 
-void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap& map, const ObservedSurface& observed, const SpectrumRange& range,
-                 const LikelihoodOptions& options) {
+void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap& map, const ObservedSurface& observed,
+                 const SpectrumRange& range, const LikelihoodOptions& options) {
     const ScanShape shape{map.heights.rows(), trend_degree(observed.trend)};
     const auto& instrument = map.metadata.instrument;
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
     double band_end = pi / step * (1.0 + 1e-9);
-    if (options.tip_band) band_end = std::min(band_end, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
+    if (options.tip_band)
+        band_end = std::min(band_end, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
     const std::string name = class_name(map.metadata, map.heights.rows(), map.size[0]);
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
-        return g.data.name == name && g.data.instrument == instrument.type && g.lines == map.heights.cols() && g.tip_radius == instrument.tip_radius.value_or(0.0) &&
-               std::abs(g.pixel_size / step - 1.0) < 1e-6 && g.data.periodogram.size() == periodogram.size();
+        return g.data.name == name && g.data.instrument == instrument.type && g.lines == map.heights.cols() &&
+               g.tip_radius == instrument.tip_radius.value_or(0.0) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
+               g.data.periodogram.size() == periodogram.size();
     });
     if (place == groups.end()) {
         ObservedGroup group;
@@ -81,8 +91,10 @@ void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap
         group.pitch = map.pixel_size()[1];
         add_response(group, shape, range, map.size[0], options.threads);
         const ModeBins bins(shape.points / 2);
-        group.data.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / map.size[0] * bins.centre(b); });
-        group.mode_counts = Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
+        group.data.wavevector =
+            Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / map.size[0] * bins.centre(b); });
+        group.mode_counts =
+            Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
         group.independent_share = Array1D::Constant(bins.size(), spectra::share_under_hann);
         group.data.periodogram = Array1D::Zero(bins.size());
         groups.push_back(std::move(group));
@@ -95,15 +107,18 @@ void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap
     place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(band_end)) / n);
 }
 
-void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& contour, const Array1D& nodes, const LikelihoodOptions& options) {
+void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& contour, const Array1D& nodes,
+                 const LikelihoodOptions& options) {
     auto kernel = contour_kernel(contour, nodes, options.threads);
     ObservedGroup group;
     group.data.instrument = contour.metadata.instrument.type;
     group.data.name = class_name(contour.metadata, contour.positions.size(), kernel.length);
     group.data.nodes = nodes;
     group.data.response = std::move(kernel.response);
-    group.data.wavevector = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return 2.0 * pi / kernel.length * kernel.bins.centre(b); });
-    group.mode_counts = Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
+    group.data.wavevector = Array1D::NullaryExpr(
+        kernel.bins.size(), [&](Index b) { return 2.0 * pi / kernel.length * kernel.bins.centre(b); });
+    group.mode_counts =
+        Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
     group.independent_share = Array1D::Constant(kernel.bins.size(), spectra::share_under_hann);
     group.contour = &contour;
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
@@ -122,19 +137,25 @@ void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& 
 
 SpectrumRange spectrum_range(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
     if (observed.empty()) throw InvalidArgument("no measurement to fit a spectrum to");
-    if (!(options.shortest_wavelength > 0.0)) throw InvalidArgument(fmt::format("shortest wavelength {} m; expected > 0", options.shortest_wavelength));
+    if (!(options.shortest_wavelength > 0.0))
+        throw InvalidArgument(fmt::format("shortest wavelength {} m; expected > 0", options.shortest_wavelength));
     double longest = 0.0;
     for (const auto& o : observed) longest = std::max(longest, length_of(o.measurement));
     return {0.6 * 2.0 * pi / longest, 2.0 * pi / options.shortest_wavelength};
 }
 
-std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed, const SpectrumRange& range, const LikelihoodOptions& options) {
-    const auto count = static_cast<Index>(std::ceil(std::log(range.shortest / (0.03 * range.lowest)) / node_spacing)) + 1;
-    const Array1D nodes = range.shortest * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
+std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed, const SpectrumRange& range,
+                                           const LikelihoodOptions& options) {
+    const auto count =
+        static_cast<Index>(std::ceil(std::log(range.shortest / (0.03 * range.lowest)) / node_spacing)) + 1;
+    const Array1D nodes =
+        range.shortest * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
     std::vector<ObservedGroup> groups;
     for (const auto& o : observed) {
-        if (const auto* map = std::get_if<topography::HeightMap>(&o.measurement)) add_uniform(groups, *map, o, range, options);
-        else if (const auto* scan = std::get_if<topography::LineScan>(&o.measurement)) add_uniform(groups, as_map(*scan), o, range, options);
+        if (const auto* map = std::get_if<topography::HeightMap>(&o.measurement))
+            add_uniform(groups, *map, o, range, options);
+        else if (const auto* scan = std::get_if<topography::LineScan>(&o.measurement))
+            add_uniform(groups, as_map(*scan), o, range, options);
         else add_contour(groups, std::get<topography::Profile>(o.measurement), nodes, options);
     }
     return groups;

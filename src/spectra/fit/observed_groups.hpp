@@ -19,11 +19,11 @@ struct ObservedGroup {
     double pitch = 0.0;             ///< between lines [m]
     Index lines = 1;                ///< of one measurement
     int measurements = 0;
-    std::vector<Array1D> periodograms;  ///< of each measurement [m³]
-    std::vector<double> skewness;   ///< of the heights of each measurement with a tip
-    double band_end = 0.0;          ///< geometric mean of the reliable bands' ends [1/m]
-    Array1D mode_counts;            ///< modes in each group of modes
-    Array1D independent_share;      ///< ω of each group of modes
+    std::vector<Array1D> periodograms;             ///< of each measurement [m³]
+    std::vector<double> skewness;                  ///< of the heights of each measurement with a tip
+    double band_end = 0.0;                         ///< geometric mean of the reliable bands' ends [1/m]
+    Array1D mode_counts;                           ///< modes in each group of modes
+    Array1D independent_share;                     ///< ω of each group of modes
     const topography::Profile* contour = nullptr;  ///< where it is one
     SampledResponse tip;
 };
@@ -37,9 +37,9 @@ struct SpectrumRange {
 /// @throws InvalidArgument without measurements or for a shortest wavelength that is not positive.
 [[nodiscard]] SpectrumRange spectrum_range(std::span<const ObservedSurface> observed, const LikelihoodOptions& options);
 
-/// Periodograms with their kernels, measurements of one shape averaged; freedoms are left to the fit. Contours stand alone,
-/// are pointed to, and have the ω of equal steps until their spectrum is known.
-[[nodiscard]] std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed, const SpectrumRange& range,
-                                                         const LikelihoodOptions& options);
+/// Periodograms with their kernels, measurements of one shape averaged; freedoms are left to the fit. Contours stand
+/// alone, are pointed to, and have the ω of equal steps until their spectrum is known.
+[[nodiscard]] std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> observed,
+                                                         const SpectrumRange& range, const LikelihoodOptions& options);
 
 }  // namespace setae::spectral_fit

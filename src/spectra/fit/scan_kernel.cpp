@@ -7,8 +7,8 @@
 #include <memory>
 #include <mutex>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
+#include <Eigen/QR>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -16,8 +16,8 @@
 #include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/map_transform.hpp"
 #include "setae/fourier/transform.hpp"
-#include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectra/window.hpp"
+#include "setae/spectral_fit/hat_node.hpp"
 
 namespace setae::spectral_fit {
 namespace {
@@ -44,8 +44,13 @@ Eigen::MatrixXd trend_basis(const ScanShape& shape) {
 class Workshop {
 public:
     explicit Workshop(const ScanShape& shape)
-        : shape_(shape), bins_(shape.points / 2), window_(spectra::window_values(spectra::Window::hann, shape.points)),
-          basis_(trend_basis(shape)), line_(shape.points), padded_(fourier::fast_length(2 * shape.points)), wide_(padded_),
+        : shape_(shape),
+          bins_(shape.points / 2),
+          window_(spectra::window_values(spectra::Window::hann, shape.points)),
+          basis_(trend_basis(shape)),
+          line_(shape.points),
+          padded_(fourier::fast_length(2 * shape.points)),
+          wide_(padded_),
           wide_back_(padded_, fourier::ComplexTransform::Sign::plus) {
         window_covariance_ = correlation_of_window();
         for (Index l = 0; l < basis_.cols(); ++l) {
@@ -61,7 +66,8 @@ public:
         const Index n = shape_.points;
         Array1D folded(n);
         folded[0] = window_covariance_[0] * covariance[0];
-        for (Index m = 1; m < n; ++m) folded[m] = window_covariance_[m] * covariance[m] + window_covariance_[n - m] * covariance[n - m];
+        for (Index m = 1; m < n; ++m)
+            folded[m] = window_covariance_[m] * covariance[m] + window_covariance_[n - m] * covariance[n - m];
         const auto plain = spectrum(folded);
         Array1D expected(n / 2);
         for (Index k = 1; k <= n / 2; ++k) expected[k - 1] = plain[static_cast<std::size_t>(k)].real();
@@ -74,7 +80,8 @@ private:
         const Index n = shape_.points, count = basis_.cols();
         const auto toeplitz = toeplitz_spectrum(covariance);
         Eigen::MatrixXd applied(n, count);
-        for (Index l = 0; l < count; ++l) applied.col(l) = times_toeplitz(toeplitz, padded_trends_[static_cast<std::size_t>(l)]);
+        for (Index l = 0; l < count; ++l)
+            applied.col(l) = times_toeplitz(toeplitz, padded_trends_[static_cast<std::size_t>(l)]);
         const Eigen::MatrixXd between = basis_.transpose() * applied;
         for (Index l = 0; l < count; ++l) {
             const auto moved = spectrum(window_ * applied.col(l).array());
@@ -123,7 +130,8 @@ private:
         for (Index i = 0; i < padded_; ++i) z[static_cast<std::size_t>(i)] *= eigenvalues[i];
         wide_back_.apply(z.data());
         Eigen::VectorXd result(shape_.points);
-        for (Index i = 0; i < shape_.points; ++i) result[i] = z[static_cast<std::size_t>(i)].real() / static_cast<double>(padded_);
+        for (Index i = 0; i < shape_.points; ++i)
+            result[i] = z[static_cast<std::size_t>(i)].real() / static_cast<double>(padded_);
         return result;
     }
 
@@ -133,7 +141,8 @@ private:
         for (auto& value : z) value = std::norm(value);
         wide_back_.apply(z.data());
         Array1D result(shape_.points);
-        for (Index m = 0; m < shape_.points; ++m) result[m] = z[static_cast<std::size_t>(m)].real() / static_cast<double>(padded_);
+        for (Index m = 0; m < shape_.points; ++m)
+            result[m] = z[static_cast<std::size_t>(m)].real() / static_cast<double>(padded_);
         return result;
     }
 
@@ -153,7 +162,8 @@ double node_position(Index node) { return std::exp(node_spacing * static_cast<do
 template <class Function>
 Array1D covariance_of(Index points, double wavevector, Function autocovariance) {
     const double factor = wavevector * wavevector / (2.0 * pi);
-    return Array1D::NullaryExpr(points, [&](Index m) { return factor * autocovariance(wavevector * static_cast<double>(m)); });
+    return Array1D::NullaryExpr(points,
+                                [&](Index m) { return factor * autocovariance(wavevector * static_cast<double>(m)); });
 }
 
 /// Columns of one shape made so far.
@@ -201,7 +211,8 @@ Array1D scan_periodogram(const ArrayView2D& heights, double pixel_size, int tren
 
 ScanKernel scan_kernel(const ScanShape& shape, Index first_node, Index last_node, parallel::Threads threads) {
     require_shape(shape);
-    if (last_node < first_node) throw InvalidArgument(fmt::format("nodes {} … {} of a kernel; expected at least one", first_node, last_node));
+    if (last_node < first_node)
+        throw InvalidArgument(fmt::format("nodes {} … {} of a kernel; expected at least one", first_node, last_node));
     Store& store = store_of(shape);
     const std::lock_guard lock(store.mutex);
     std::vector<Index> missing;
@@ -209,14 +220,21 @@ ScanKernel scan_kernel(const ScanShape& shape, Index first_node, Index last_node
         if (!store.columns.contains(j)) missing.push_back(j);
     std::vector<Array1D> made(missing.size());
     parallel::for_each_index(missing.size(), threads, [&](std::size_t i) {
-        made[i] = store.workshop.expected_periodogram(covariance_of(shape.points, node_position(missing[i]), hat_node::autocovariance));
+        made[i] = store.workshop.expected_periodogram(
+            covariance_of(shape.points, node_position(missing[i]), hat_node::autocovariance));
     });
     for (std::size_t i = 0; i < missing.size(); ++i) store.columns.emplace(missing[i], std::move(made[i]));
     if (!store.flat_columns.contains(first_node)) {
-        const auto below = [](double z) { return hat_node::autocovariance_of_disc(z) - hat_node::autocovariance_of_lower_half(z); };
-        store.flat_columns.emplace(first_node, store.workshop.expected_periodogram(covariance_of(shape.points, node_position(first_node), below)));
+        const auto below = [](double z) {
+            return hat_node::autocovariance_of_disc(z) - hat_node::autocovariance_of_lower_half(z);
+        };
+        store.flat_columns.emplace(first_node, store.workshop.expected_periodogram(
+                                                   covariance_of(shape.points, node_position(first_node), below)));
     }
-    ScanKernel kernel{first_node, Array2D(store.workshop.bins().size(), last_node - first_node + 1), store.flat_columns.at(first_node), {}};
+    ScanKernel kernel{first_node,
+                      Array2D(store.workshop.bins().size(), last_node - first_node + 1),
+                      store.flat_columns.at(first_node),
+                      {}};
     for (Index j = first_node; j <= last_node; ++j) kernel.response.col(j - first_node) = store.columns.at(j);
     Array1D white = Array1D::Zero(shape.points);
     white[0] = 1.0;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -75,7 +75,9 @@ struct Bins {
         for (Index b = 0; b < size(); ++b) result[b] = values.segment(first[b] - 1, first[b + 1] - first[b]).sum();
         return result;
     }
-    [[nodiscard]] double centre(Index b) const { return std::sqrt(static_cast<double>(first[b]) * static_cast<double>(first[b + 1] - 1)); }
+    [[nodiscard]] double centre(Index b) const {
+        return std::sqrt(static_cast<double>(first[b]) * static_cast<double>(first[b + 1] - 1));
+    }
     std::vector<Index> first;
     Index last_bin = -1;
 };
@@ -105,17 +107,21 @@ public:
         left_ = std::clamp<Index>(above - 1, 0, n - 2);
         share_ = std::clamp((x - nodes[left_]) / (nodes[left_ + 1] - nodes[left_]), 0.0, 1.0);
     }
-    [[nodiscard]] double of(const ArrayView1D& values) const { return (1.0 - share_) * values[left_] + share_ * values[left_ + 1]; }
+    [[nodiscard]] double of(const ArrayView1D& values) const {
+        return (1.0 - share_) * values[left_] + share_ * values[left_ + 1];
+    }
 
 private:
     Index left_;
     double share_;
 };
 
-topography::HeightMap gaussian_patch(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, double step, int repetition) {
+topography::HeightMap gaussian_patch(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation,
+                                     double step, int repetition) {
     const double size = step * static_cast<double>(simulation.points);
-    return synthesis::random_surface(C_iso, {simulation.points, simulation.points, size, size},
-                                     {.key = {simulation.seed, static_cast<std::uint64_t>(repetition)}, .threads = simulation.threads});
+    return synthesis::random_surface(
+        C_iso, {simulation.points, simulation.points, size, size},
+        {.key = {simulation.seed, static_cast<std::uint64_t>(repetition)}, .threads = simulation.threads});
 }
 
 /// Heights of a Gaussian patch become log-normal of the same rms height.
@@ -133,7 +139,8 @@ struct PowerSums {
     Array2D single;  ///< ln T of each repetition
 };
 
-PowerSums power_sums(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins, bool with_derivatives) {
+PowerSums power_sums(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins,
+                     bool with_derivatives) {
     const Index count = bins.size();
     const double radius = simulation.tip_radius;
     const Array1D none = Array1D::Zero(count);
@@ -142,7 +149,8 @@ PowerSums power_sums(const spectra::SpectralDensity& C_iso, const TipSimulation&
     for (int r = 0; r < simulation.repetitions; ++r) {
         const auto parent = gaussian_patch(C_iso, simulation, simulation.step, r);
         auto patch = with_skewness(parent, simulation.skewness);
-        const Array1D surface = power(every_point_read(patch)), touched = power(read(patch, radius, simulation.threads));
+        const Array1D surface = power(every_point_read(patch)),
+                      touched = power(read(patch, radius, simulation.threads));
         sums.surface += surface;
         sums.touched += touched;
         sums.single.row(r) = (touched / surface).log().transpose();
@@ -168,9 +176,11 @@ Array2D simulation_errors(const Array2D& single, const Array1D& weights) {
 }
 
 void require(const TipSimulation& simulation) {
-    if (!(simulation.tip_radius > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) || simulation.repetitions < 1)
-        throw InvalidArgument(fmt::format("a tip of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
-                                          simulation.tip_radius, simulation.step, simulation.correlation_length, simulation.repetitions));
+    if (!(simulation.tip_radius > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) ||
+        simulation.repetitions < 1)
+        throw InvalidArgument(
+            fmt::format("a tip of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
+                        simulation.tip_radius, simulation.step, simulation.correlation_length, simulation.repetitions));
 }
 
 TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, bool with_derivatives) {
@@ -179,17 +189,23 @@ TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation
     const double size = simulation.step * static_cast<double>(simulation.points);
     const auto sums = power_sums(C_iso, simulation, bins, with_derivatives);
     // independent values behind a bin: its modes, and lines a correlation length apart
-    const double lines = std::max(4.0, size / std::max(simulation.correlation_length, simulation.step * stride_y)) * static_cast<double>(simulation.repetitions);
-    const Array1D weights = Array1D::NullaryExpr(bins.size(), [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
-    const auto log_ratio = [&](const Array1D& over, const Array1D& under) { return smoothed((over / under).log(), weights); };
+    const double lines = std::max(4.0, size / std::max(simulation.correlation_length, simulation.step * stride_y)) *
+                         static_cast<double>(simulation.repetitions);
+    const Array1D weights = Array1D::NullaryExpr(
+        bins.size(), [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
+    const auto log_ratio = [&](const Array1D& over, const Array1D& under) {
+        return smoothed((over / under).log(), weights);
+    };
     TipResponse response;
     response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
     response.log_transfer = log_ratio(sums.touched, sums.surface);
     response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(bins.size());
     if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
-    if (with_derivatives && simulation.radius_response) response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
+    if (with_derivatives && simulation.radius_response)
+        response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
     if (with_derivatives && simulation.skewness_response)
-        response.skewness_response = (log_ratio(sums.skewed, sums.skewed_surface) - response.log_transfer) / skewness_step;
+        response.skewness_response =
+            (log_ratio(sums.skewed, sums.skewed_surface) - response.log_transfer) / skewness_step;
     response.simulation_errors = simulation_errors(sums.single, weights);
     return response;
 }
@@ -204,7 +220,8 @@ TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulat
     return simulated(C_iso, simulation, true);
 }
 
-TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, const TipResponse& before) {
+TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation,
+                         const TipResponse& before) {
     TipResponse response = simulated(C_iso, simulation, false);
     response.amplitude_response = before.amplitude_response;
     response.radius_response = before.radius_response;
@@ -215,11 +232,13 @@ TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulat
 double added_skewness(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation) {
     constexpr double coarser = 4.0;
     require(simulation);
-    const auto patch = with_skewness(gaussian_patch(C_iso, simulation, coarser * simulation.step, 0), simulation.skewness);
+    const auto patch =
+        with_skewness(gaussian_patch(C_iso, simulation, coarser * simulation.step, 0), simulation.skewness);
     return skewness_of(read(patch, simulation.tip_radius, simulation.threads)) - skewness_of(every_point_read(patch));
 }
 
-SampledResponse sampled(const TipResponse& response, const spectra::SpectralDensity& C1D, double pixel_size, const ArrayView1D& wavevectors) {
+SampledResponse sampled(const TipResponse& response, const spectra::SpectralDensity& C1D, double pixel_size,
+                        const ArrayView1D& wavevectors) {
     const Array1D x = response.wavevector.log();
     constexpr int aliases = 12;
     const Index n = wavevectors.size(), repetitions = response.simulation_errors.rows();
@@ -236,7 +255,8 @@ SampledResponse sampled(const TipResponse& response, const spectra::SpectralDens
             result.amplitude_response[k] += kept * place.of(response.amplitude_response);
             result.radius_response[k] += kept * place.of(response.radius_response);
             result.skewness_response[k] += kept * place.of(response.skewness_response);
-            for (Index r = 0; r < repetitions; ++r) result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
+            for (Index r = 0; r < repetitions; ++r)
+                result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
         }
         result.log_transfer[k] = plain > 0.0 ? std::log(read / plain) : 0.0;
         const double share = read > 0.0 ? 1.0 / read : 0.0;

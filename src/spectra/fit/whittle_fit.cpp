@@ -20,15 +20,15 @@ namespace {
 /// What is known of ln σ² before the fit.
 struct NoisePrior {
     double centre, deviation;
-    double bound;       ///< ln of the least P/N of any mode: more noise there cannot be
-    bool seen = false;  ///< as the floor of the periodogram
+    double bound;        ///< ln of the least P/N of any mode: more noise there cannot be
+    bool seen = false;   ///< as the floor of the periodogram
     bool known = false;  ///< beforehand
 };
 
-/// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave, noise is what is left of
-/// the upper one when a surface falling sixfold an octave is taken off, (6 − r)/5 of it: a surface alone falls at least threefold there,
-/// aliases included. Else the bound is all that is known; far below it noise does not matter, and data that need more will say so at
-/// little cost.
+/// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave,
+/// noise is what is left of the upper one when a surface falling sixfold an octave is taken off, (6 − r)/5 of it: a
+/// surface alone falls at least threefold there, aliases included. Else the bound is all that is known; far below it
+/// noise does not matter, and data that need more will say so at little cost.
 NoisePrior noise_prior(const PeriodogramClass& data) {
     constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, known_to = 0.3, unknown_to = 3.0, weakest = 1e-60;
     const double share_of_bound = std::log(1e-3);
@@ -48,7 +48,8 @@ NoisePrior noise_prior(const PeriodogramClass& data) {
     return {std::log(left * upper), known_to, bound, true};
 }
 
-/// One a class, of those with noise. What one class of an instrument shows is expected of its others, to a factor of e in σ².
+/// One a class, of those with noise. What one class of an instrument shows is expected of its others, to a factor of e
+/// in σ².
 std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classes) {
     constexpr double like_others = 1.0;
     std::vector<NoisePrior> priors(classes.size());
@@ -74,7 +75,8 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
     return priors;
 }
 
-/// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is known beforehand.
+/// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is
+/// known beforehand.
 class Problem {
 public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
@@ -115,8 +117,8 @@ public:
         return s;
     }
 
-    /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not raise it: the score
-    /// nearer to zero then, in the metric of the information.
+    /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not
+    /// raise it: the score nearer to zero then, in the metric of the information.
     [[nodiscard]] bool better(const State& next, const State& now) const {
         constexpr double rounding = 1e-13;
         if (!responds_) return next.objective > now.objective - rounding * std::abs(now.objective);
@@ -137,7 +139,8 @@ public:
                 normal += weight * row * row.transpose();
                 right += weight * row * std::log(c.periodogram[k] * pi / c.wavevector[k]);
             }
-        if (!(normal(0, 0) > 0.0)) throw InvalidArgument("no periodogram has a value inside its reliable band; nothing to fit a spectrum to");
+        if (!(normal(0, 0) > 0.0))
+            throw InvalidArgument("no periodogram has a value inside its reliable band; nothing to fit a spectrum to");
         const Eigen::Vector3d fit = normal.colPivHouseholderQr().solve(right);
         Eigen::VectorXd x = prior_centre_;
         for (Index m = 0; m < spline_.coefficients(); ++m) {
@@ -159,7 +162,8 @@ private:
 
     void add_smoothness(const Smoothness& smoothness) {
         const Index n = spline_.coefficients();
-        const double bend = 1.0 / (smoothness.bend * smoothness.bend), slope = 1.0 / (smoothness.slope * smoothness.slope);
+        const double bend = 1.0 / (smoothness.bend * smoothness.bend),
+                     slope = 1.0 / (smoothness.slope * smoothness.slope);
         for (Index m = 0; m + 2 < n; ++m) {
             Eigen::Vector3d row(1.0, -2.0, 1.0);
             precision_.block(m, m, 3, 3) += bend * row * row.transpose();
@@ -189,7 +193,8 @@ private:
         Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
         if (c.reference_amplitude > 0.0) {
             const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
-            log_transfer += c.amplitude_response * std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            log_transfer +=
+                c.amplitude_response * std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
             amplitude_slope = amplitude.gradient / amplitude.value;
         }
         const Eigen::MatrixXd scaled = (c.response.colwise() * log_transfer.exp()).matrix() * f.matrix().asDiagonal();
@@ -204,7 +209,9 @@ private:
         expected = expected.max(1e-300);
         derivative = expected.inverse().matrix().asDiagonal() * derivative;
         Eigen::MatrixXd total = derivative;
-        if (amplitude_slope.size() > 0) total.leftCols(spline_.coefficients()) += (c.amplitude_response * surface / expected).matrix() * amplitude_slope.transpose();
+        if (amplitude_slope.size() > 0)
+            total.leftCols(spline_.coefficients()) +=
+                (c.amplitude_response * surface / expected).matrix() * amplitude_slope.transpose();
         const Array1D ratio = c.periodogram / expected;
         for (Index k = 0; k < ratio.size(); ++k)
             if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
@@ -229,8 +236,8 @@ private:
 
 }  // namespace
 
-WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness,
-                       const Eigen::VectorXd& start) {
+WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
+                       const Smoothness& smoothness, const Eigen::VectorXd& start) {
     constexpr int most_iterations = 60;
     constexpr double longest_step = 3.0, small_decrement = 1e-4;
     const Problem problem(classes, spline, smoothness);
@@ -275,7 +282,8 @@ SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta
     // ∫ q^{order+1} C d(ln q) by the midpoint rule, 40 a decade, and the closed form of the constant part
     const double lowest = std::exp(spline.position(1)), upper = std::min(end, spline.shortest());
     const double below = std::pow(std::min(lowest, upper), order + 1.0) / (order + 1.0);
-    const Index pieces = upper > lowest ? std::max<Index>(1, static_cast<Index>(std::ceil(40.0 * std::log10(upper / lowest)))) : 0;
+    const Index pieces =
+        upper > lowest ? std::max<Index>(1, static_cast<Index>(std::ceil(40.0 * std::log10(upper / lowest)))) : 0;
     const double width = pieces > 0 ? std::log(upper / lowest) / static_cast<double>(pieces) : 0.0;
     Array1D q(pieces + 1), weight(pieces + 1);
     q[0] = lowest;

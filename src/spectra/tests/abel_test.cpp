@@ -52,7 +52,10 @@ TEST(IsotropicFromProfile, ReturnsWhatTheAbelIntegralTook) {
     values << C_iso, isotropic_power_spectrum(model, Array1D::Constant(1, 300.0));
     const Array1D C1D = profile_from_isotropic(nodes, values, q);
     const auto back = isotropic_from_profile(q, C1D, 300.0, 200);
-    EXPECT_LT((profile_from_isotropic(q, back, q).head(55) / profile_from_isotropic(q, C_iso, q).head(55) - 1.0).abs().maxCoeff(), 0.02);
+    EXPECT_LT((profile_from_isotropic(q, back, q).head(55) / profile_from_isotropic(q, C_iso, q).head(55) - 1.0)
+                  .abs()
+                  .maxCoeff(),
+              0.02);
     EXPECT_LT((back / C_iso - 1.0).abs().head(55).maxCoeff(), 0.02);
     const auto eq11 = isotropic_from_profile(q, C1D, 300.0, 0);
     EXPECT_GT((eq11 / C_iso - 1.0).abs().head(55).maxCoeff(), 0.2);
@@ -104,7 +107,8 @@ TEST(SelfAffine, IsFoundFromItsMoments) {
     for (const double hurst : {0.3, 0.8, 0.97, 1.2})
         for (const double rolloff : {1e5, 3e7}) {
             const SelfAffine model{1e-30, rolloff, hurst, 1.6e10};
-            const auto found = self_affine_with_moments(rms_height(model), rms_slope(model), rms_curvature(model), 1.6e10);
+            const auto found =
+                self_affine_with_moments(rms_height(model), rms_slope(model), rms_curvature(model), 1.6e10);
             EXPECT_NEAR(found.hurst_exponent, hurst, 1e-9);
             EXPECT_NEAR(found.rolloff_wavevector / rolloff, 1.0, 1e-8);
             EXPECT_NEAR(found.plateau / 1e-30, 1.0, 1e-8);

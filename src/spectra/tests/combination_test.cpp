@@ -15,7 +15,8 @@ using namespace setae;
 using namespace setae::spectra;
 
 /// C = level q^slope at modes from lower to upper.
-PowerSpectrum1D power_law(double level, double slope, double lower, double upper, const std::string& instrument = "afm") {
+PowerSpectrum1D power_law(double level, double slope, double lower, double upper,
+                          const std::string& instrument = "afm") {
     PowerSpectrum1D spectrum;
     const auto modes = static_cast<Index>(std::floor(upper / lower * (1.0 + 1e-12)));
     spectrum.wavevector = Array1D::LinSpaced(modes, 1.0, static_cast<double>(modes)) * lower;
@@ -36,7 +37,8 @@ PowerSpectrum1D noisy(unsigned seed, double lower = 1.0, const std::string& inst
 }
 
 bool has_alert(const CombinedSpectrum& spectrum, const std::string& code) {
-    return std::any_of(spectrum.alerts.begin(), spectrum.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+    return std::any_of(spectrum.alerts.begin(), spectrum.alerts.end(),
+                       [&](const Alert& alert) { return alert.code == code; });
 }
 
 TEST(Combine, IdenticalMembersEqualTheMember) {
@@ -49,7 +51,8 @@ TEST(Combine, IdenticalMembersEqualTheMember) {
 }
 
 TEST(Combine, IsTheArithmeticMeanOverMeasurements) {
-    const std::vector<PowerSpectrum1D> spectra{power_law(1.0, -2.0, 1.0, 100.0), power_law(3.0, -2.0, 1.0, 100.0), power_law(8.0, -2.0, 1.0, 100.0)};
+    const std::vector<PowerSpectrum1D> spectra{power_law(1.0, -2.0, 1.0, 100.0), power_law(3.0, -2.0, 1.0, 100.0),
+                                               power_law(8.0, -2.0, 1.0, 100.0)};
     const auto combined = combine(spectra);
     const Array1D expected = 4.0 * combine(std::vector<PowerSpectrum1D>{spectra[0]}).C1D;
     EXPECT_LT((combined.C1D / expected - 1.0).abs().maxCoeff(), 1e-12);
@@ -59,7 +62,8 @@ TEST(Combine, IsTheArithmeticMeanOverMeasurements) {
 
 TEST(Combine, DoesNotDependOnTheOrderOfMeasurements) {
     std::vector<PowerSpectrum1D> spectra;
-    for (unsigned seed = 0; seed < 6; ++seed) spectra.push_back(noisy(seed, seed % 2 ? 1.0 : 7.3, seed % 2 ? "afm" : "tem"));
+    for (unsigned seed = 0; seed < 6; ++seed)
+        spectra.push_back(noisy(seed, seed % 2 ? 1.0 : 7.3, seed % 2 ? "afm" : "tem"));
     for (const auto weighting : {Weighting::equal, Weighting::per_instrument, Weighting::inverse_variance}) {
         const auto forward = combine(spectra, {.weighting = weighting});
         std::vector<PowerSpectrum1D> reversed(spectra.rbegin(), spectra.rend());
@@ -81,7 +85,8 @@ TEST(Combine, BinsAreTheSameForAllDataAndAlignedToDecades) {
 
 TEST(Combine, RecoversASteepPowerLawAtTheCentresOfItsBins) {
     for (const double slope : {0.0, -1.6, -3.0, -5.0}) {
-        const std::vector<PowerSpectrum1D> spectra{power_law(2.0, slope, 1.0, 300.0), power_law(2.0, slope, 17.0, 3000.0)};
+        const std::vector<PowerSpectrum1D> spectra{power_law(2.0, slope, 1.0, 300.0),
+                                                   power_law(2.0, slope, 17.0, 3000.0)};
         const auto combined = combine(spectra), plain = combine(spectra, {.slope_correction = false});
         const Array1D truth = 2.0 * combined.wavevector.pow(slope);
         EXPECT_LT((combined.C1D / truth - 1.0).abs().maxCoeff(), 1e-3) << slope;
@@ -177,10 +182,12 @@ TEST(Bootstrap, FillsLostBinsWithTheShapeOfTheFullCombination) {
 }
 
 TEST(Bootstrap, StratifiedDrawsLoseNoInstrument) {
-    std::vector<PowerSpectrum1D> spectra{power_law(1.0, 0.0, 1.0, 10.0, "stylus"), power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
+    std::vector<PowerSpectrum1D> spectra{power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
+                                         power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
                                          power_law(1.0, 0.0, 100.0, 1000.0, "tem")};
     EXPECT_GT(bootstrap(binned(spectra), {.resamples = 100}).filled_share.maxCoeff(), 0.1);
-    EXPECT_EQ(bootstrap(binned(spectra), {.resamples = 100, .draw = Draw::within_instruments}).filled_share.maxCoeff(), 0.0);
+    EXPECT_EQ(bootstrap(binned(spectra), {.resamples = 100, .draw = Draw::within_instruments}).filled_share.maxCoeff(),
+              0.0);
 }
 
 TEST(Bootstrap, GivesTheSameBytesForASeedAndAnyNumberOfThreads) {

@@ -7,8 +7,8 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/spectra/abel.hpp"
 #include "setae/numerics/random_numbers.hpp"
+#include "setae/spectra/abel.hpp"
 #include "setae/spectra/self_affine.hpp"
 
 namespace setae::spectra {
@@ -57,27 +57,31 @@ TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
 TEST(InverseAbel, UndoesTheIntegralOverLines) {
     // any curve: a bump on a power law
     const Array1D nodes = decades(1e4, 1e9, 40);
-    const Array1D C_iso = 1e-26 * (1.0 + (nodes / 1e6).square()).pow(-1.7) * (1.0 + 2.0 * (-((nodes / 1e7).log() / 0.8).square()).exp());
+    const Array1D C_iso =
+        1e-26 * (1.0 + (nodes / 1e6).square()).pow(-1.7) * (1.0 + 2.0 * (-((nodes / 1e7).log() / 0.8).square()).exp());
     const Array1D q = decades(2e4, 2e7, 20);
     const auto result = isotropic_from_lines(q, spectra::profile_from_isotropic(nodes, C_iso, q));
     for (Index k = 0; k < q.size(); ++k) {
         if (q[k] > 1e7) continue;  // the last third of a decade rests on the power law beyond
         const double place = std::log(q[k] / nodes[0]) / std::log(nodes[1] / nodes[0]);
         const auto node = static_cast<Index>(place);
-        const double exact = std::exp(std::log(C_iso[node]) + (place - static_cast<double>(node)) * std::log(C_iso[node + 1] / C_iso[node]));
+        const double exact = std::exp(std::log(C_iso[node]) +
+                                      (place - static_cast<double>(node)) * std::log(C_iso[node + 1] / C_iso[node]));
         EXPECT_NEAR(result.C_iso[k] / exact, 1.0, 0.01) << q[k];
     }
 }
 
 TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
-    const Array1D q = decades(1e6, 1e9, 10), C1D = spectra::profile_power_spectrum(model, q);  // where C1D is flat it hardly tells of C_iso
+    const Array1D q = decades(1e6, 1e9, 10),
+                  C1D = spectra::profile_power_spectrum(model, q);  // where C1D is flat it hardly tells of C_iso
     const Index n = q.size();
     constexpr int trials = 300;
     const double relative = 0.08;
     Array1D sum = Array1D::Zero(n), squares = Array1D::Zero(n), stated = Array1D::Zero(n);
     for (int t = 0; t < trials; ++t) {
-        const Array1D noisy = C1D * (1.0 + relative * numerics::normal_numbers({5, static_cast<std::uint64_t>(t)}, 0, n));
+        const Array1D noisy =
+            C1D * (1.0 + relative * numerics::normal_numbers({5, static_cast<std::uint64_t>(t)}, 0, n));
         const auto result = isotropic_from_lines(q, noisy, relative * noisy, {.smoothing = 0.6});
         ASSERT_FALSE(result.C_iso.isNaN().any());
         sum += result.C_iso / trials;

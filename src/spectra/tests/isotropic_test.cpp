@@ -27,7 +27,9 @@ TEST(PowerSpectrumMap, IsTheDoubleSumSquaredOverTheArea) {
             std::complex<double> sum{};
             for (Index i = 0; i < 7; ++i)
                 for (Index j = 0; j < 6; ++j)
-                    sum += map.heights(i, j) * std::polar(1.0, -2.0 * pi * (static_cast<double>(i * k) / 7.0 + static_cast<double>(j * m) / 6.0));
+                    sum += map.heights(i, j) *
+                           std::polar(
+                               1.0, -2.0 * pi * (static_cast<double>(i * k) / 7.0 + static_cast<double>(j * m) / 6.0));
             const double pixel_area = 2.0 * 1.3 / 42.0;
             EXPECT_NEAR(spectrum(k, m), std::norm(sum) * pixel_area * pixel_area / 2.6, 1e-14) << k << ", " << m;
         }
@@ -44,7 +46,8 @@ TEST(PowerSpectrumMap, KeepsParseval) {
 TEST(PowerSpectrumMap, OfAWindowedMapKeepsItsMeanSquare) {
     const HeightMap flat{Array2D::Ones(30, 20), {3.0, 2.0}, false, {}};
     for (const auto window : {Window::hann, Window::radial_hann, Window::blackman_harris})
-        EXPECT_NEAR(power_spectrum_map(flat, {.window = window, .trend = Trend::none}).sum() / 6.0, 1.0, 1e-12) << name(window);
+        EXPECT_NEAR(power_spectrum_map(flat, {.window = window, .trend = Trend::none}).sum() / 6.0, 1.0, 1e-12)
+            << name(window);
 }
 
 TEST(PowerSpectrumMap, OfARadialWindowIsThatOfTheFormula) {
@@ -60,7 +63,8 @@ TEST(PowerSpectrumMap, OfARadialWindowIsThatOfTheFormula) {
 }
 
 /// Radial mean by asking every mode for its bin.
-std::map<Index, std::array<double, 3>> radial_sums(const HeightMap& map, const LogGrid& grid, const SpectrumOptions& options) {
+std::map<Index, std::array<double, 3>> radial_sums(const HeightMap& map, const LogGrid& grid,
+                                                   const SpectrumOptions& options) {
     const auto spectrum = power_spectrum_map(map, options);
     const Index nx = spectrum.rows(), ny = spectrum.cols();
     const double lowest = 2.0 * pi / std::max(map.size[0], map.size[1]);
@@ -99,9 +103,16 @@ TEST(IsotropicPowerSpectrum, IsTheMeanOfAllModesOfABin) {
 
 TEST(IsotropicPowerSpectrum, DoesNotDependOnTheDirectionOfAWave) {
     const auto wave = [](double sign) {
-        return HeightMap{Array2D::NullaryExpr(64, 64, [=](Index i, Index j) {
-                             return std::cos(2.0 * pi * (5.0 * static_cast<double>(i) + sign * 3.0 * static_cast<double>(j)) / 64.0);
-                         }), {1.0, 1.0}, true, {}};
+        return HeightMap{
+            Array2D::NullaryExpr(64, 64,
+                                 [=](Index i, Index j) {
+                                     return std::cos(
+                                         2.0 * pi *
+                                         (5.0 * static_cast<double>(i) + sign * 3.0 * static_cast<double>(j)) / 64.0);
+                                 }),
+            {1.0, 1.0},
+            true,
+            {}};
     };
     const auto one = isotropic_power_spectrum(wave(1.0)), other = isotropic_power_spectrum(wave(-1.0));
     EXPECT_LT((one.C_iso - other.C_iso).abs().maxCoeff(), 1e-15);
@@ -118,7 +129,8 @@ TEST(IsotropicPowerSpectrum, SurvivesTilt) {
 
 TEST(IsotropicPowerSpectrum, GivesTheSameBytesForAnyNumberOfThreads) {
     const auto map = map_of(100, 90, false);
-    const auto one = isotropic_power_spectrum(map, {.threads = {1}}), three = isotropic_power_spectrum(map, {.threads = {3}});
+    const auto one = isotropic_power_spectrum(map, {.threads = {1}}),
+               three = isotropic_power_spectrum(map, {.threads = {3}});
     EXPECT_TRUE((one.C_iso == three.C_iso).all());
     EXPECT_TRUE((power_spectrum_map(map, {.threads = {1}}) == power_spectrum_map(map, {.threads = {3}})).all());
 }

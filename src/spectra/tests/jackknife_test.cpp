@@ -26,7 +26,8 @@ BinnedSpectra made_of(const std::vector<std::array<double, 3>>& values, std::vec
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Jackknife, OfOneInstrumentGivesTheStandardErrorOfTheMean) {
-    const auto binned = made_of({{1.0, 2.0, 3.0}, {4.0, 2.5, 1.0}, {2.0, 7.0, 5.0}, {3.0, 1.0, 2.0}}, {"afm", "afm", "afm", "afm"});
+    const auto binned =
+        made_of({{1.0, 2.0, 3.0}, {4.0, 2.5, 1.0}, {2.0, 7.0, 5.0}, {3.0, 1.0, 2.0}}, {"afm", "afm", "afm", "afm"});
     const auto left_out = jackknife(binned);
     ASSERT_EQ(left_out.C1D.size(), 1u);
     const Array2D& curves = left_out.C1D.front();
@@ -39,7 +40,8 @@ TEST(Jackknife, OfOneInstrumentGivesTheStandardErrorOfTheMean) {
 }
 
 TEST(Jackknife, FillsBinsOnlyTheOneLeftOutCovers) {
-    const auto binned = made_of({{1.0, 1.0, none}, {3.0, 3.0, none}, {none, 2.0, 8.0}, {none, 2.0, none}}, {"stylus", "stylus", "afm", "afm"});
+    const auto binned = made_of({{1.0, 1.0, none}, {3.0, 3.0, none}, {none, 2.0, 8.0}, {none, 2.0, none}},
+                                {"stylus", "stylus", "afm", "afm"});
     const auto left_out = jackknife(binned);
     ASSERT_EQ(left_out.C1D.size(), 2u);
     // without the third: bin 1 is the mean of 1, 3, 2, as with it, so the lost bin keeps its value
@@ -52,7 +54,8 @@ TEST(Jackknife, FillsBinsOnlyTheOneLeftOutCovers) {
 
 TEST(Jackknife, CountsNoMeasurementAsExactlyKnown) {
     const auto members_of = [](const std::vector<std::string>& instruments) {
-        const auto binned = made_of(std::vector<std::array<double, 3>>(instruments.size(), {1.0, 1.0, 1.0}), instruments);
+        const auto binned =
+            made_of(std::vector<std::array<double, 3>>(instruments.size(), {1.0, 1.0, 1.0}), instruments);
         std::vector<Index> sizes;
         for (const auto& curves : jackknife(binned).C1D) sizes.push_back(curves.rows());
         return sizes;

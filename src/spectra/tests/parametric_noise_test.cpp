@@ -28,13 +28,15 @@ TEST(ParametricNoise, HasTheMeanAndTheVarianceOfAPeriodogram) {
     for (Index k = 0; k < 3; ++k) {
         const Array1D ratio = replicas.col(k) / spectrum.C1D[k];
         EXPECT_NEAR(ratio.mean(), 1.0, 4.0 / std::sqrt(count * freedom[k]));
-        EXPECT_NEAR((ratio - ratio.mean()).square().mean() * freedom[k], 1.0, 4.0 * std::sqrt((2.0 + 6.0 / freedom[k]) / count));
+        EXPECT_NEAR((ratio - ratio.mean()).square().mean() * freedom[k], 1.0,
+                    4.0 * std::sqrt((2.0 + 6.0 / freedom[k]) / count));
     }
 }
 
 TEST(ParametricNoise, BeginsTheSameWithTheSameSeed) {
     const Array1D freedom = Array1D::Ones(3);
-    const Array2D few = parametric_noise(three_modes(), freedom, 3, 5), many = parametric_noise(three_modes(), freedom, 7, 5);
+    const Array2D few = parametric_noise(three_modes(), freedom, 3, 5),
+                  many = parametric_noise(three_modes(), freedom, 7, 5);
     EXPECT_TRUE((many.topRows(3) == few).all());
     EXPECT_FALSE((parametric_noise(three_modes(), freedom, 3, 6) == few).any());
 }

@@ -36,12 +36,14 @@ inline ExtendedComplex segment_sum(const topography::Profile& profile, long doub
 /// The windowed spectrum as shifted segment sums.
 inline double spectrum_by_segments(const topography::Profile& profile, double q, spectra::Window window) {
     const auto cosines = spectra::cosine_coefficients(window);
-    const long double length = static_cast<long double>(profile.positions[profile.positions.size() - 1]) - profile.positions[0];
+    const long double length =
+        static_cast<long double>(profile.positions[profile.positions.size() - 1]) - profile.positions[0];
     const long double base = 2.0L * std::numbers::pi_v<long double> / length;
     ExtendedComplex sum = static_cast<long double>(cosines[0]) * segment_sum(profile, q);
     for (std::size_t m = 1; m < cosines.size(); ++m)
         for (const long double sign : {-1.0L, 1.0L})
-            sum += static_cast<long double>(cosines[m]) / 2.0L * segment_sum(profile, q + sign * static_cast<long double>(m) * base);
+            sum += static_cast<long double>(cosines[m]) / 2.0L *
+                   segment_sum(profile, q + sign * static_cast<long double>(m) * base);
     return static_cast<double>(std::norm(sum) / length);
 }
 

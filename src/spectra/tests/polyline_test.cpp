@@ -25,7 +25,8 @@ TEST(PolylinePowerSpectrum, OfARectangleIsSincSquared) {
     const auto q = log_spaced(200, 1e-3, 1e4);
     const auto spectrum = polyline_power_spectrum(rectangle, q, Window::none);
     for (Index j = 0; j < q.size(); ++j)
-        EXPECT_NEAR(spectrum[j], 18.0 * std::pow(sinc(q[j]), 2), 1e-12 * 18.0 * std::min(1.0, 1.0 / (q[j] * q[j]))) << q[j];
+        EXPECT_NEAR(spectrum[j], 18.0 * std::pow(sinc(q[j]), 2), 1e-12 * 18.0 * std::min(1.0, 1.0 / (q[j] * q[j])))
+            << q[j];
 }
 
 TEST(PolylinePowerSpectrum, OfATriangleIsSincToTheFourth) {
@@ -33,7 +34,8 @@ TEST(PolylinePowerSpectrum, OfATriangleIsSincToTheFourth) {
     const auto q = log_spaced(200, 1e-3, 1e4);
     const auto spectrum = polyline_power_spectrum(triangle, q, Window::none);
     for (Index j = 0; j < q.size(); ++j)
-        EXPECT_NEAR(spectrum[j], 0.5 * std::pow(sinc(0.5 * q[j]), 4), 1e-12 * std::min(1.0, std::pow(q[j], -4))) << q[j];
+        EXPECT_NEAR(spectrum[j], 0.5 * std::pow(sinc(0.5 * q[j]), 4), 1e-12 * std::min(1.0, std::pow(q[j], -4)))
+            << q[j];
 }
 
 TEST(PolylinePowerSpectrum, OfASampledSineIsAmplitudeSquaredLengthOverFourTimesSincToTheFourth) {
@@ -48,7 +50,8 @@ TEST(PolylinePowerSpectrum, OfASampledSineIsAmplitudeSquaredLengthOverFourTimesS
 /// Largest deviation from the sum over segments, over the mean level of the nearest twenty wavevectors.
 double largest_deviation(const Profile& profile, const Array1D& q, Window window) {
     const auto spectrum = polyline_power_spectrum(profile, q, window);
-    const Array1D expected = q.unaryExpr([&](double value) { return tests::spectrum_by_segments(profile, value, window); });
+    const Array1D expected =
+        q.unaryExpr([&](double value) { return tests::spectrum_by_segments(profile, value, window); });
     double worst = 0.0;
     for (Index j = 0; j < q.size(); ++j) {
         const Index first = std::clamp<Index>(j - 10, 0, q.size() - 20);
@@ -66,9 +69,11 @@ TEST_P(PolylineWindows, MeetTheSumOverSegmentsOverFiveDecades) {
 
 TEST_P(PolylineWindows, MeetTheSumOverSegmentsForSmoothHeights) {
     Profile profile = random_profile(1000);
-    profile.heights = (0.01 * profile.positions).sin() + 1e-2 * (0.5 * profile.positions).cos() + 1e-4 * profile.heights;
+    profile.heights =
+        (0.01 * profile.positions).sin() + 1e-2 * (0.5 * profile.positions).cos() + 1e-4 * profile.heights;
     EXPECT_LT(largest_deviation(topography::detrended(profile, topography::Trend::mean),
-                                log_spaced(60, 2.0 * pi / 1000.0, 10.0), GetParam()), 1e-10);
+                                log_spaced(60, 2.0 * pi / 1000.0, 10.0), GetParam()),
+              1e-10);
 }
 
 TEST_P(PolylineWindows, MeetTheSumOverSegmentsForAFewPoints) {
@@ -96,7 +101,9 @@ TEST(PolylinePowerSpectrum, TakesAnyOrderAndSignOfWavevectors) {
 TEST(PolylinePowerSpectrum, GivesTheSameBytesForAnyNumberOfThreads) {
     const auto profile = random_profile(2000);
     const auto q = log_spaced(1000, 1e-3, 10.0);
-    EXPECT_TRUE((polyline_power_spectrum(profile, q, Window::hann, {1}) == polyline_power_spectrum(profile, q, Window::hann, {3})).all());
+    EXPECT_TRUE((polyline_power_spectrum(profile, q, Window::hann, {1}) ==
+                 polyline_power_spectrum(profile, q, Window::hann, {3}))
+                    .all());
 }
 
 TEST(PolylinePowerSpectrum, RefusesReentrantProfilesAndRadialWindows) {

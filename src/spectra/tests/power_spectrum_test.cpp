@@ -149,7 +149,8 @@ TEST(PowerSpectrum, OfAReentrantProfileIsRefused) {
 TEST(PowerSpectrum, OfOnePointOrNoSizeIsRefused) {
     EXPECT_THROW((void)power_spectrum(LineScan{random_heights(1), 1.0, false, {}}), InvalidArgument);
     EXPECT_THROW((void)power_spectrum(LineScan{random_heights(5), 0.0, false, {}}), InvalidArgument);
-    EXPECT_THROW((void)power_spectrum(LineScan{random_heights(5), 1.0, false, {}}, {.window = Window::radial_hann}), InvalidArgument);
+    EXPECT_THROW((void)power_spectrum(LineScan{random_heights(5), 1.0, false, {}}, {.window = Window::radial_hann}),
+                 InvalidArgument);
 }
 
 TEST(PowerSpectrum, ReliableBandRunsFromTheSizeToNyquist) {
@@ -167,7 +168,8 @@ TEST(PowerSpectrum, WithinBandKeepsWhatTheInstrumentResolves) {
 
 TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
     const auto profile = tests::random_profile(400);
-    const auto corrected = power_spectrum(profile), segments = power_spectrum(profile, {.contour = ContourTreatment::segments});
+    const auto corrected = power_spectrum(profile),
+               segments = power_spectrum(profile, {.contour = ContourTreatment::segments});
     ASSERT_EQ(corrected.alerts.size(), 1u);
     EXPECT_EQ(corrected.alerts[0].code, "CONTOUR_STEPS");
     EXPECT_TRUE(segments.alerts.empty());

@@ -45,7 +45,8 @@ Array1D sampled_response(const Array1D& x, const Array1D& q, double exponent) {
     const double spacing = 2.0 * pi / (3.0 * length);
     Array1D power = Array1D::Zero(q.size());
     for (double p = 0.5 * spacing; p < end; p += spacing) {
-        const Array1D wave = polyline_power_spectrum({x, (p * x).cos(), {}}, q) + polyline_power_spectrum({x, (p * x).sin(), {}}, q);
+        const Array1D wave =
+            polyline_power_spectrum({x, (p * x).cos(), {}}, q) + polyline_power_spectrum({x, (p * x).sin(), {}}, q);
         power += std::pow(p, -exponent) * wave * spacing / pi;
     }
     return power * q.pow(exponent);
@@ -63,7 +64,7 @@ void expect_response(const std::function<double(std::mt19937_64&)>& step, double
         sampled = seed == 0 ? other : Array1D(sampled + other);
     }
     EXPECT_LT((predicted / sampled - 1.0).abs().maxCoeff(), tolerance) << predicted.transpose() / realisations << "\n"
-                                                                      << sampled.transpose() / realisations;
+                                                                       << sampled.transpose() / realisations;
 }
 
 TEST(SegmentResponse, MeetsWavesSampledAtUniformlyRandomSteps) {

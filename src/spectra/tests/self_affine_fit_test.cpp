@@ -8,8 +8,8 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/spectra/spectral_density.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -20,7 +20,8 @@ using spectra::SelfAffine;
 CombinedSpectrum exact(const SelfAffine& model, double from, double to) {
     const auto count = static_cast<Index>(std::round(10.0 * std::log10(to / from)));
     CombinedSpectrum spectrum;
-    spectrum.wavevector = from * (Array1D::LinSpaced(count, 0.0, static_cast<double>(count - 1)) * 0.1 * std::log(10.0)).exp();
+    spectrum.wavevector =
+        from * (Array1D::LinSpaced(count, 0.0, static_cast<double>(count - 1)) * 0.1 * std::log(10.0)).exp();
     spectrum.C1D = spectra::profile_power_spectrum(model, spectrum.wavevector);
     spectrum.standard_error = 0.1 * spectrum.C1D;
     spectrum.count = Array1D::Constant(count, 4.0);
@@ -47,7 +48,8 @@ TEST(SelfAffineFit, FindsTheModelOfASpectrumWithoutScatter) {
 }
 
 TEST(SelfAffineFit, AgreesWithTheSlopeOfAPowerLaw) {
-    // far below q_s and above q_r C1D ∝ q^(−1−2H), so H is known to (2 dlnC)⁻¹ …: least squares of logarithms in closed form
+    // far below q_s and above q_r C1D ∝ q^(−1−2H), so H is known to (2 dlnC)⁻¹ …: least squares of logarithms in closed
+    // form
     SelfAffine endless = surface;
     endless.rolloff_wavevector = 1.0;
     endless.plateau = 1.0;
@@ -57,7 +59,8 @@ TEST(SelfAffineFit, AgreesWithTheSlopeOfAPowerLaw) {
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 1e-4);
     // ν = (C/SE)² = 100 a bin: SE(H) = 1/(2 √(Σ ν (x − x̄)²))
     const Array1D x = spectrum.wavevector.log() - spectrum.wavevector.log().mean();
-    EXPECT_NEAR(fit.hurst_exponent.estimate.standard_error, 0.5 / std::sqrt(100.0 * x.square().sum()), 1e-3 * fit.hurst_exponent.estimate.standard_error + 1e-6);
+    EXPECT_NEAR(fit.hurst_exponent.estimate.standard_error, 0.5 / std::sqrt(100.0 * x.square().sum()),
+                1e-3 * fit.hurst_exponent.estimate.standard_error + 1e-6);
     EXPECT_EQ(fit.rolloff, ScaleStatus::not_asked);
     EXPECT_TRUE(std::isnan(fit.rolloff_wavelength.estimate.value));
     EXPECT_TRUE(std::isnan(fit.plateau.estimate.value));
@@ -86,7 +89,8 @@ TEST(SelfAffineFit, KeepsToItsRange) {
     const auto curve = model_curve(fit, Array1D{{1e5, 1e7, 1e9}});
     EXPECT_EQ(curve.extrapolated, (std::vector<bool>{true, false, true}));
     EXPECT_LT(curve.standard_error[1] / curve.C1D[1], curve.standard_error[2] / curve.C1D[2]);
-    EXPECT_NEAR(curve.C1D[1], spectra::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0], 0.05 * curve.C1D[1]);
+    EXPECT_NEAR(curve.C1D[1], spectra::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0],
+                0.05 * curve.C1D[1]);
 }
 
 TEST(SelfAffineFit, WidensItsErrorsWhereTheModelMisses) {
@@ -101,7 +105,8 @@ TEST(SelfAffineFit, WidensItsErrorsWhereTheModelMisses) {
 
 TEST(SelfAffineFit, DoesNotDependOnTheUnitOfLength) {
     const double unit = 1e3;
-    SelfAffine larger{surface.plateau * std::pow(unit, 4), surface.rolloff_wavevector / unit, surface.hurst_exponent, surface.short_wavevector / unit};
+    SelfAffine larger{surface.plateau * std::pow(unit, 4), surface.rolloff_wavevector / unit, surface.hurst_exponent,
+                      surface.short_wavevector / unit};
     const auto a = fit_self_affine(exact(surface, 1e5, 1e8)), b = fit_self_affine(exact(larger, 1e2, 1e5));
     EXPECT_NEAR(a.hurst_exponent.estimate.value, b.hurst_exponent.estimate.value, 1e-6);
     EXPECT_NEAR(a.rolloff_wavelength.estimate.value * unit / b.rolloff_wavelength.estimate.value, 1.0, 1e-5);
@@ -134,7 +139,8 @@ TEST(SelfAffineFit, RefusesWhatItCannotFit) {
     auto alone = spectrum;
     alone.standard_error.setConstant(undefined);
     EXPECT_THROW((void)fit_self_affine(alone), UndefinedDataError);
-    const std::array<FittedValues, 1> uneven{FittedValues{Array1D::Ones(5), Array1D::Ones(4), Array1D::Ones(5), [](const SelfAffine&) { return Array1D::Ones(5).eval(); }}};
+    const std::array<FittedValues, 1> uneven{FittedValues{Array1D::Ones(5), Array1D::Ones(4), Array1D::Ones(5),
+                                                          [](const SelfAffine&) { return Array1D::Ones(5).eval(); }}};
     EXPECT_THROW((void)fit_self_affine(uneven), InvalidArgument);
 }
 

@@ -79,7 +79,8 @@ TEST(ProfileDensity, RisesBelowABandThatBeginsAtTheRolloff) {
     EXPECT_GT(C1D(1e-6) / C1D(1.0), 1.5);
     // a plateau alone: C1D = sqrt(q_s^2 - q^2)/pi
     const auto flat = profile_density([](double wavevector) { return wavevector <= 5.0 ? 1.0 : 0.0; }, {2.0, 10.0});
-    for (const double x : {0.0, 0.01, 1.0, 2.0, 3.0, 4.9, 4.9999}) EXPECT_NEAR(flat(x), std::sqrt(25.0 - x * x) / pi, 1e-5 * flat(x)) << x;
+    for (const double x : {0.0, 0.01, 1.0, 2.0, 3.0, 4.9, 4.9999})
+        EXPECT_NEAR(flat(x), std::sqrt(25.0 - x * x) / pi, 1e-5 * flat(x)) << x;
 }
 
 TEST(ProfileDensity, MeetsJumpsWhereTheyAre) {
@@ -93,13 +94,15 @@ TEST(ProfileDensity, MeetsJumpsWhereTheyAre) {
 
 TEST(ProfileDensity, FollowsASpectrumThatFallsToZero) {
     // C = 1 up to 1, then 2 - q: elementary integrals of q/sqrt and q^2/sqrt
-    const auto C1D = profile_density(tabulated_density(Array1D{{0.5, 1.0, 2.0, 3.0}}, Array1D{{1.0, 1.0, 0.0, 0.0}}), {0.5, 3.0});
+    const auto C1D =
+        profile_density(tabulated_density(Array1D{{0.5, 1.0, 2.0, 3.0}}, Array1D{{1.0, 1.0, 0.0, 0.0}}), {0.5, 3.0});
     for (const double x : {0.01, 0.3, 0.9, 1.1, 1.5, 1.9}) {
         const auto antiderivative = [x](double q) {
             const double v = std::sqrt(q * q - x * x);
             return 2.0 * v - 0.5 * (q * v + x * x * std::log(q + v));
         };
-        const double exact = (antiderivative(2.0) - antiderivative(std::max(1.0, x)) + (x < 1.0 ? std::sqrt(1.0 - x * x) : 0.0)) / pi;
+        const double exact =
+            (antiderivative(2.0) - antiderivative(std::max(1.0, x)) + (x < 1.0 ? std::sqrt(1.0 - x * x) : 0.0)) / pi;
         EXPECT_NEAR(C1D(x) / exact, 1.0, x < 1.8 ? 3e-5 : 3e-4) << x;
     }
 }

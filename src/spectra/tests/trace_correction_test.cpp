@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
+#include <Eigen/Cholesky>
 
 #include "setae/core/constants.hpp"
 #include "setae/spectra/polyline.hpp"
@@ -38,8 +38,14 @@ topography::LineScan line(const spectra::SpectralDensity& C1D, Index refinement,
 /// A curve of spectrum `truth` as traced: blurred, smoothed, with smoothed noise from point to point.
 Profile traced(std::uint64_t seed, bool irregular, bool noisy = true) {
     const Index refinement = irregular ? 4 : 1;
-    const auto curve = line([](double q) { return q > pi ? 0.0 : std::pow(transfer(q), 2) * truth(q); }, refinement, 2 * seed);
-    const auto noise = line([](double q) { return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, q))[0], 2) * response.noise_density; }, 1, 2 * seed + 1);
+    const auto curve =
+        line([](double q) { return q > pi ? 0.0 : std::pow(transfer(q), 2) * truth(q); }, refinement, 2 * seed);
+    const auto noise = line(
+        [](double q) {
+            return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, q))[0], 2) *
+                   response.noise_density;
+        },
+        1, 2 * seed + 1);
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<Index> step(3, 5);
     Profile profile{Array1D(points), Array1D(points), {}};
@@ -57,7 +63,8 @@ struct HalfDecade {
 };
 
 /// Over curves, between neighbouring edges.
-std::vector<HalfDecade> ratios_to_truth(const std::vector<double>& edges, bool irregular, const SpectrumOptions& options, int curves, bool noisy = true) {
+std::vector<HalfDecade> ratios_to_truth(const std::vector<double>& edges, bool irregular,
+                                        const SpectrumOptions& options, int curves, bool noisy = true) {
     std::vector<double> sums(edges.size() - 1, 0.0), squares = sums;
     for (int seed = 0; seed < curves; ++seed) {
         const auto spectrum = power_spectrum(traced(static_cast<std::uint64_t>(seed), irregular, noisy), options);
@@ -94,13 +101,15 @@ TEST(TraceCorrection, FreesEqualStepsOfNoiseBlurAndSmoothing) { expect_truth(fal
 TEST(TraceCorrection, FreesIrregularStepsOfNoiseBlurAndSmoothing) { expect_truth(true); }
 
 TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlongIt) {
-    // points at equal lengths of curves of rms slope 0.4, displaced along their normals, both coordinates smoothed along the curve
+    // points at equal lengths of curves of rms slope 0.4, displaced along their normals, both coordinates smoothed
+    // along the curve
     constexpr Index n = 400, refinement = 8;
     const double sigma = 0.1, smoothing = 0.8;
     const auto C1D = [](double q) { return q > 2.0 ? 0.0 : 3000.0 * std::pow(1.0 + std::pow(q / 0.05, 2), -1.7); };
     Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n - 2, n);
     for (Index i = 0; i + 2 < n; ++i) differences.row(i).segment(i, 3) << 1.0, -2.0, 1.0;
-    const Eigen::LLT<Eigen::MatrixXd> smoother(Eigen::MatrixXd::Identity(n, n) + std::pow(smoothing, 4) * differences.transpose() * differences);
+    const Eigen::LLT<Eigen::MatrixXd> smoother(Eigen::MatrixXd::Identity(n, n) +
+                                               std::pow(smoothing, 4) * differences.transpose() * differences);
     const std::vector<double> edges{0.08, 0.08 * std::sqrt(10.0), 0.8};
     double sums[2] = {0.0, 0.0}, counts[2] = {0.0, 0.0};
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -135,14 +144,16 @@ TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlong
                 }
     }
     // periodograms under a Hann window: two modes are worth about one
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(sums[i] / counts[i], 1.0, std::max(0.1, 2.0 * std::sqrt(2.0 / counts[i]))) << i;
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(sums[i] / counts[i], 1.0, std::max(0.1, 2.0 * std::sqrt(2.0 / counts[i]))) << i;
 }
 
 TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
     SpectrumOptions as_traced;
     as_traced.trace_response = false;
     // blur and smoothing lower the spectrum, noise lifts it; what is left over would be an accident
-    const auto smooth = ratios_to_truth({0.3, 0.45}, false, as_traced, 40, false), both = ratios_to_truth({0.3, 0.45}, false, as_traced, 40);
+    const auto smooth = ratios_to_truth({0.3, 0.45}, false, as_traced, 40, false),
+               both = ratios_to_truth({0.3, 0.45}, false, as_traced, 40);
     EXPECT_LT(smooth[0].mean, 0.9);
     EXPECT_GT(both[0].mean, smooth[0].mean + 0.1);
     const auto profile = traced(1, false);
@@ -176,7 +187,8 @@ TEST(TraceCorrection, EndsTheBandWhereBlurLeavesATenth) {
 
 TEST(TraceCorrection, SaysWhatItDid) {
     const auto spectrum = power_spectrum(traced(4, false));
-    const auto alert = std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(), [](const auto& a) { return a.code == "TRACE_NOISE"; });
+    const auto alert = std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(),
+                                    [](const auto& a) { return a.code == "TRACE_NOISE"; });
     ASSERT_NE(alert, spectrum.alerts.end());
     EXPECT_NE(alert->message.find("1e-05 m3"), std::string::npos) << alert->message;
     // at the end of the band a third of what is left of the traced power is noise
@@ -202,7 +214,13 @@ TEST(TraceCorrection, OfSegmentsTakesOffTheirShareOfTheNoise) {
     for (std::uint64_t seed = 0; seed < curves; ++seed) {
         Profile noise{Array1D::LinSpaced(points, 0.0, points - 1.0), Array1D(points), {}};
         noise.response = response;
-        noise.heights = line([](double q) { return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, q))[0], 2) * 1e-5; }, 1, seed).heights.head(points);
+        noise.heights =
+            line(
+                [](double q) {
+                    return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, q))[0], 2) * 1e-5;
+                },
+                1, seed)
+                .heights.head(points);
         const auto spectrum = power_spectrum(noise, segments);
         sum += spectrum.C1D.segment(100, 200).mean() / curves;
         if (spectrum.q_max == 0.0) {

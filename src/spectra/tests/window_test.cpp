@@ -15,7 +15,8 @@ using namespace setae::spectra;
 TEST(Window, KeepsThePowerForAnyNumberOfPoints) {
     for (const auto window : {Window::none, Window::hann, Window::blackman_harris})
         for (const Index n : {2, 3, 7, 64, 1001})
-            EXPECT_NEAR(window_values(window, n).square().sum(), static_cast<double>(n), 1e-12 * static_cast<double>(n));
+            EXPECT_NEAR(window_values(window, n).square().sum(), static_cast<double>(n),
+                        1e-12 * static_cast<double>(n));
 }
 
 TEST(Window, HannIsOneMinusCosine) {
@@ -25,7 +26,8 @@ TEST(Window, HannIsOneMinusCosine) {
 }
 
 TEST(Window, BlackmanHarrisNearlyVanishesAtItsEnds) {
-    EXPECT_NEAR(window_values(Window::blackman_harris, 64)[0] / window_values(Window::blackman_harris, 64)[32], 6e-5, 1e-12);
+    EXPECT_NEAR(window_values(Window::blackman_harris, 64)[0] / window_values(Window::blackman_harris, 64)[32], 6e-5,
+                1e-12);
 }
 
 TEST(Window, AutomaticTapersNonPeriodicDataOnly) {
@@ -35,12 +37,15 @@ TEST(Window, AutomaticTapersNonPeriodicDataOnly) {
 }
 
 TEST(Window, NamesComeBack) {
-    for (const auto window : {Window::automatic, Window::none, Window::hann, Window::blackman_harris, Window::radial_hann})
+    for (const auto window :
+         {Window::automatic, Window::none, Window::hann, Window::blackman_harris, Window::radial_hann})
         EXPECT_EQ(window_from_name(name(window)), window);
     EXPECT_THROW((void)window_from_name("hanning"), InvalidArgument);
 }
 
-TEST(Window, RadialIsNoFunctionOfOneCoordinate) { EXPECT_THROW((void)window_values(Window::radial_hann, 8), InvalidArgument); }
+TEST(Window, RadialIsNoFunctionOfOneCoordinate) {
+    EXPECT_THROW((void)window_values(Window::radial_hann, 8), InvalidArgument);
+}
 
 TEST(LogGrid, EdgesFallOnDecades) {
     const LogGrid grid;

@@ -16,8 +16,13 @@ using namespace setae;
 using namespace setae::statistics;
 
 SimulatedReplicates any_plan() {
-    return {.surfaces = *rc::gen::inRange(1, 4), .lenses = *rc::gen::inRange(1, 5), .spots = *rc::gen::inRange(1, 4), .repeats = *rc::gen::inRange(1, 4),
-            .between_lenses = *rc::gen::element(0.0, 3.0), .fit_error = *rc::gen::element(0.0, 1.0, 5.0), .dropped = *rc::gen::element(0.0, 0.4),
+    return {.surfaces = *rc::gen::inRange(1, 4),
+            .lenses = *rc::gen::inRange(1, 5),
+            .spots = *rc::gen::inRange(1, 4),
+            .repeats = *rc::gen::inRange(1, 4),
+            .between_lenses = *rc::gen::element(0.0, 3.0),
+            .fit_error = *rc::gen::element(0.0, 1.0, 5.0),
+            .dropped = *rc::gen::element(0.0, 0.4),
             .seed = static_cast<unsigned>(*rc::gen::inRange(0, 10000))};
 }
 
@@ -37,7 +42,8 @@ TEST(MixedModelProperty, NoOtherVariancesAreMoreLikely) {
             for (const double share : {-0.5, -0.01, 0.01, 0.1, 1.0}) {
                 Array1D other = top.variances;
                 other[k] += share * (share < 0.0 ? other[k] : scale);
-                if (other.sum() + design.known_variance.minCoeff() > 0.0 && (other.tail(1)[0] > 0.0 || design.known_variance.minCoeff() > 0.0))
+                if (other.sum() + design.known_variance.minCoeff() > 0.0 &&
+                    (other.tail(1)[0] > 0.0 || design.known_variance.minCoeff() > 0.0))
                     RC_ASSERT(log_restricted_likelihood(design, other) <= top.log_likelihood + 1e-7);
             }
     });
@@ -50,7 +56,8 @@ TEST(MixedModelProperty, IntervalsHoldTheirMeans) {
         for (const auto& surface : model.surfaces) {
             RC_ASSERT(std::isfinite(surface.mean.value));
             if (!surface.mean.uncertain()) continue;
-            RC_ASSERT(surface.mean.interval->lower < surface.mean.value && surface.mean.value < surface.mean.interval->upper);
+            RC_ASSERT(surface.mean.interval->lower < surface.mean.value &&
+                      surface.mean.value < surface.mean.interval->upper);
             if (surface.prediction) RC_ASSERT(surface.prediction->upper > surface.mean.value);
         }
     });

@@ -32,11 +32,13 @@ NestedMeanSquares mean_squares(const ReplicateData& data, int lenses, int spots,
         for (int s = 0; s < spots; ++s) {
             double mean = 0.0;
             for (int r = 0; r < repeats; ++r) mean += data.rows[i + static_cast<std::size_t>(r)].value / repeats;
-            for (int r = 0; r < repeats; ++r) result.repeat += std::pow(data.rows[i++].value - mean, 2) / (lenses * spots * (repeats - 1));
+            for (int r = 0; r < repeats; ++r)
+                result.repeat += std::pow(data.rows[i++].value - mean, 2) / (lenses * spots * (repeats - 1));
             spot_means.push_back(mean);
             lens_mean += mean / spots;
         }
-        for (const double mean : spot_means) result.spot += repeats * std::pow(mean - lens_mean, 2) / (lenses * (spots - 1));
+        for (const double mean : spot_means)
+            result.spot += repeats * std::pow(mean - lens_mean, 2) / (lenses * (spots - 1));
         result.lens += spots * repeats * std::pow(lens_mean - all, 2) / (lenses - 1);
     }
     return result;
@@ -59,7 +61,9 @@ TEST(MixedModel, OfABalancedDesignIsTheAnalysisOfVariance) {
     EXPECT_EQ(components[2].degrees_of_freedom, 40);
     // var of a mean square is 2 MS²/df
     EXPECT_NEAR(components[2].standard_error / (ms.repeat * std::sqrt(2.0 / 40.0)), 1.0, 1e-6);
-    EXPECT_NEAR(components[0].standard_error / (std::sqrt(2.0 * ms.lens * ms.lens / 4.0 + 2.0 * ms.spot * ms.spot / 15.0) / 12.0), 1.0, 1e-6);
+    EXPECT_NEAR(components[0].standard_error /
+                    (std::sqrt(2.0 * ms.lens * ms.lens / 4.0 + 2.0 * ms.spot * ms.spot / 15.0) / 12.0),
+                1.0, 1e-6);
     EXPECT_NEAR(model.surfaces[0].mean.standard_error / std::sqrt(ms.lens / 60.0), 1.0, 1e-7);
     EXPECT_NEAR(*model.surfaces[0].mean.degrees_of_freedom, 4.0, 1e-5);
 }
@@ -86,7 +90,9 @@ TEST(MixedModel, DoesNotDependOnUnitsOrTheOrderOfRows) {
     }
     std::shuffle(other.rows.begin(), other.rows.end(), std::mt19937_64(1));
     const auto a = mixed_model(data), b = mixed_model(other);
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(b.fits[0].components[k].variance * 1e18, a.fits[0].components[k].variance, 1e-5 * (1e-3 + a.fits[0].components[k].variance));
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(b.fits[0].components[k].variance * 1e18, a.fits[0].components[k].variance,
+                    1e-5 * (1e-3 + a.fits[0].components[k].variance));
     const auto& surface = a.surfaces[0];
     const auto& same = b.surfaces[b.surfaces[0].surface == surface.surface ? 0 : 1];
     EXPECT_NEAR(same.mean.value * 1e9, surface.mean.value, 1e-6);
@@ -94,11 +100,17 @@ TEST(MixedModel, DoesNotDependOnUnitsOrTheOrderOfRows) {
 }
 
 TEST(MixedModel, PlantedNestedVariancesComeBackWithinTenPercent) {
-    // means over seeds; an estimate over 6 lenses and 3 surfaces scatters by about √(2/15) = 37 % and more, 150 seeds leave 3 %
+    // means over seeds; an estimate over 6 lenses and 3 surfaces scatters by about √(2/15) = 37 % and more, 150 seeds
+    // leave 3 %
     double lens = 0.0, spot = 0.0, repeat = 0.0;
     constexpr int seeds = 150;
     for (int seed = 0; seed < seeds; ++seed) {
-        const auto model = mixed_model(simulated({.surfaces = 3, .lenses = 6, .spots = 4, .repeats = 2, .fit_error = 1.0, .seed = 100U + static_cast<unsigned>(seed)}),
+        const auto model = mixed_model(simulated({.surfaces = 3,
+                                                  .lenses = 6,
+                                                  .spots = 4,
+                                                  .repeats = 2,
+                                                  .fit_error = 1.0,
+                                                  .seed = 100U + static_cast<unsigned>(seed)}),
                                        {.influence = false});
         lens += model.fits[0].components[0].variance / seeds;
         spot += model.fits[0].components[1].variance / seeds;
@@ -136,7 +148,8 @@ TEST(MixedModel, IntervalsOfTwoLensesCoverTheTruth) {
 }
 
 TEST(MixedModel, IntervalsOfUnbalancedPooledSurfacesCoverTheTruth) {
-    const double share = coverage({.surfaces = 3, .lenses = 3, .spots = 4, .repeats = 2, .fit_error = 1.0, .dropped = 0.3});
+    const double share =
+        coverage({.surfaces = 3, .lenses = 3, .spots = 4, .repeats = 2, .fit_error = 1.0, .dropped = 0.3});
     EXPECT_GE(share, 0.90);
     EXPECT_LE(share, 0.98);
 }
@@ -245,7 +258,8 @@ TEST(MixedModel, DifferencesOfSurfacesCarryBothErrors) {
     const auto& d = model.differences[0];
     EXPECT_EQ(d.later, "S1");
     EXPECT_NEAR(d.difference.value, model.surfaces[1].mean.value - model.surfaces[0].mean.value, 1e-12);
-    EXPECT_NEAR(d.difference.standard_error, std::hypot(model.surfaces[0].mean.standard_error, model.surfaces[1].mean.standard_error), 1e-12);
+    EXPECT_NEAR(d.difference.standard_error,
+                std::hypot(model.surfaces[0].mean.standard_error, model.surfaces[1].mean.standard_error), 1e-12);
     EXPECT_NEAR(*d.difference.degrees_of_freedom, 6.0, 1e-5);  // eight lenses on two surfaces
     const double t = std::abs(d.difference.value) / d.difference.standard_error;
     EXPECT_NEAR(student_t_quantile(1.0 - 0.5 * d.probability, 6.0), t, 1e-4);

@@ -12,9 +12,9 @@ namespace setae::statistics {
 struct SimulatedReplicates {
     int surfaces = 1, lenses = 3, spots = 4, repeats = 2;
     double between_lenses = 3.0;  ///< standard deviation
-    double mean = 40.0;       ///< of the first surface; the next are 5 higher each
-    double fit_error = 0.0;   ///< rows' standard errors are 0.5 to 1.5 of it; 0: unknown
-    double dropped = 0.0;     ///< share of rows that are left out, never the first of a lens
+    double mean = 40.0;           ///< of the first surface; the next are 5 higher each
+    double fit_error = 0.0;       ///< rows' standard errors are 0.5 to 1.5 of it; 0: unknown
+    double dropped = 0.0;         ///< share of rows that are left out, never the first of a lens
     unsigned seed = 1;
 };
 
@@ -33,8 +33,12 @@ inline ReplicateData simulated(const SimulatedReplicates& plan) {
                     double value = plan.mean + 5.0 * surface + lens_value + spot_value + 1.5 * normal(engine);
                     if (plan.fit_error > 0.0) value += error * normal(engine);
                     if (uniform(engine) < plan.dropped && (spot > 0 || repeat > 0)) continue;
-                    data.rows.push_back({value, error, {"S" + std::to_string(surface), "L" + std::to_string(lens), "P" + std::to_string(spot)},
-                                         "S" + std::to_string(surface) + "L" + std::to_string(lens) + "P" + std::to_string(spot) + "R" + std::to_string(repeat)});
+                    data.rows.push_back(
+                        {value,
+                         error,
+                         {"S" + std::to_string(surface), "L" + std::to_string(lens), "P" + std::to_string(spot)},
+                         "S" + std::to_string(surface) + "L" + std::to_string(lens) + "P" + std::to_string(spot) + "R" +
+                             std::to_string(repeat)});
                 }
             }
         }

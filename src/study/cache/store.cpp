@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "setae/bytes/digest.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::cache {
 namespace {
@@ -22,7 +22,9 @@ constexpr std::string_view magic = "setae cache 1\n";
 constexpr const char* ending = ".entry";
 
 /// First lines of an entry: what it is, the version that wrote it, the digest of what follows.
-std::string header(const std::string& version, std::string_view content) { return fmt::format("{}{}\n{}\n", magic, version, bytes::sha256(content)); }
+std::string header(const std::string& version, std::string_view content) {
+    return fmt::format("{}{}\n{}\n", magic, version, bytes::sha256(content));
+}
 
 struct Entry {
     std::string version, digest;
@@ -47,7 +49,9 @@ std::optional<Entry> parsed(const std::string& bytes) {
 }
 
 /// Two letters of the key name a folder, so that none holds too many files.
-fs::path path_of(const std::string& folder, const std::string& key) { return fs::path(folder) / key.substr(0, 2) / (key + ending); }
+fs::path path_of(const std::string& folder, const std::string& key) {
+    return fs::path(folder) / key.substr(0, 2) / (key + ending);
+}
 
 std::optional<std::string> bytes_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -63,14 +67,16 @@ std::optional<std::string> version_of(const fs::path& path) {
     return second;
 }
 
-/// Every file of a store: entries, and what interrupted writers left of them. Other files in the folder are not its own.
+/// Every file of a store: entries, and what interrupted writers left of them. Other files in the folder are not its
+/// own.
 void for_each_file(const std::string& folder, const std::function<void(const fs::directory_entry&, bool whole)>& body) {
     std::error_code ignored;
     for (const auto& group : fs::directory_iterator(folder, ignored)) {
         if (group.path().filename().string().size() != 2 || !group.is_directory(ignored)) continue;
         for (const auto& file : fs::directory_iterator(group.path(), ignored)) {
             const auto name = file.path().filename().string();
-            const bool whole = file.path().extension() == ending, part = name.find(std::string(ending) + ".") != std::string::npos;
+            const bool whole = file.path().extension() == ending,
+                       part = name.find(std::string(ending) + ".") != std::string::npos;
             if (whole || part) body(file, whole);
         }
     }
@@ -123,7 +129,9 @@ void Store::keep(const std::string& key, std::string_view content) const {
     }
 }
 
-Traffic Store::traffic() const { return {counters_.found, counters_.kept, counters_.damaged, counters_.other_version, counters_.not_kept}; }
+Traffic Store::traffic() const {
+    return {counters_.found, counters_.kept, counters_.damaged, counters_.other_version, counters_.not_kept};
+}
 
 Content Store::content() const {
     Content content;

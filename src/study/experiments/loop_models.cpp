@@ -28,18 +28,22 @@ void attempt(LoopModels& models, const std::string& what, const Computation& com
     }
 }
 
-loops::CrackSpeedFit crack_speed_of(const loops::LoopAnalysis& analysis, const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
+loops::CrackSpeedFit crack_speed_of(const loops::LoopAnalysis& analysis, const loops::AnalysisOptions& analysis_options,
+                                    const LoopModelOptions& options) {
     const auto samples = loops::branch_samples(analysis, LoopBranch::unloading, analysis_options);
     if (samples.time.size() == 0) throw UndefinedDataError("the record has no time");
     const auto& rates = analysis.unloading->energy_release_rate;
-    if (!rates.radius_measured) throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
+    if (!rates.radius_measured)
+        throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
     const auto points = loops::crack_speed_points(samples.time, rates.contact_radius, rates.energy_release_rate);
     return loops::fit_crack_speed(points, {.exponent = options.exponent});
 }
 
 loops::ProfileLikelihood profile_of(const loops::BranchData& data, const loops::LensAndCounterBody& bodies) {
     using loops::ProfiledFit;
-    const auto fit = data.contact_radius.size() == 0 ? ProfiledFit::force_displacement : data.displacement.size() == 0 ? ProfiledFit::effective_variance : ProfiledFit::joint;
+    const auto fit = data.contact_radius.size() == 0 ? ProfiledFit::force_displacement
+                     : data.displacement.size() == 0 ? ProfiledFit::effective_variance
+                                                     : ProfiledFit::joint;
     return loops::profile_likelihood(data, bodies, {.fit = fit});
 }
 
@@ -48,35 +52,46 @@ loops::ProfileLikelihood profile_of(const loops::BranchData& data, const loops::
 FitErrors fit_errors_named(const std::string& name) {
     for (const auto errors : {FitErrors::orthogonal_distance, FitErrors::effective_variance, FitErrors::force_only})
         if (to_string(errors) == name) return errors;
-    throw InvalidArgument(fmt::format("errors '{}'; expected orthogonal_distance, effective_variance or force_only", name));
+    throw InvalidArgument(
+        fmt::format("errors '{}'; expected orthogonal_distance, effective_variance or force_only", name));
 }
 
-LoopModels loop_models(const loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& analysis_options,
-                       const LoopModelOptions& options) {
+LoopModels loop_models(const loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies,
+                       const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
     LoopModels models;
     const auto samples = [&] { return loops::branch_samples(analysis, options.branch, analysis_options).data; };
     for (const auto& name : options.models) {
         attempt(models, name, [&] {
-            if (name == "all") models.comparison = loops::compare_models(samples(), bodies, options_of(options, ContactModel::jkr));
-            else models.fits.push_back(loops::fit_model(samples(), bodies, options_of(options, loops::model_named(name))));
+            if (name == "all")
+                models.comparison = loops::compare_models(samples(), bodies, options_of(options, ContactModel::jkr));
+            else
+                models.fits.push_back(
+                    loops::fit_model(samples(), bodies, options_of(options, loops::model_named(name))));
         });
     }
     if (options.profile) attempt(models, "profile likelihood", [&] { models.profile = profile_of(samples(), bodies); });
-    if (options.crack_speed) attempt(models, "crack speed", [&] { models.crack_speed = crack_speed_of(analysis, analysis_options, options); });
+    if (options.crack_speed)
+        attempt(models, "crack speed",
+                [&] { models.crack_speed = crack_speed_of(analysis, analysis_options, options); });
     return models;
 }
 
-loops::GlobalBranch branch_to_share(const std::string& name, const loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies,
-                                         const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
-    return {.name = name, .data = loops::branch_samples(analysis, options.branch, analysis_options).data, .bodies = bodies};
+loops::GlobalBranch branch_to_share(const std::string& name, const loops::LoopAnalysis& analysis,
+                                    const loops::LensAndCounterBody& bodies,
+                                    const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
+    return {
+        .name = name, .data = loops::branch_samples(analysis, options.branch, analysis_options).data, .bodies = bodies};
 }
 
 loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops, const LoopModelOptions& options) {
-    if (loops.size() < 2) throw UndefinedDataError(fmt::format("{} of the loops can be fitted together, a shared fit needs at least 2", loops.size()));
+    if (loops.size() < 2)
+        throw UndefinedDataError(
+            fmt::format("{} of the loops can be fitted together, a shared fit needs at least 2", loops.size()));
     const bool one = options.models.size() == 1 && options.models.front() != "all";
     const auto model = one ? loops::model_named(options.models.front()) : ContactModel::jkr;
-    return loops::fit_globally(loops, {.share_contact_modulus = options.share_contact_modulus, .share_work_of_adhesion = options.share_work_of_adhesion,
-                                            .fit = options_of(options, model)});
+    return loops::fit_globally(loops, {.share_contact_modulus = options.share_contact_modulus,
+                                       .share_work_of_adhesion = options.share_work_of_adhesion,
+                                       .fit = options_of(options, model)});
 }
 
 }  // namespace setae::study

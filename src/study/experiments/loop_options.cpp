@@ -14,7 +14,8 @@ using bytes::TomlReader;
 void read_count(TomlReader& reader, const char* key, Index least, Index& count) {
     const auto given = reader.integer(key);
     if (!given) return;
-    if (*given < least || *given > 1'000'000) reader.fail(key, "expected a number from " + std::to_string(least) + " to 1000000");
+    if (*given < least || *given > 1'000'000)
+        reader.fail(key, "expected a number from " + std::to_string(least) + " to 1000000");
     count = static_cast<Index>(*given);
 }
 
@@ -40,15 +41,19 @@ loops::AnalysisOptions read_loop_options(TomlReader& reader, loops::AnalysisOpti
     read_switch(reader, "extrapolate_force_drift", options.extrapolate_force_drift);
     read_switch(reader, "leave_pinned_out", options.leave_pinned_out);
     read_switch(reader, "retraction_modulus_free", options.retraction_modulus_free);
-    options.displacement_drift_rate = reader.quantity("displacement_drift", dimension::length / dimension::time).value_or(options.displacement_drift_rate);
-    options.interaction_range = reader.quantity("interaction_range", dimension::length).value_or(options.interaction_range);
+    options.displacement_drift_rate = reader.quantity("displacement_drift", dimension::length / dimension::time)
+                                          .value_or(options.displacement_drift_rate);
+    options.interaction_range =
+        reader.quantity("interaction_range", dimension::length).value_or(options.interaction_range);
     options.segments.baseline_share = reader.number("baseline_share").value_or(options.segments.baseline_share);
-    if (const auto noise = reader.quantity("contact_radius_noise", dimension::length)) options.contact_radius_noise = noise;
+    if (const auto noise = reader.quantity("contact_radius_noise", dimension::length))
+        options.contact_radius_noise = noise;
     if (const auto stiffness = reader.uncertain("machine_stiffness", dimension::stiffness)) {
         options.machine_stiffness = stiffness->value;
         options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
     }
-    if (const auto point = reader.text("contact_point")) parse_at(reader, "contact_point", [&] { options.contact_point = loops::parse_contact_point(*point); });
+    if (const auto point = reader.text("contact_point"))
+        parse_at(reader, "contact_point", [&] { options.contact_point = loops::parse_contact_point(*point); });
     return options;
 }
 
@@ -59,7 +64,8 @@ LoopModelOptions read_loop_models(TomlReader& reader, LoopModelOptions options) 
     read_switch(reader, "profile", options.profile);
     read_switch(reader, "crack_speed", options.crack_speed);
     if (const auto exponent = reader.number("exponent")) options.exponent = exponent;
-    if (const auto errors = reader.text("fit_errors")) parse_at(reader, "fit_errors", [&] { options.errors = fit_errors_named(*errors); });
+    if (const auto errors = reader.text("fit_errors"))
+        parse_at(reader, "fit_errors", [&] { options.errors = fit_errors_named(*errors); });
     for (const auto& what : reader.texts("share")) {
         if (what != "modulus" && what != "work") reader.fail("share", "'" + what + "', expected modulus or work");
         (what == "modulus" ? options.share_contact_modulus : options.share_work_of_adhesion) = true;
@@ -69,7 +75,8 @@ LoopModelOptions read_loop_models(TomlReader& reader, LoopModelOptions options) 
 
 loops::AnalysisOptions read_loop_options_of_record(TomlReader& reader, const loops::AnalysisOptions& defaults) {
     auto options = read_loop_options(reader, defaults);
-    for (const auto& edit : reader.texts("segments")) parse_at(reader, "segments", [&] { loops::add_segment_edit(options.segments.edits, edit); });
+    for (const auto& edit : reader.texts("segments"))
+        parse_at(reader, "segments", [&] { loops::add_segment_edit(options.segments.edits, edit); });
     return options;
 }
 

@@ -21,7 +21,9 @@ namespace {
 /// Messages of a computation begin with the file it is about.
 template <class Computation>
 auto naming(const std::string& file, Computation&& computation) {
-    const auto named = [&](const std::string& message) { return message.starts_with(file) ? message : file + ": " + message; };
+    const auto named = [&](const std::string& message) {
+        return message.starts_with(file) ? message : file + ": " + message;
+    };
     try {
         return computation();
     } catch (const UndefinedDataError& error) {
@@ -37,18 +39,21 @@ Table read_unmapped(const LoopSource& source) {
     if (tables::force_curve_format(file)) {
         auto curve = tables::read_force_curve(file, source.force_curve);
         if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
-            throw FormatError(source.file, {}, fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity", missing->second));
+            throw FormatError(source.file, {},
+                              fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity",
+                                          missing->second));
         return curve;
     }
-    return tables::read_loop_table(source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
+    return tables::read_loop_table(source.file,
+                                   source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
 }
 
 /// Whether a path is pictures, not a table of radii.
 bool is_recording(const std::string& path) {
     if (std::filesystem::is_directory(path)) return true;
     const auto head = bytes::file_source(path).head(12);
-    return head.starts_with(std::string_view("II*\0", 4)) || head.starts_with(std::string_view("MM\0*", 4)) || head.starts_with("II+") ||
-           (head.starts_with("RIFF") && head.ends_with("AVI "));
+    return head.starts_with(std::string_view("II*\0", 4)) || head.starts_with(std::string_view("MM\0*", 4)) ||
+           head.starts_with("II+") || (head.starts_with("RIFF") && head.ends_with("AVI "));
 }
 
 Table radii_of(const CameraInput& camera, std::vector<Alert>& alerts) {
@@ -58,7 +63,8 @@ Table radii_of(const CameraInput& camera, std::vector<Alert>& alerts) {
     const auto radii = imaging::measure_contact_radii(frames, {.frame = {.fringes = camera.fringes}});
     const auto& found = radii.summary;
     if (const auto lost = found.not_found + found.bad; lost > 0)
-        alerts.push_back({"FRAMES_BAD", camera.file, fmt::format("{} of {} frames have no contact radius", lost, found.frames),
+        alerts.push_back({"FRAMES_BAD", camera.file,
+                          fmt::format("{} of {} frames have no contact radius", lost, found.frames),
                           "see `setae jkr radius` with --overlay for what is wrong with them"});
     return imaging::as_table(radii);
 }
@@ -70,18 +76,27 @@ void align(OpenedLoop& opened, const LoopSource& source) {
     if (!source.camera->clock_offset) {
         const auto* displacement = opened.table.find("displacement");
         opened.clock = naming(source.camera->file, [&] {
-            return loops::align_clocks({.time = opened.table.at("time"), .force = opened.table.at("force"), .displacement = displacement ? displacement->values : Array1D()},
-                                            {.time = camera.at("time"), .contact_radius = camera.at("contact_radius")});
+            return loops::align_clocks({.time = opened.table.at("time"),
+                                        .force = opened.table.at("force"),
+                                        .displacement = displacement ? displacement->values : Array1D()},
+                                       {.time = camera.at("time"), .contact_radius = camera.at("contact_radius")});
         });
         offset = opened.clock->offset.value;
         if (!opened.clock->doubt.empty())
-            opened.alerts.push_back({"CLOCK_DOUBTFUL", source.file, fmt::format("the camera's clock was set {:.4g} s behind the force's, but {}", offset, opened.clock->doubt),
+            opened.alerts.push_back({"CLOCK_DOUBTFUL", source.file,
+                                     fmt::format("the camera's clock was set {:.4g} s behind the force's, but {}",
+                                                 offset, opened.clock->doubt),
                                      "compare jump-in and pull-off in both records and give the offset"});
     }
     opened.table = naming(source.camera->file, [&] { return tables::merged_by_time(opened.table, camera, offset); });
-    if (opened.clock) opened.table.metadata["camera_clock_offset_error"] = fmt::format("{} s", opened.clock->offset.standard_error);
+    if (opened.clock)
+        opened.table.metadata["camera_clock_offset_error"] = fmt::format("{} s", opened.clock->offset.standard_error);
     const auto& outside = opened.table.metadata.at("frames_outside");
-    if (outside != "0") opened.alerts.push_back({"FRAMES_OUTSIDE", source.file, fmt::format("{} frames of {} lie outside the force record", outside, source.camera->file), "check the clock offset"});
+    if (outside != "0")
+        opened.alerts.push_back(
+            {"FRAMES_OUTSIDE", source.file,
+             fmt::format("{} frames of {} lie outside the force record", outside, source.camera->file),
+             "check the clock offset"});
 }
 
 OpenedLoop on_one_clock(const LoopSource& source, Table table) {
@@ -111,24 +126,29 @@ std::vector<std::string> LoopSource::files() const {
 }
 
 OpenedLoop open_loop(const LoopSource& source) {
-    return source.mapping ? open_loop(source, tables::read_mapping(*source.mapping)) : on_one_clock(source, read_unmapped(source));
+    return source.mapping ? open_loop(source, tables::read_mapping(*source.mapping))
+                          : on_one_clock(source, read_unmapped(source));
 }
 
-OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) { return on_one_clock(source, tables::read_mapped_table(source.file, mapping)); }
+OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
+    return on_one_clock(source, tables::read_mapped_table(source.file, mapping));
+}
 
 loops::LensAndCounterBody bodies_stated_in(const Table& loop) {
     loops::LensAndCounterBody bodies;
     bodies.radius = tables::loop_quantity(loop, "sphere_radius").value_or(bodies.radius);
     bodies.lens_poisson_ratio = tables::loop_quantity(loop, "lens_poisson_ratio").value_or(bodies.lens_poisson_ratio);
-    bodies.counter_youngs_modulus = tables::loop_quantity(loop, "counter_youngs_modulus").value_or(std::numeric_limits<double>::infinity());
-    bodies.counter_poisson_ratio = tables::loop_quantity(loop, "counter_poisson_ratio").value_or(bodies.counter_poisson_ratio);
+    bodies.counter_youngs_modulus =
+        tables::loop_quantity(loop, "counter_youngs_modulus").value_or(std::numeric_limits<double>::infinity());
+    bodies.counter_poisson_ratio =
+        tables::loop_quantity(loop, "counter_poisson_ratio").value_or(bodies.counter_poisson_ratio);
     bodies.lens_height = tables::loop_quantity(loop, "lens_height");
     bodies.layer_thickness = tables::loop_quantity(loop, "layer_thickness");
     return bodies;
 }
 
-loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file, const loops::LensAndCounterBody& bodies,
-                                      const loops::AnalysisOptions& options) {
+loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
+                                 const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& options) {
     return naming(file, [&] {
         auto analysis = loops::analyse(loops::loop_from_table(opened.table), bodies, options, file);
         analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
@@ -136,7 +156,8 @@ loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& fi
     });
 }
 
-loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& options) {
+loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies,
+                                 const loops::AnalysisOptions& options) {
     return analyse_loop(open_loop(source), source.file, bodies, options);
 }
 

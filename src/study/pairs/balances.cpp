@@ -11,7 +11,9 @@ bool predictable(const SurfaceResult& surface, const ElastomerResult& elastomer)
     return !surface.failed() && elastomer.contact_modulus.value > 0.0;
 }
 
-adhesion::PairPoint Balances::modified() const { return point(roughness::gaussian_area_ratio, elastomer_.input.surface_energy); }
+adhesion::PairPoint Balances::modified() const {
+    return point(roughness::gaussian_area_ratio, elastomer_.input.surface_energy);
+}
 adhesion::PairPoint Balances::persson_tosatti() const { return point(roughness::small_slope_area_ratio, {}); }
 adhesion::PairPoint Balances::without_area_change() const { return point(roughness::gaussian_area_ratio, {}); }
 
@@ -19,7 +21,9 @@ adhesion::PairPoint Balances::point(AreaRatio area_ratio, const Estimate& surfac
     const double r = area_ratio(parameters_.rms_slope), u = parameters_.elastic_energy_per_modulus;
     const auto& modulus = elastomer_.contact_modulus;
     const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p.rms_slope); };
-    const auto energy = [&modulus](const SpectralParameters& p) { return modulus.value * p.elastic_energy_per_modulus; };
+    const auto energy = [&modulus](const SpectralParameters& p) {
+        return modulus.value * p.elastic_energy_per_modulus;
+    };
     adhesion::PairPoint pair;
     pair.surface = surface_.name;
     pair.elastomer = elastomer_.input.name;

@@ -12,7 +12,8 @@ namespace setae::study {
 class Balances {
 public:
     /// Of a surface with parameters of its own choice, such as those of its spectrum cut elsewhere. Keeps references.
-    Balances(const SurfaceResult& surface, const ElastomerResult& elastomer, const roughness::SpectralParameters& parameters)
+    Balances(const SurfaceResult& surface, const ElastomerResult& elastomer,
+             const roughness::SpectralParameters& parameters)
         : surface_(surface), elastomer_(elastomer), parameters_(parameters) {}
 
     [[nodiscard]] adhesion::PairPoint modified() const;             ///< (7)

@@ -33,7 +33,9 @@ struct LoopValues {
 LoopValues loops_on(const StudyResult& result, const PairResult& pair) {
     LoopValues values;
     for (const auto& e : result.experiments) {
-        if (!e.analysis || e.input.reference || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer || e.input.excluded()) continue;
+        if (!e.analysis || e.input.reference || e.input.surface != pair.surface ||
+            e.input.elastomer != pair.elastomer || e.input.excluded())
+            continue;
         const auto& loop = *e.analysis;
         values.approach.push_back(loop.loading.primary().work_of_adhesion);
         if (loop.pull_off) values.pull_off.push_back(loop.pull_off->work_of_adhesion);
@@ -102,9 +104,13 @@ std::vector<adhesion::PairPoint> points(const StudyResult& result, Balance balan
 }
 
 Outcome<adhesion::WorkFit> fit_approach(const StudyResult& result, Balance balance) {
-    const auto found = points(result, balance, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].used().parameters; });
+    const auto found = points(result, balance, [&](std::size_t i) -> const SpectralParameters& {
+        return result.surfaces[i].used().parameters;
+    });
     if (found.size() < 2)
-        return Outcome<adhesion::WorkFit>::missing(fmt::format("{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2", found.size()));
+        return Outcome<adhesion::WorkFit>::missing(fmt::format(
+            "{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2",
+            found.size()));
     return adhesion::fit_work_of_adhesion(found);
 }
 
@@ -118,7 +124,11 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
         point.elastomer = pair.elastomer;
         point.measured = *pair.loss;
         point.slope = surface.area_ratio() * *pair.contact_area;
-        point.slope_variance = std::pow(*pair.contact_area * surface.used().spread.standard_error([](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }), 2);
+        point.slope_variance =
+            std::pow(*pair.contact_area * surface.used().spread.standard_error([](const SpectralParameters& p) {
+                return roughness::gaussian_area_ratio(p.rms_slope);
+            }),
+                     2);
         if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
         point.floored = false;
         whole.push_back(point);
@@ -127,14 +137,17 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
         reduced.push_back(point);
     }
     if (whole.size() < 2)
-        return Outcome<LoopFits>::missing(fmt::format("{} pairs have a loop energy and a contact radius, a fit needs at least 2", whole.size()));
+        return Outcome<LoopFits>::missing(
+            fmt::format("{} pairs have a loop energy and a contact radius, a fit needs at least 2", whole.size()));
     const auto line = [](const std::vector<adhesion::PairPoint>& points) -> std::optional<adhesion::LineFit> {
         std::vector<double> area, energy;
         for (const auto& p : points) {
             area.push_back(p.slope);
             energy.push_back(p.measured.value);
         }
-        if (points.size() < 3 || *std::max_element(area.begin(), area.end()) == *std::min_element(area.begin(), area.end())) return std::nullopt;
+        if (points.size() < 3 ||
+            *std::max_element(area.begin(), area.end()) == *std::min_element(area.begin(), area.end()))
+            return std::nullopt;
         return adhesion::fit_line(area, energy);
     };
     LoopFits fits;
@@ -147,11 +160,15 @@ Outcome<LoopFits> fit_loops(const StudyResult& result) {
 
 Outcome<adhesion::FreeEnergyFit> fit_free(const StudyResult& result) {
     std::vector<adhesion::FreeEnergyPoint> found;
-    for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& { return result.surfaces[i].used().parameters; })) {
+    for (const auto& p : points(result, &Balances::modified, [&](std::size_t i) -> const SpectralParameters& {
+             return result.surfaces[i].used().parameters;
+         })) {
         const auto& elastomer = result.elastomer(p.elastomer);
-        found.push_back({p.surface, p.measured.value, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0), elastomer.contact_modulus.value});
+        found.push_back({p.surface, p.measured.value, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0),
+                         elastomer.contact_modulus.value});
     }
-    if (found.size() < 2) return Outcome<adhesion::FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
+    if (found.size() < 2)
+        return Outcome<adhesion::FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
     return adhesion::fit_with_free_energies(found);
 }
 
@@ -161,7 +178,9 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
         CutoffPoint point;
         point.shortest_wavelength = shortest;
         for (const auto& surface : result.surfaces)
-            point.surfaces.push_back(surface.failed() ? SpectralParameters{} : parameters_within(surface.used(), {.shortest = shortest}, result.study.analysis.conversion));
+            point.surfaces.push_back(surface.failed() ? SpectralParameters{}
+                                                      : parameters_within(surface.used(), {.shortest = shortest},
+                                                                          result.study.analysis.conversion));
         const auto of_cut = [&](std::size_t i) -> const SpectralParameters& { return point.surfaces[i]; };
         point.modified = adhesion::fit_work_of_adhesion(points(result, &Balances::modified, of_cut));
         point.persson_tosatti = adhesion::fit_work_of_adhesion(points(result, &Balances::persson_tosatti, of_cut));
@@ -175,7 +194,9 @@ std::vector<CutoffPoint> scan_cutoffs(const StudyResult& result) {
 std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion) {
     if (!elastomer.input.sphere_radius || !(elastomer.contact_modulus.value > 0.0)) return std::nullopt;
     if (!(work_of_adhesion > 0.0)) return 0.0;
-    return contact::jkr::ideal_loop_loss({*elastomer.input.sphere_radius, elastomer.contact_modulus.value, work_of_adhesion}).total;
+    return contact::jkr::ideal_loop_loss(
+               {*elastomer.input.sphere_radius, elastomer.contact_modulus.value, work_of_adhesion})
+        .total;
 }
 
 std::vector<PairResult> measured_pairs(const StudyResult& result) {

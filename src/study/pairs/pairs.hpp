@@ -20,7 +20,8 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// Every surface × elastomer pair with its measured values, from loops or published tables.
 [[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
 
-/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; nothing where radius or modulus is unknown.
+/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; nothing where radius or modulus is
+/// unknown.
 [[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
 
 /// Smooth references and their change between "before" and "after".

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "balances.hpp"
 #include "pairs.hpp"
@@ -17,9 +17,12 @@ namespace {
 
 using roughness::SpectralParameters;
 
-double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& covariance, const std::optional<Array1D>& slopes) {
+double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& covariance,
+                      const std::optional<Array1D>& slopes) {
     const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    if (factor.info() != Eigen::Success) throw UndefinedDataError("the covariance of measured minus predicted is not positive definite: errors that are 0 test nothing");
+    if (factor.info() != Eigen::Success)
+        throw UndefinedDataError(
+            "the covariance of measured minus predicted is not positive definite: errors that are 0 test nothing");
     const Eigen::VectorXd weighted = factor.solve(residuals);
     const double all = residuals.dot(weighted);
     if (!slopes) return all;
@@ -44,7 +47,8 @@ double shared_variance(const Dependence& a, const Dependence& b, double work) {
     double variance = 0.0;
     if (a.surface == b.surface) {
         const auto balance = [work](const Dependence& d) {
-            return [gain = work - d.elastomer->input.surface_energy.value, modulus = d.elastomer->contact_modulus.value](const SpectralParameters& p) {
+            return [gain = work - d.elastomer->input.surface_energy.value,
+                    modulus = d.elastomer->contact_modulus.value](const SpectralParameters& p) {
                 return gain * roughness::gaussian_area_ratio(p.rms_slope) - modulus * p.elastic_energy_per_modulus;
             };
         };
@@ -64,13 +68,18 @@ double share_through_floor(double raw, double standard_error) {
 
 }  // namespace
 
-PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance, const std::optional<Array1D>& slopes) {
+PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance,
+                               const std::optional<Array1D>& slopes) {
     const auto n = static_cast<Index>(pairs.size());
     if (covariance.rows() != n || covariance.cols() != n || (slopes && slopes->size() != n))
-        throw InvalidArgument(fmt::format("{} residuals with a covariance of {} x {}; expected as many rows and columns", n, covariance.rows(), covariance.cols()));
+        throw InvalidArgument(
+            fmt::format("{} residuals with a covariance of {} x {}; expected as many rows and columns", n,
+                        covariance.rows(), covariance.cols()));
     PredictionTest test{.work_fitted = slopes.has_value(), .n = static_cast<int>(n)};
     test.degrees_of_freedom = test.n - (slopes && (*slopes != 0.0).any() ? 1 : 0);
-    if (test.degrees_of_freedom < 1) throw InvalidArgument(fmt::format("{} residuals leave no degree of freedom; a test needs {}", n, slopes ? 2 : 1));
+    if (test.degrees_of_freedom < 1)
+        throw InvalidArgument(
+            fmt::format("{} residuals leave no degree of freedom; a test needs {}", n, slopes ? 2 : 1));
     Eigen::VectorXd residuals(n);
     for (Index i = 0; i < n; ++i) {
         auto& pair = pairs[static_cast<std::size_t>(i)];
@@ -101,8 +110,10 @@ PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Arra
     return test;
 }
 
-PredictionCurve prediction_curve(const SurfaceResult& surface, const Estimate& surface_energy, const Estimate& work_of_adhesion, const Array1D& contact_moduli) {
-    PredictionCurve curve{contact_moduli, Array1D(contact_moduli.size()), Array1D(contact_moduli.size()), Array1D(contact_moduli.size())};
+PredictionCurve prediction_curve(const SurfaceResult& surface, const Estimate& surface_energy,
+                                 const Estimate& work_of_adhesion, const Array1D& contact_moduli) {
+    PredictionCurve curve{contact_moduli, Array1D(contact_moduli.size()), Array1D(contact_moduli.size()),
+                          Array1D(contact_moduli.size())};
     const double reach = normal_quantile(0.975);
     ElastomerResult elastomer;
     elastomer.input.surface_energy = surface_energy;
@@ -110,7 +121,8 @@ PredictionCurve prediction_curve(const SurfaceResult& surface, const Estimate& s
         elastomer.contact_modulus = {.value = contact_moduli[i]};
         const auto point = Balances(surface, elastomer, surface.used().parameters).modified();
         const double raw = point.slope * work_of_adhesion.value - point.offset;
-        const double error = std::sqrt(point.prediction_variance(work_of_adhesion.value) + point.slope * point.slope * work_of_adhesion.variance());
+        const double error = std::sqrt(point.prediction_variance(work_of_adhesion.value) +
+                                       point.slope * point.slope * work_of_adhesion.variance());
         curve.work_of_adhesion[i] = std::max(0.0, raw);
         curve.lower[i] = std::max(0.0, raw - reach * error);
         curve.upper[i] = std::max(0.0, raw + reach * error);
@@ -131,16 +143,19 @@ void test_predictions(StudyResult& result) {
     for (const auto& pair : result.pairs) {
         if (!pair.modified || !pair.approach) continue;
         if (!pair.approach->uncertain()) {
-            left_out.push_back(fmt::format("{} × {}: no standard error of the measured value", pair.surface, pair.elastomer));
+            left_out.push_back(
+                fmt::format("{} × {}: no standard error of the measured value", pair.surface, pair.elastomer));
             continue;
         }
         Dependence dependence{&pair, &result.surface(pair.surface), &result.elastomer(pair.elastomer)};
-        dependence.share = share_through_floor(pair.modified->work.raw, std::sqrt(shared_variance(dependence, dependence, work)));
+        dependence.share =
+            share_through_floor(pair.modified->work.raw, std::sqrt(shared_variance(dependence, dependence, work)));
         list.push_back(dependence);
     }
     const auto n = static_cast<Index>(list.size());
     if (n < (fitted ? 2 : 1)) {
-        result.prediction_test = Missing::missing(fmt::format("{} pairs with a prediction and a measured value with its error; a test needs {}", n, fitted ? 2 : 1));
+        result.prediction_test = Missing::missing(fmt::format(
+            "{} pairs with a prediction and a measured value with its error; a test needs {}", n, fitted ? 2 : 1));
         return;
     }
     Array2D covariance(n, n);
@@ -152,10 +167,16 @@ void test_predictions(StudyResult& result) {
         for (Index j = 0; j < n; ++j) {
             const auto& other = list[static_cast<std::size_t>(j)];
             covariance(i, j) = shared_variance(own, other, work);
-            if (!fitted) covariance(i, j) += own.share * other.share * own.ratio() * other.ratio() * result.work_of_adhesion->variance();
+            if (!fitted)
+                covariance(i, j) +=
+                    own.share * other.share * own.ratio() * other.ratio() * result.work_of_adhesion->variance();
         }
-        pairs.push_back({own.pair->surface, own.pair->elastomer, *own.pair->approach,
-                         {.value = own.pair->modified->work.floored, .standard_error = std::sqrt(covariance(i, i)), .method = "delta"}});
+        pairs.push_back({own.pair->surface,
+                         own.pair->elastomer,
+                         *own.pair->approach,
+                         {.value = own.pair->modified->work.floored,
+                          .standard_error = std::sqrt(covariance(i, i)),
+                          .method = "delta"}});
         covariance(i, i) += own.pair->approach->variance();
     }
     try {

@@ -23,7 +23,8 @@ std::vector<MeasuredReference> measured_references(StudyResult& result) {
         try {
             found.push_back({e.input.elastomer, e.input.stage, loops::evaluate_reference(*e.analysis)});
         } catch (const Error& error) {
-            e.alerts.push_back({"REFERENCE_INCOMPLETE", e.input.file, error.what(), "record the whole loop of a reference, retraction included"});
+            e.alerts.push_back({"REFERENCE_INCOMPLETE", e.input.file, error.what(),
+                                "record the whole loop of a reference, retraction included"});
         }
     }
     return found;
@@ -49,7 +50,8 @@ ReferenceResult published_reference(const PublishedPair& published, const StudyR
 void add_loss_ratio(ReferenceResult& reference, const StudyResult& result) {
     const auto rough = mean_rough_loss(result, reference.elastomer);
     if (!rough || !reference.excess_energy || !(reference.excess_energy->value > 0.0)) return;
-    reference.loss_ratio = loops::loss_ratios(Array1D::Constant(1, *rough), {{.excess_energy = *reference.excess_energy}})[0];
+    reference.loss_ratio =
+        loops::loss_ratios(Array1D::Constant(1, *rough), {{.excess_energy = *reference.excess_energy}})[0];
 }
 
 }  // namespace
@@ -73,7 +75,8 @@ void evaluate_references(StudyResult& result) {
         constexpr double wanted_ratio = 10.0;  // [D19]: rough loops lose at least an order of magnitude more
         if (reference.loss_ratio && *reference.loss_ratio < wanted_ratio)
             result.alerts.push_back({"REFERENCE_LOSS", reference.elastomer,
-                                     fmt::format("rough loops lose only {:.2g} times what the smooth reference loses", *reference.loss_ratio),
+                                     fmt::format("rough loops lose only {:.2g} times what the smooth reference loses",
+                                                 *reference.loss_ratio),
                                      "part of the loss is not roughness: look at rate, drift and the lens"});
     }
     for (const auto& before : measured) {

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/spectral_fit/independent_lines.hpp"
+#include "setae/spectra/abel.hpp"
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/jackknife.hpp"
 #include "setae/spectra/parametric_noise.hpp"
-#include "setae/spectra/abel.hpp"
 #include "setae/spectra/spectral_density.hpp"
+#include "setae/spectral_fit/independent_lines.hpp"
 
 namespace setae::study {
 namespace {
@@ -28,8 +28,13 @@ SpectrumCurve curve_of(const spectra::CombinedSpectrum& combined) {
 /// half a step on either side.
 SpectrumCurve curve_of(const spectra::PowerSpectrum1D& spectrum) {
     const auto own = spectra::within_band(spectrum);
-    const double half_step = 0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
-    return {own.wavevector, own.C1D, {own.wavevector[0] - half_step, own.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
+    const double half_step =
+        0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
+    return {own.wavevector,
+            own.C1D,
+            {own.wavevector[0] - half_step, own.q_max},
+            roughness::Density::C1D,
+            roughness::Nodes::modes};
 }
 
 std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementResult>& measurements) {
@@ -39,9 +44,10 @@ std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementRe
     return found;
 }
 
-/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an instrument,
-/// so their errors do not average out.
-std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements, std::size_t direction) {
+/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an
+/// instrument, so their errors do not average out.
+std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements,
+                                                      std::size_t direction) {
     std::vector<spectra::PowerSpectrum1D> moved;
     for (const auto& m : measurements) {
         if (m.failed()) continue;
@@ -54,10 +60,12 @@ std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<Measurem
 }
 
 bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
-    return std::any_of(measurements.begin(), measurements.end(), [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
+    return std::any_of(measurements.begin(), measurements.end(),
+                       [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
 }
 
-std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options, parallel::Threads threads) {
+std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band,
+                                                     const AnalysisOptions& options, parallel::Threads threads) {
     if (options.bootstrap_resamples == 0 || binned.C1D.rows() < 2) return {};
     spectra::BootstrapOptions bootstrap;
     bootstrap.resamples = options.bootstrap_resamples;
@@ -66,16 +74,19 @@ std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectr
     bootstrap.threads = threads;
     const auto resampled = spectra::bootstrap(binned, bootstrap);
     std::vector<SpectralParameters> replicas;
-    for (Index i = 0; i < resampled.C1D.rows(); ++i) replicas.push_back(parameters_of({resampled.wavevector, resampled.C1D.row(i), band}, options));
+    for (Index i = 0; i < resampled.C1D.rows(); ++i)
+        replicas.push_back(parameters_of({resampled.wavevector, resampled.C1D.row(i), band}, options));
     return replicas;
 }
 
-std::vector<std::vector<SpectralParameters>> parameters_without_each(const spectra::BinnedSpectra& binned, const Band& band, const AnalysisOptions& options) {
+std::vector<std::vector<SpectralParameters>> parameters_without_each(const spectra::BinnedSpectra& binned,
+                                                                     const Band& band, const AnalysisOptions& options) {
     const auto without = spectra::jackknife(binned, options.weighting);
     std::vector<std::vector<SpectralParameters>> strata;
     for (const auto& curves : without.C1D) {
         auto& stratum = strata.emplace_back();
-        for (Index i = 0; i < curves.rows(); ++i) stratum.push_back(parameters_of({without.wavevector, curves.row(i), band}, options));
+        for (Index i = 0; i < curves.rows(); ++i)
+            stratum.push_back(parameters_of({without.wavevector, curves.row(i), band}, options));
     }
     return strata;
 }
@@ -85,17 +96,21 @@ Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum) {
     const Index lines = static_cast<Index>(spectrum.count[0]);
     Array1D independent = Array1D::Ones(spectrum.wavevector.size());
     if (lines > 1) {
-        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.C1D, std::numeric_limits<double>::infinity());
-        independent = spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
-                                                   Array1D::Ones(independent.size()), lines, spectrum.pitch);
+        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.C1D,
+                                                                   std::numeric_limits<double>::infinity());
+        independent =
+            spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
+                                            Array1D::Ones(independent.size()), lines, spectrum.pitch);
     }
     return independent * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
 }
 
 /// What other places of the surface would give, as far as one measurement can say.
-void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum, const AnalysisOptions& options) {
+void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum,
+                          const AnalysisOptions& options) {
     auto replica = spectrum;
-    const Array2D drawn = spectra::parametric_noise(spectrum, own_freedom(spectrum), options.bootstrap_resamples, options.seed);
+    const Array2D drawn =
+        spectra::parametric_noise(spectrum, own_freedom(spectrum), options.bootstrap_resamples, options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
         replica.C1D = drawn.row(r).transpose();
         spread.replicas.push_back(parameters_of(curve_of(replica), options));
@@ -107,12 +122,15 @@ void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1
 
 void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
     const auto found = spectra_of(surface.measurements);
-    if (found.empty()) throw UndefinedDataError(fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
+    if (found.empty())
+        throw UndefinedDataError(
+            fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
     spectra::CombinationOptions combination;
     combination.weighting = options.weighting;
     surface.combined = spectra::combine(found, combination);
     surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
-    const auto curve_from = [](const std::vector<spectra::PowerSpectrum1D>& spectra, const spectra::CombinedSpectrum& combined) {
+    const auto curve_from = [](const std::vector<spectra::PowerSpectrum1D>& spectra,
+                               const spectra::CombinedSpectrum& combined) {
         return spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(combined);
     };
     surface.average = spectrum_result(curve_from(found, *surface.combined), options);

@@ -7,10 +7,12 @@ namespace setae::study {
 
 Alert foil_projection_alert(const std::string& subject, double thickness) {
     constexpr double felt_below = 10.0;  // thicknesses a wave is long
-    return {"FOIL_PROJECTION", subject,
-            fmt::format("the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %",
-                        thickness * 1e9, felt_below * thickness * 1e9),
-            "take thinner foils; simulation::projection_bias gives the factor for a spectrum, docs/tem-projection.md a table"};
+    return {
+        "FOIL_PROJECTION", subject,
+        fmt::format(
+            "the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %",
+            thickness * 1e9, felt_below * thickness * 1e9),
+        "take thinner foils; simulation::projection_bias gives the factor for a spectrum, docs/tem-projection.md a table"};
 }
 
 }  // namespace setae::study

@@ -7,8 +7,8 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/tables/power_spectrum_table.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
 
 namespace setae::study {
 namespace {
@@ -16,13 +16,17 @@ namespace {
 using roughness::SpectrumCurve;
 
 /// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
-/// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by scale.
+/// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by
+/// scale.
 SpectrumCurve curve_of(const spectra::SelfAffine& model) {
     constexpr Index nodes = 100;  // on each side of the roll-off
     const double lower = 2.0 * pi / 1e-2;
-    const auto spaced = [](double from, double to) -> Array1D { return (Array1D::LinSpaced(nodes, std::log(from), std::log(to))).exp(); };
+    const auto spaced = [](double from, double to) -> Array1D {
+        return (Array1D::LinSpaced(nodes, std::log(from), std::log(to))).exp();
+    };
     Array1D q(2 * nodes - 1);
-    q << spaced(lower, model.rolloff_wavevector), spaced(model.rolloff_wavevector, model.short_wavevector).tail(nodes - 1);
+    q << spaced(lower, model.rolloff_wavevector),
+        spaced(model.rolloff_wavevector, model.short_wavevector).tail(nodes - 1);
     q[nodes - 1] = model.rolloff_wavevector;
     q[2 * nodes - 2] = model.short_wavevector;
     return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, roughness::Density::C_iso};
@@ -31,26 +35,35 @@ SpectrumCurve curve_of(const spectra::SelfAffine& model) {
 }  // namespace
 
 void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const AnalysisOptions& options) {
-    const double height = moments.rms_height.value, slope = moments.rms_slope.value, curvature = moments.rms_curvature.value;
-    const auto reconstruct = [&](double h, double s, double c) { return curve_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector)); };
+    const double height = moments.rms_height.value, slope = moments.rms_slope.value,
+                 curvature = moments.rms_curvature.value;
+    const auto reconstruct = [&](double h, double s, double c) {
+        return curve_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector));
+    };
     surface.reconstructed = true;
     surface.average = spectrum_result(reconstruct(height, slope, curvature), options);
     const auto source = [&](const char* name, double dh, double ds, double dc) {
         if (dh == 0.0 && ds == 0.0 && dc == 0.0) return;
         try {
-            surface.average.spread.sources.push_back({name, parameters_of(reconstruct(height + dh, slope + ds, curvature + dc), options),
-                                              parameters_of(reconstruct(height - dh, slope - ds, curvature - dc), options)});
+            surface.average.spread.sources.push_back(
+                {name, parameters_of(reconstruct(height + dh, slope + ds, curvature + dc), options),
+                 parameters_of(reconstruct(height - dh, slope - ds, curvature - dc), options)});
         } catch (const InvalidArgument& error) {
-            surface.alerts.push_back({"SPREAD_INCOMPLETE", surface.name, fmt::format("the ± of its {} leads outside self-affine spectra: {}", name, error.what()),
-                                      "the standard errors leave it out"});
+            surface.alerts.push_back(
+                {"SPREAD_INCOMPLETE", surface.name,
+                 fmt::format("the ± of its {} leads outside self-affine spectra: {}", name, error.what()),
+                 "the standard errors leave it out"});
         }
     };
     source("rms height", moments.rms_height.standard_error, 0.0, 0.0);
     source("rms slope", 0.0, moments.rms_slope.standard_error, 0.0);
     source("rms curvature", 0.0, 0.0, moments.rms_curvature.standard_error);
-    surface.alerts.push_back({"RECONSTRUCTION", surface.name,
-                              fmt::format("its spectrum is a self-affine reconstruction from three published moments with short cutoff {:.4g} 1/m", moments.short_wavevector),
-                              "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
+    surface.alerts.push_back(
+        {"RECONSTRUCTION", surface.name,
+         fmt::format(
+             "its spectrum is a self-affine reconstruction from three published moments with short cutoff {:.4g} 1/m",
+             moments.short_wavevector),
+         "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
 }
 
 void take_power_spectrum(SurfaceResult& surface, const std::string& file, const AnalysisOptions& options) {
@@ -58,7 +71,8 @@ void take_power_spectrum(SurfaceResult& surface, const std::string& file, const 
     const auto& q = table.at("wavevector");
     surface.average = spectrum_result({q, table.at("C1D"), {q[0], q[q.size() - 1]}, roughness::Density::C1D}, options);
     if (const auto units = table.metadata.find("units"); units != table.metadata.end())
-        surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second), "write them in the header as q [1/m], C1D [m3]"});
+        surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second),
+                                  "write them in the header as q [1/m], C1D [m3]"});
 }
 
 }  // namespace setae::study

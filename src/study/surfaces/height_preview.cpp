@@ -53,14 +53,19 @@ HeightPreview line_preview(const Array1D& positions, const Array1D& heights, dou
 }  // namespace
 
 MapPreview::MapPreview(Index nx, Index ny, std::array<double, 2> size, Index most_pixels)
-    : nx_(nx), ny_(ny), size_(size), sum_(Array2D::Zero(std::min(nx, most_pixels), std::min(ny, most_pixels))), count_(Array2D::Zero(sum_.rows(), sum_.cols())) {}
+    : nx_(nx),
+      ny_(ny),
+      size_(size),
+      sum_(Array2D::Zero(std::min(nx, most_pixels), std::min(ny, most_pixels))),
+      count_(Array2D::Zero(sum_.rows(), sum_.cols())) {}
 
 void MapPreview::add(const ArrayView2D& band, Index first) {
     const auto rows = sum_.rows(), columns = sum_.cols();
     for (Index row = 0; row < rows; ++row)
         for (Index i = row * nx_ / rows; i < (row + 1) * nx_ / rows; ++i)
             for (Index column = 0; column < columns; ++column) {
-                const Index begin = std::max(column * ny_ / columns - first, Index{0}), end = std::min((column + 1) * ny_ / columns - first, band.cols());
+                const Index begin = std::max(column * ny_ / columns - first, Index{0}),
+                            end = std::min((column + 1) * ny_ / columns - first, band.cols());
                 for (Index j = begin; j < end; ++j) {
                     if (std::isnan(band(i, j))) continue;
                     sum_(row, column) += band(i, j);
@@ -86,7 +91,8 @@ HeightPreview height_preview(const topography::Measurement& measurement, Index m
                 return preview.result();
             } else if constexpr (std::is_same_v<Kind, topography::LineScan>) {
                 const auto n = m.heights.size();
-                return line_preview(Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * m.pixel_size(), m.heights, m.size, most_points);
+                return line_preview(Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * m.pixel_size(), m.heights,
+                                    m.size, most_points);
             } else {
                 return line_preview(m.positions, m.heights, m.size(), most_points);
             }

@@ -15,7 +15,10 @@ constexpr double group_end = 1.04;
 
 roughness::SpectrumCurve curve_of(const spectral_fit::LikelihoodSpectrum& spectrum) {
     const double end = spectrum.wavevector[spectrum.wavevector.size() - 1];
-    return {spectrum.wavevector, spectrum.C_iso, {spectrum.band.lower, std::min(end, group_end * spectrum.band.upper)}, roughness::Density::C_iso};
+    return {spectrum.wavevector,
+            spectrum.C_iso,
+            {spectrum.band.lower, std::min(end, group_end * spectrum.band.upper)},
+            roughness::Density::C_iso};
 }
 
 /// C1D of a fitted C_iso and of draws about it.
@@ -26,11 +29,12 @@ public:
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
 
-    /// Of a draw, to first order in its ln C_iso: where data end, draws of the prior differ by orders of magnitude, which C1D below
-    /// would show although the data there exclude them.
+    /// Of a draw, to first order in its ln C_iso: where data end, draws of the prior differ by orders of magnitude,
+    /// which C1D below would show although the data there exclude them.
     ///   ln C1D' = ln C1D + A(C_iso ln(C_iso'/C_iso))/C1D,  A the Abel integral
     [[nodiscard]] roughness::DecadeMeans decade_means(const Array1D& drawn) const {
-        const Array1D change = spectral_fit::line_spectrum(C_iso_.wavevector, C_iso_.values * (drawn / C_iso_.values).log()) / C1D_;
+        const Array1D change =
+            spectral_fit::line_spectrum(C_iso_.wavevector, C_iso_.values * (drawn / C_iso_.values).log()) / C1D_;
         return means_of(C1D_ * change.exp());
     }
 
@@ -49,7 +53,9 @@ private:
 Array1D log_error_of_lines(const spectral_fit::LikelihoodSpectrum& spectrum, const Array1D& C1D) {
     Eigen::MatrixXd gradient(spectrum.design.rows(), spectrum.design.cols());
     for (Index k = 0; k < gradient.cols(); ++k)
-        gradient.col(k) = (spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso * spectrum.design.col(k).array()) / C1D).matrix();
+        gradient.col(k) =
+            (spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso * spectrum.design.col(k).array()) / C1D)
+                .matrix();
     return (gradient * spectrum.covariance).cwiseProduct(gradient).rowwise().sum().array().max(0.0).sqrt();
 }
 
@@ -57,19 +63,29 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
     const Array1D C1D = spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso);
     const Array1D error = log_error_of_lines(spectrum, C1D);
     const auto& q = spectrum.wavevector;
-    const auto first = std::lower_bound(q.begin(), q.end(), band.lower) - q.begin(), end = std::upper_bound(q.begin(), q.end(), band.upper) - q.begin();
+    const auto first = std::lower_bound(q.begin(), q.end(), band.lower) - q.begin(),
+               end = std::upper_bound(q.begin(), q.end(), band.upper) - q.begin();
     const auto inside = [&](const Array1D& values) -> Array1D { return values.segment(first, end - first); };
-    return {band, inside(q), inside(spectrum.C_iso), inside(spectrum.standard_error), inside(C1D), inside(error),
-            spectrum.agreement, spectrum.tips, spectrum.rounds, spectrum.converged};
+    return {band,
+            inside(q),
+            inside(spectrum.C_iso),
+            inside(spectrum.standard_error),
+            inside(C1D),
+            inside(error),
+            spectrum.agreement,
+            spectrum.tips,
+            spectrum.rounds,
+            spectrum.converged};
 }
 
 }  // namespace
 
-void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
-                            parallel::Threads threads) {
+void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
+                            const AnalysisOptions& options, parallel::Threads threads) {
     std::vector<spectral_fit::ObservedSurface> observed;
     for (std::size_t i = 0; i < prepared.size(); ++i)
-        if (!surface.measurements[i].failed()) observed.push_back({std::move(prepared[i].measurement), prepared[i].trend});
+        if (!surface.measurements[i].failed())
+            observed.push_back({std::move(prepared[i].measurement), prepared[i].trend});
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;
@@ -80,7 +96,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     result.parameters.decade_C1D = lines.decade_means();
     result.spread.seed = options.seed;
     result.spread.replicas_are_draws = true;
-    const Array2D drawn = spectral_fit::drawn_spectra(spectrum, std::max(options.bootstrap_resamples, 40), options.seed);
+    const Array2D drawn =
+        spectral_fit::drawn_spectra(spectrum, std::max(options.bootstrap_resamples, 40), options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
         curve.values = drawn.row(r).transpose();
         result.spread.replicas.push_back(parameters_of(curve, options));

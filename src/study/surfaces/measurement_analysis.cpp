@@ -10,7 +10,8 @@
 namespace setae::study {
 namespace {
 
-/// Reliable bands a tip one standard error larger and smaller leaves. `band_of` finds that of the data whose `instrument` it is.
+/// Reliable bands a tip one standard error larger and smaller leaves. `band_of` finds that of the data whose
+/// `instrument` it is.
 template <class BandOf>
 std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Instrument& instrument, BandOf band_of) {
     if (!instrument.tip_radius || !instrument.tip_radius_standard_error) return std::nullopt;
@@ -26,13 +27,15 @@ std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Instrument
     return std::array{band(radius + error), band(std::max(radius - error, least_share * radius))};
 }
 
-/// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than its channel's.
+/// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than
+/// its channel's.
 std::string name_of(const topography::Metadata& metadata) {
     const bool member = metadata.attributes.contains("member");
     return member || metadata.file.empty() ? metadata.name : std::filesystem::path(metadata.file).stem().string();
 }
 
-void describe(MeasurementResult& result, const topography::Metadata& metadata, topography::Trend trend, const std::vector<Alert>& alerts) {
+void describe(MeasurementResult& result, const topography::Metadata& metadata, topography::Trend trend,
+              const std::vector<Alert>& alerts) {
     result.file = metadata.file;
     result.name = name_of(metadata);
     result.trend = trend;
@@ -58,22 +61,27 @@ std::optional<topography::Measurement> with_uncertain_tip(const topography::Meas
 /// A map without its trend as pictures show it.
 HeightPreview preview_of(const topography::TiledMap& map, Index lines_together) {
     MapPreview preview(map.nx, map.ny, map.size);
-    for (Index first = 0; first < map.ny; first += lines_together) preview.add(map.lines(first, std::min(lines_together, map.ny - first)), first);
+    for (Index first = 0; first < map.ny; first += lines_together)
+        preview.add(map.lines(first, std::min(lines_together, map.ny - first)), first);
     return preview.result();
 }
 
 Alert large_map_alert(const topography::Metadata& metadata, const topography::TiledMap& map, std::uint64_t largest) {
     const double gibibyte = std::uint64_t{1} << 30;
-    return {"LARGE_MAP", topography::label(metadata),
-            fmt::format("its {} × {} heights take {:.2g} GiB, more than the {:.2g} GiB that may be held at once: it was read by bands of scan lines, without slope "
-                        "distribution, triangulated area and arithmetic height", map.nx, map.ny, static_cast<double>(map.nx) * static_cast<double>(map.ny) * 8.0 / gibibyte,
-                        static_cast<double>(largest) / gibibyte),
-            "allow more memory (--memory) for these too"};
+    return {
+        "LARGE_MAP", topography::label(metadata),
+        fmt::format(
+            "its {} × {} heights take {:.2g} GiB, more than the {:.2g} GiB that may be held at once: it was read by bands of scan lines, without slope "
+            "distribution, triangulated area and arithmetic height",
+            map.nx, map.ny, static_cast<double>(map.nx) * static_cast<double>(map.ny) * 8.0 / gibibyte,
+            static_cast<double>(largest) / gibibyte),
+        "allow more memory (--memory) for these too"};
 }
 
 }  // namespace
 
-MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options, parallel::Threads threads) {
+MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
+                                      parallel::Threads threads) {
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
     describe(result, topography::metadata(measurement), prepared.trend, prepared.alerts);
@@ -81,7 +89,8 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     result.preview = height_preview(measurement);
     result.real_space = roughness::real_space_parameters(measurement, threads);
     result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) result.triangulated = roughness::triangulated_area(*map, threads);
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement))
+        result.triangulated = roughness::triangulated_area(*map, threads);
     const auto [nx, ny] = topography::shape(measurement);
     if (nx * ny > 64) {
         result.slopes = roughness::slope_distribution(measurement);
@@ -90,7 +99,9 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     const auto spectrum = spectrum_options(options, threads);
     result.spectrum = spectra::power_spectrum(measurement, spectrum);
     if (auto moved = with_uncertain_tip(measurement))
-        result.bands_of_uncertain_tip = bands_of_uncertain_tip(topography::metadata(*moved).instrument, [&] { return spectra::reliable_band(*moved, spectrum.reliability, threads).band; });
+        result.bands_of_uncertain_tip = bands_of_uncertain_tip(topography::metadata(*moved).instrument, [&] {
+            return spectra::reliable_band(*moved, spectrum.reliability, threads).band;
+        });
     result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
     return result;
 }
@@ -98,7 +109,8 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
 bool too_large(const MeasurementSource& source, const AnalysisOptions& options) {
     if (!source.by_bands) return false;
     const auto& map = source.by_bands->map;
-    return static_cast<std::uint64_t>(map.nx) * static_cast<std::uint64_t>(map.ny) * sizeof(double) > options.largest_map;
+    return static_cast<std::uint64_t>(map.nx) * static_cast<std::uint64_t>(map.ny) * sizeof(double) >
+           options.largest_map;
 }
 
 MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads) {
@@ -114,8 +126,9 @@ MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions
     const auto spectrum = spectrum_options(options, threads);
     result.spectrum = spectra::power_spectrum(levelled, lines_together, spectrum);
     auto moved = levelled;
-    result.bands_of_uncertain_tip =
-        bands_of_uncertain_tip(moved.metadata.instrument, [&] { return spectra::reliable_band(moved, lines_together, spectrum.reliability, threads).band; });
+    result.bands_of_uncertain_tip = bands_of_uncertain_tip(moved.metadata.instrument, [&] {
+        return spectra::reliable_band(moved, lines_together, spectrum.reliability, threads).band;
+    });
     result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
     return result;
 }

@@ -31,7 +31,8 @@ std::vector<double> values_of(const ParameterSpread::Function& f, const std::vec
 }  // namespace
 
 bool ParameterSpread::has_jackknife() const {
-    return !replicas_are_draws && std::any_of(left_out.begin(), left_out.end(), [](const auto& stratum) { return stratum.size() > 1; });
+    return !replicas_are_draws &&
+           std::any_of(left_out.begin(), left_out.end(), [](const auto& stratum) { return stratum.size() > 1; });
 }
 
 std::vector<LeaveOneOut> ParameterSpread::without_each(const Function& f) const {
@@ -50,10 +51,12 @@ double ParameterSpread::covariance(const Function& f, const Function& g) const {
             sum += (n - 1.0) / n * sum_of_products(of_f[s], of_g[s]);
         }
     } else if (replicas.size() > 1) {
-        sum += sum_of_products(values_of(f, replicas), values_of(g, replicas)) / (static_cast<double>(replicas.size()) - 1.0);
+        sum += sum_of_products(values_of(f, replicas), values_of(g, replicas)) /
+               (static_cast<double>(replicas.size()) - 1.0);
     }
     if (replicas_are_draws) return sum;
-    for (const auto& source : sources) sum += 0.25 * (f(source.plus) - f(source.minus)) * (g(source.plus) - g(source.minus));
+    for (const auto& source : sources)
+        sum += 0.25 * (f(source.plus) - f(source.minus)) * (g(source.plus) - g(source.minus));
     return sum;
 }
 
@@ -88,10 +91,12 @@ Estimate ParameterSpread::estimate(double value, const Function& f, double least
     const bool on_ln = log_excess.variance > 0.0 && std::isfinite(log_excess.variance) && value > least;
     const auto known = on_ln ? log_excess : variance_term(f);
     result.method = method(on_ln ? " on ln" : "");
-    if (known.variance > 0.0 && std::isfinite(known.degrees_of_freedom)) result.degrees_of_freedom = known.degrees_of_freedom;
+    if (known.variance > 0.0 && std::isfinite(known.degrees_of_freedom))
+        result.degrees_of_freedom = known.degrees_of_freedom;
     if (!on_ln) return result;
     constexpr double level = 0.95;
-    const double factor = std::exp(student_t_quantile(0.5 * (1.0 + level), log_excess.degrees_of_freedom) * std::sqrt(log_excess.variance));
+    const double factor = std::exp(student_t_quantile(0.5 * (1.0 + level), log_excess.degrees_of_freedom) *
+                                   std::sqrt(log_excess.variance));
     result.interval = Interval{least + (value - least) / factor, least + (value - least) * factor, level};
     return result;
 }

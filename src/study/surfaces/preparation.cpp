@@ -9,11 +9,11 @@
 #include "setae/core/units.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
+#include "setae/study/pipeline_file.hpp"
+#include "setae/study/surface_analysis.hpp"
 #include "setae/topography/artefact.hpp"
 #include "setae/topography/contour.hpp"
 #include "setae/topography/line_scans.hpp"
-#include "setae/study/pipeline_file.hpp"
-#include "setae/study/surface_analysis.hpp"
 
 namespace setae::study {
 namespace {
@@ -31,12 +31,15 @@ void apply_instrument(topography::Instrument& instrument, const MeasurementInput
     if (input.tip_radius->standard_error > 0.0) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
 }
 
-topography::LineScan subtract_references(const topography::LineScan& scan, const MeasurementInput& input, const formats::ReadOptions& options) {
+topography::LineScan subtract_references(const topography::LineScan& scan, const MeasurementInput& input,
+                                         const formats::ReadOptions& options) {
     std::vector<topography::LineScan> references;
     for (const auto& file : input.references) {
         const auto measurement = formats::read(file, 0, options);
         const auto* reference = std::get_if<topography::LineScan>(&measurement);
-        if (!reference) throw InvalidArgument(fmt::format("{}: a reference of a line scan must be a line scan with equal steps", file));
+        if (!reference)
+            throw InvalidArgument(
+                fmt::format("{}: a reference of a line scan must be a line scan with equal steps", file));
         references.push_back(*reference);
     }
     return topography::subtract_artefact(scan, topography::average_reference(references));
@@ -58,8 +61,11 @@ void add_reentrance_alert(PreparedMeasurement& prepared) {
     if (entry == metadata.attributes.end()) return;
     const double share = parse_quantity(entry->second, dimension::none);
     if (!(share > 0.0)) return;
-    prepared.alerts.push_back({"REENTRANT", topography::label(metadata), fmt::format("{:.2g} % of the traced curve's length lay on overhangs, which a profile does not show", 100.0 * share),
-                               "look at the curve; a share above a few per cent makes slope and curvature lower bounds"});
+    prepared.alerts.push_back(
+        {"REENTRANT", topography::label(metadata),
+         fmt::format("{:.2g} % of the traced curve's length lay on overhangs, which a profile does not show",
+                     100.0 * share),
+         "look at the curve; a share above a few per cent makes slope and curvature lower bounds"});
 }
 
 /// Lines with undefined points become polylines through the others; contours become functions of x.
@@ -67,9 +73,11 @@ void make_analysable(PreparedMeasurement& prepared) {
     auto& measurement = prepared.measurement;
     if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && scan->heights.isNaN().any()) {
         const auto missing = scan->heights.isNaN().count();
-        prepared.alerts.push_back({"UNDEFINED", scan->metadata.file,
-                                   fmt::format("{} of {} heights are undefined; the line is taken as a polyline through the others", missing, scan->heights.size()),
-                                   "measure again if the gaps are wide"});
+        prepared.alerts.push_back(
+            {"UNDEFINED", scan->metadata.file,
+             fmt::format("{} of {} heights are undefined; the line is taken as a polyline through the others", missing,
+                         scan->heights.size()),
+             "measure again if the gaps are wide"});
         measurement = topography::to_profile(*scan);
     }
     if (const auto* profile = std::get_if<topography::Profile>(&measurement)) {
@@ -79,7 +87,8 @@ void make_analysable(PreparedMeasurement& prepared) {
     }
 }
 
-topography::Trend trend_of(const formats::Channel& channel, const MeasurementInput& input, const topography::Metadata& metadata) {
+topography::Trend trend_of(const formats::Channel& channel, const MeasurementInput& input,
+                           const topography::Metadata& metadata) {
     return input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(metadata.instrument.type)));
 }
 
@@ -103,18 +112,22 @@ bool levels(const processing::Pipeline& pipeline) {
 void process(PreparedMeasurement& prepared, const processing::Pipeline& pipeline, const formats::ReadOptions& options) {
     auto result = processing::apply(pipeline, std::move(prepared.measurement), measurement_loader(options));
     prepared.measurement = std::move(result.measurement);
-    for (const auto& record : result.records) prepared.alerts.insert(prepared.alerts.end(), record.alerts.begin(), record.alerts.end());
+    for (const auto& record : result.records)
+        prepared.alerts.insert(prepared.alerts.end(), record.alerts.begin(), record.alerts.end());
     prepared.processing = std::move(result.records);
 }
 
-PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementInput& input, const formats::ReadOptions& options) {
+PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementInput& input,
+                            const formats::ReadOptions& options) {
     PreparedMeasurement prepared;
     prepared.alerts = channel.info.alerts;
     prepared.measurement = channel.read();
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {
         const auto* scan = std::get_if<topography::LineScan>(&prepared.measurement);
-        if (!scan) throw InvalidArgument(fmt::format("{}: references are subtracted from line scans with equal steps only", input.file));
+        if (!scan)
+            throw InvalidArgument(
+                fmt::format("{}: references are subtracted from line scans with equal steps only", input.file));
         prepared.measurement = subtract_references(*scan, input, options);
     }
     const auto pipeline = pipeline_of_lines(input.steps);
@@ -122,7 +135,8 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     make_analysable(prepared);
     add_projection_alert(prepared);
     add_reentrance_alert(prepared);
-    prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none) : trend_of(channel, input, topography::metadata(prepared.measurement));
+    prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none)
+                                      : trend_of(channel, input, topography::metadata(prepared.measurement));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
     topography::validate(prepared.measurement);
     return prepared;
@@ -136,12 +150,16 @@ std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input
     const bool container = formats::detect_format(bytes::file_source(input.file)).identifier == "ce-container";
     std::vector<MeasurementSource> found;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        const bool wanted = input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
-        if (wanted) found.push_back({[channel = channels[i], input, options] { return prepare(channel, input, options); }, by_bands(channels[i], input)});
+        const bool wanted =
+            input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
+        if (wanted)
+            found.push_back({[channel = channels[i], input, options] { return prepare(channel, input, options); },
+                             by_bands(channels[i], input)});
     }
     if (found.empty())
-        throw InvalidArgument(input.channel ? fmt::format("{}: no channel {}, it has {}", input.file, *input.channel, channels.size())
-                                            : fmt::format("{}: none of its {} channels holds heights", input.file, channels.size()));
+        throw InvalidArgument(
+            input.channel ? fmt::format("{}: no channel {}, it has {}", input.file, *input.channel, channels.size())
+                          : fmt::format("{}: none of its {} channels holds heights", input.file, channels.size()));
     return found;
 }
 

@@ -7,8 +7,8 @@
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
-#include "surface_run.hpp"
 #include "setae/core/errors.hpp"
+#include "surface_run.hpp"
 
 namespace setae::study {
 namespace {
@@ -28,9 +28,13 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
         try {
             std::size_t ordinal = 0;
             for (auto& source : measurement_sources(measurement))
-                tasks.push_back({measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
+                tasks.push_back(
+                    {measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
         } catch (const Error& error) {
-            tasks.push_back({measurement.file, {}, {[message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }, {}}});
+            tasks.push_back(
+                {measurement.file,
+                 {},
+                 {[message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }, {}}});
         }
     }
     return tasks;
@@ -38,7 +42,8 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
 
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
 /// order, else nothing: maps need not all fit into memory at once for an average.
-std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input,
+                                                      const AnalysisOptions& options, Run& run,
                                                       parallel::Threads threads) {
     const auto tasks = tasks_of(input, options, run);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
@@ -57,7 +62,9 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
             const bool large = !keep && too_large(task.source, options);
             if (keep || (!found && !large)) prepared = task.source.prepare();
             if (found) result = std::move(*found);
-            else result = large ? analyse_large_map(*task.source.by_bands, options, inside) : analyse_measurement(prepared, options, inside);
+            else
+                result = large ? analyse_large_map(*task.source.by_bands, options, inside)
+                               : analyse_measurement(prepared, options, inside);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const Error& error) {
@@ -71,24 +78,30 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
 }
 
 /// The likelihood's spectrum beside the average, where it is wanted and can be had.
-void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options, parallel::Threads threads) {
-    const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return !m.failed(); });
+void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
+                    parallel::Threads threads) {
+    const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
+                                        [](const auto& m) { return !m.failed(); });
     if (!wants_likelihood(options, analysed)) return;
     try {
         estimate_by_likelihood(surface, std::move(prepared), options, threads);
     } catch (const Error& error) {
-        surface.alerts.push_back({"LIKELIHOOD_FAILED", surface.name, error.what(), "its numbers rest on the average over measurements"});
+        surface.alerts.push_back(
+            {"LIKELIHOOD_FAILED", surface.name, error.what(), "its numbers rest on the average over measurements"});
     }
 }
 
 }  // namespace
 
-SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads) {
+SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                              parallel::Threads threads) {
     const double work = surface_work(options, input.measurements.size());
     const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
     if (auto found = run.find<SurfaceResult>(key)) {
-        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()), measurement_work);
-        for (const auto& measurement : found->measurements) run.step_done("measurement", measurement.file, true, measurement_work);
+        run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()),
+                   measurement_work);
+        for (const auto& measurement : found->measurements)
+            run.step_done("measurement", measurement.file, true, measurement_work);
         run.step_done("surface", input.name, true, work);
         return std::move(*found);
     }
@@ -106,7 +119,9 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
             add_likelihood(surface, std::move(prepared), options, threads);
         }
         // a failure may be gone the next time
-        if (std::none_of(surface.measurements.begin(), surface.measurements.end(), [](const auto& m) { return m.failed(); })) run.keep(key, surface);
+        if (std::none_of(surface.measurements.begin(), surface.measurements.end(),
+                         [](const auto& m) { return m.failed(); }))
+            run.keep(key, surface);
     } catch (const Cancelled&) {
         throw;
     } catch (const Error& error) {
@@ -128,7 +143,10 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const Analysis
     for (const auto& measurement : input.measurements) {
         try {
             for (std::size_t ordinal = 0; ordinal < measurement_sources(measurement).size(); ++ordinal)
-                steps.push_back({"measurement", measurement.file, {}, whole || held(measurement_key(run, measurement, ordinal, options))});
+                steps.push_back({"measurement",
+                                 measurement.file,
+                                 {},
+                                 whole || held(measurement_key(run, measurement, ordinal, options))});
         } catch (const Error& error) {
             steps.push_back({"measurement", measurement.file, error.what(), false});
         }
@@ -143,12 +161,14 @@ SpectralParameters parameters_of(const SpectrumCurve& whole, const AnalysisOptio
 
 SpectrumResult spectrum_result(const SpectrumCurve& whole, const AnalysisOptions& options) {
     SpectrumResult result;
-    result.uncut_energy_per_modulus = roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;
+    result.uncut_energy_per_modulus =
+        roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;
     result.curve = roughness::limited(whole, options.limits);
     result.parameters = roughness::spectral_parameters(result.curve, options.conversion);
     if (result.curve.density == roughness::Density::C1D) {
         const bool exact = options.conversion == roughness::Conversion::exact;
-        result.other_conversion = roughness::spectral_parameters(result.curve, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact);
+        result.other_conversion = roughness::spectral_parameters(
+            result.curve, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact);
     }
     return result;
 }
@@ -167,7 +187,8 @@ std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface) {
     return found;
 }
 
-SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits, roughness::Conversion conversion) {
+SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits,
+                                     roughness::Conversion conversion) {
     return roughness::spectral_parameters(roughness::limited(spectrum.curve, limits), conversion);
 }
 

@@ -9,9 +9,11 @@ namespace setae::study {
 
 /// Everything about one surface as a step of a run: what the store holds is not computed again.
 /// @throws Cancelled where the run is.
-[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run, parallel::Threads threads);
+[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                                            parallel::Threads threads);
 
 /// The steps analyse_surface() will take.
-[[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run);
+[[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options,
+                                                     const Run& run);
 
 }  // namespace setae::study

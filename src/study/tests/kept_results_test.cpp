@@ -11,9 +11,9 @@
 
 #include "serialization.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/output/json.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::study {
 namespace {
@@ -26,7 +26,9 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    [[nodiscard]] std::string walk(std::uint64_t seed) const { return (folder_ / ("walk" + std::to_string(seed) + ".csv")).string(); }
+    [[nodiscard]] std::string walk(std::uint64_t seed) const {
+        return (folder_ / ("walk" + std::to_string(seed) + ".csv")).string();
+    }
     void write_walk(std::uint64_t seed, double factor) const {
         const Array1D x = Array1D::LinSpaced(300, 0.0, 29.9e-6);
         Array1D h = numerics::normal_numbers({seed, 0}, 0, 300) * (factor * 5e-9);
@@ -59,17 +61,21 @@ protected:
         std::vector<Progress> steps;
 
         [[nodiscard]] std::ptrdiff_t cached(const std::string& stage) const {
-            return std::count_if(steps.begin(), steps.end(), [&](const Progress& p) { return p.stage == stage && p.cached; });
+            return std::count_if(steps.begin(), steps.end(),
+                                 [&](const Progress& p) { return p.stage == stage && p.cached; });
         }
     };
     [[nodiscard]] Watched run(const Study& wanted) const {
         Watched watched;
         const cache::Store store((folder_ / "cache").string(), "test");
-        watched.result = run_study(wanted, {.threads = {2}, .store = &store, .progress = [&](const Progress& p) { watched.steps.push_back(p); }});
+        watched.result = run_study(wanted, {.threads = {2}, .store = &store, .progress = [&](const Progress& p) {
+                                                watched.steps.push_back(p);
+                                            }});
         return watched;
     }
 
-    const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_kept_results_" + std::to_string(getpid()));
+    const std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("setae_kept_results_" + std::to_string(getpid()));
 };
 
 TEST_F(KeptResults, AreThoseThatWouldBeComputed) {
@@ -141,7 +147,8 @@ TEST_F(KeptResults, ShowInThePlanOfARun) {
     auto broken = study();
     broken.surfaces[0].measurements.push_back(stylus(9));
     EXPECT_EQ(count(broken, cached), 4);  // three measurements and the other surface
-    EXPECT_EQ(count(broken, [](const PlannedStep& step) { return step.error.find("no such file") != std::string::npos; }), 1);
+    EXPECT_EQ(
+        count(broken, [](const PlannedStep& step) { return step.error.find("no such file") != std::string::npos; }), 1);
 }
 
 TEST_F(KeptResults, AreCountedStepByStep) {
@@ -160,7 +167,11 @@ TEST_F(KeptResults, AreCountedStepByStep) {
 TEST_F(KeptResults, AreWhatACancelledRunLeaves) {
     const cache::Store store((folder_ / "cache").string(), "test");
     std::atomic<bool> cancelled{false};
-    RunOptions options{.threads = {1}, .store = &store, .progress = [&](const Progress& p) { cancelled = cancelled || (!p.begins && p.stage == "surface"); }, .cancelled = &cancelled};
+    RunOptions options{
+        .threads = {1},
+        .store = &store,
+        .progress = [&](const Progress& p) { cancelled = cancelled || (!p.begins && p.stage == "surface"); },
+        .cancelled = &cancelled};
     EXPECT_THROW(static_cast<void>(run_study(study(), options)), Cancelled);
     const auto rest = run(study());
     EXPECT_EQ(rest.cached("surface"), 1);
@@ -170,7 +181,8 @@ TEST_F(KeptResults, AreWhatACancelledRunLeaves) {
 TEST_F(KeptResults, CutShortAreNoResult) {
     const auto bytes = bytes_of(run_study(study()).surfaces[0]);
     ASSERT_TRUE(value_of<SurfaceResult>(bytes));
-    for (const std::size_t length : {std::size_t{0}, std::size_t{7}, bytes.size() / 3, bytes.size() - 1}) EXPECT_FALSE(value_of<SurfaceResult>(bytes.substr(0, length)));
+    for (const std::size_t length : {std::size_t{0}, std::size_t{7}, bytes.size() / 3, bytes.size() - 1})
+        EXPECT_FALSE(value_of<SurfaceResult>(bytes.substr(0, length)));
 }
 
 TEST_F(KeptResults, NameEveryInputWithItsDigest) {

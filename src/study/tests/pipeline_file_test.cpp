@@ -18,7 +18,8 @@ using processing::Pipeline;
 class PipelineFile : public testing::Test {
 protected:
     void SetUp() override {
-        folder = fs::temp_directory_path() / ("setae_pipeline_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        folder = fs::temp_directory_path() /
+                 ("setae_pipeline_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         fs::create_directories(folder);
     }
     void TearDown() override { fs::remove_all(folder); }
@@ -52,9 +53,12 @@ void expect_same(const Pipeline& one, const Pipeline& other) {
 /// Every step there is, then some with parameters of every kind.
 Pipeline everything() {
     Pipeline pipeline;
-    for (const auto& description : processing::step_descriptions()) pipeline.entries.push_back({processing::step_named(description.name), pipeline.entries.size() % 2 == 0});
-    for (const char* line : {"align_rows method=polynomial degree=3 direction=y region=\"include rectangle 1 um to 2 um; exclude heights above 20 nm grow 2\"", "despike threshold=5.25 replace_by=undefined",
-                             "crop x_from=\"1.25 um\" cut_last=3"})
+    for (const auto& description : processing::step_descriptions())
+        pipeline.entries.push_back({processing::step_named(description.name), pipeline.entries.size() % 2 == 0});
+    for (
+        const char* line :
+        {"align_rows method=polynomial degree=3 direction=y region=\"include rectangle 1 um to 2 um; exclude heights above 20 nm grow 2\"",
+         "despike threshold=5.25 replace_by=undefined", "crop x_from=\"1.25 um\" cut_last=3"})
         pipeline.entries.push_back({processing::step_from_text(line)});
     return pipeline;
 }
@@ -70,10 +74,14 @@ TEST_F(PipelineFile, WrittenAndReadIsTheSameInEitherFormat) {
 }
 
 TEST_F(PipelineFile, HoldsUnitsSwitchesListsAndSingleLines) {
-    const auto yaml = read_pipeline(write("p.yml", "# levels\nsteps:\n  - despike threshold=5\n  - step: crop\n    x_to: 8 um\n    enabled: false\n  - step: level_plane\n    region:\n"
-                                                   "      - exclude heights above 20 nm\n      - exclude rectangle 1 um to 2 um\n  - level_mean\n"));
-    const auto toml = read_pipeline(write("p.toml", "steps = [\"despike threshold=5\", {step = \"crop\", x_to = \"8 um\", enabled = false}, {step = \"level_plane\", region = [\"exclude heights above 20 nm\", "
-                                                    "\"exclude rectangle 1 um to 2 um\"]}, \"level_mean\"]\n"));
+    const auto yaml = read_pipeline(write(
+        "p.yml",
+        "# levels\nsteps:\n  - despike threshold=5\n  - step: crop\n    x_to: 8 um\n    enabled: false\n  - step: level_plane\n    region:\n"
+        "      - exclude heights above 20 nm\n      - exclude rectangle 1 um to 2 um\n  - level_mean\n"));
+    const auto toml = read_pipeline(write(
+        "p.toml",
+        "steps = [\"despike threshold=5\", {step = \"crop\", x_to = \"8 um\", enabled = false}, {step = \"level_plane\", region = [\"exclude heights above 20 nm\", "
+        "\"exclude rectangle 1 um to 2 um\"]}, \"level_mean\"]\n"));
     expect_same(yaml, toml);
     ASSERT_EQ(yaml.entries.size(), 4u);
     EXPECT_EQ(std::get<processing::Crop>(yaml.entries[1].step).x_to, 8e-6);
@@ -82,21 +90,33 @@ TEST_F(PipelineFile, HoldsUnitsSwitchesListsAndSingleLines) {
 }
 
 TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: level_plane\n  - step: dispike\n    threshold: 5\n"), "p.yml:3: unknown step 'dispike'; did you mean 'despike'?; setae level --explain lists them");
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    treshold: 5\n"), "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    threshold: many\n"), "p.yml:3: threshold: 'many' is no number");
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    enabled: maybe\n"), "p.yml:3: enabled: 'maybe'; expected true or false");
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    reach: 3\n    reach: 4\n"), "p.yml:4: key 'reach' stands twice in a step");
-    EXPECT_EQ(complaint("p.yml", "steps:\n  - threshold: 5\n"), "p.yml:2: a step without a name; expected a key 'step', such as step: level_plane");
+    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: level_plane\n  - step: dispike\n    threshold: 5\n"),
+              "p.yml:3: unknown step 'dispike'; did you mean 'despike'?; setae level --explain lists them");
+    EXPECT_EQ(
+        complaint("p.yml", "steps:\n  - step: despike\n    treshold: 5\n"),
+        "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
+    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    threshold: many\n"),
+              "p.yml:3: threshold: 'many' is no number");
+    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    enabled: maybe\n"),
+              "p.yml:3: enabled: 'maybe'; expected true or false");
+    EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    reach: 3\n    reach: 4\n"),
+              "p.yml:4: key 'reach' stands twice in a step");
+    EXPECT_EQ(complaint("p.yml", "steps:\n  - threshold: 5\n"),
+              "p.yml:2: a step without a name; expected a key 'step', such as step: level_plane");
     EXPECT_EQ(complaint("p.yml", "step:\n  - level_plane\n"), "p.yml:1: unknown key 'step'; did you mean 'steps'?");
     EXPECT_EQ(complaint("p.yml", "- level_plane\n"), "p.yml:1: expected a key 'steps' with a list of steps");
     EXPECT_EQ(complaint("p.yml", "steps: level_plane\n"), "p.yml:1: steps: expected a list, a dash before each step");
     EXPECT_NE(complaint("p.yml", "steps:\n  - step: crop\n    x_to: 8\n").find("p.yml:3: x_to: "), std::string::npos);
     EXPECT_NE(complaint("p.yml", "steps: [\n").find("YAML: "), std::string::npos);
-    EXPECT_NE(complaint("p.yml", "steps:\n  - step: crop\n    x_to: {a: 1}\n").find("p.yml:3: x_to: expected a value"), std::string::npos);
-    EXPECT_EQ(complaint("p.toml", "[[steps]]\nstep = \"despike\"\n\n[[steps]]\nstep = \"levelplane\"\n"), "p.toml:5: unknown step 'levelplane'; did you mean 'level_plane'?; setae level --explain lists them");
-    EXPECT_EQ(complaint("p.toml", "[[steps]]\nstep = \"despike\"\nthresold = 5\n"), "p.toml:3: unknown parameter 'thresold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
-    EXPECT_EQ(complaint("p.toml", "[[step]]\nstep = \"despike\"\n"), "p.toml:1: unknown key 'step'; did you mean 'steps'?");
+    EXPECT_NE(complaint("p.yml", "steps:\n  - step: crop\n    x_to: {a: 1}\n").find("p.yml:3: x_to: expected a value"),
+              std::string::npos);
+    EXPECT_EQ(complaint("p.toml", "[[steps]]\nstep = \"despike\"\n\n[[steps]]\nstep = \"levelplane\"\n"),
+              "p.toml:5: unknown step 'levelplane'; did you mean 'level_plane'?; setae level --explain lists them");
+    EXPECT_EQ(
+        complaint("p.toml", "[[steps]]\nstep = \"despike\"\nthresold = 5\n"),
+        "p.toml:3: unknown parameter 'thresold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
+    EXPECT_EQ(complaint("p.toml", "[[step]]\nstep = \"despike\"\n"),
+              "p.toml:1: unknown key 'step'; did you mean 'steps'?");
     EXPECT_NE(complaint("p.toml", "[[steps]\n").find("p.toml:1: TOML: "), std::string::npos);
     EXPECT_THROW((void)read_pipeline((folder / "p.json").string()), InvalidArgument);
     EXPECT_THROW((void)read_pipeline((folder / "none.yml").string()), FileError);
@@ -117,12 +137,15 @@ TEST_F(PipelineFile, NamesFilesRelativeToItsFolder) {
     EXPECT_EQ(std::get<processing::SubtractMap>(read.entries[0].step).file, "reference.nc");
 }
 
-TEST_F(PipelineFile, OfMoreThanAMegabyteIsRefused) { EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are no pipeline"), std::string::npos); }
+TEST_F(PipelineFile, OfMoreThanAMegabyteIsRefused) {
+    EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are no pipeline"), std::string::npos);
+}
 
 TEST_F(PipelineFile, WithAliasesThatRepeatIsReadOnce) {
     std::string bomb = "a: &a [x, x]\n";
     EXPECT_NE(complaint("p.yml", bomb + "steps: []\n").find("unknown key 'a'"), std::string::npos);
-    expect_same(read_pipeline(write("p.yml", "steps:\n  - &level level_plane\n  - *level\n")), {{{processing::LevelPlane{}}, {processing::LevelPlane{}}}});
+    expect_same(read_pipeline(write("p.yml", "steps:\n  - &level level_plane\n  - *level\n")),
+                {{{processing::LevelPlane{}}, {processing::LevelPlane{}}}});
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include "pairs/pairs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"
-#include "setae/study/replicate_reader.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/study/replicate_reader.hpp"
 
 namespace setae::study {
 namespace {
@@ -37,7 +37,8 @@ protected:
         return "no error";
     }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_replicates_" + std::to_string(::getpid()));
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("setae_replicates_" + std::to_string(::getpid()));
 };
 
 constexpr const char* tidy =
@@ -64,13 +65,21 @@ TEST_F(ReplicateFiles, AreReadInSiByMethodAndBranch) {
 
 TEST_F(ReplicateFiles, WithSeveralMethodsAskForOne) {
     const auto path = write("fits.csv", tidy);
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {.branch = "loading"}, {}); }).find("choose one by --method"), std::string::npos);
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {.method = "pointwise"}, {}); }).find("there are linear_form, radius_force"), std::string::npos);
+    EXPECT_NE(
+        message_of([&] { (void)read_replicates({path}, {.branch = "loading"}, {}); }).find("choose one by --method"),
+        std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  (void)read_replicates({path}, {.method = "pointwise"}, {});
+              }).find("there are linear_form, radius_force"),
+              std::string::npos);
 }
 
 TEST_F(ReplicateFiles, OfOtherProgramsNeedOnlyNames) {
-    const auto path = write("other.csv", "# made elsewhere\r\nProbe;Linse;Arbeit;Fehler\r\nA;1;40,5;2,5\r\nA;2;41,5;\r\n");
-    const auto tables = read_replicates({path}, {.group_by = {"Probe", "Linse"}, .value_column = "Arbeit", .error_column = "Fehler", .unit = "mJ/m2"}, {});
+    const auto path =
+        write("other.csv", "# made elsewhere\r\nProbe;Linse;Arbeit;Fehler\r\nA;1;40,5;2,5\r\nA;2;41,5;\r\n");
+    const auto tables = read_replicates(
+        {path}, {.group_by = {"Probe", "Linse"}, .value_column = "Arbeit", .error_column = "Fehler", .unit = "mJ/m2"},
+        {});
     EXPECT_DOUBLE_EQ(tables.data.rows.at(0).value, 40.5e-3);
     EXPECT_DOUBLE_EQ(tables.data.rows.at(0).standard_error, 2.5e-3);
     EXPECT_TRUE(std::isnan(tables.data.rows.at(1).standard_error));
@@ -78,19 +87,21 @@ TEST_F(ReplicateFiles, OfOtherProgramsNeedOnlyNames) {
 }
 
 TEST_F(ReplicateFiles, TakeThePrimaryFitOfEachLoopAndSayWhyThereIsNone) {
-    const auto path = write("tidy.csv",
-                            "file,surface,elastomer,lens,spot,contact,cycle,branch,method,W [J/m2],W_standard_error [J/m2],primary,reason\n"
-                            "a.csv,A,soft,1,1,1,1,loading,radius_force,0.04,0.001,no,\n"
-                            "a.csv,A,soft,1,1,1,1,loading,joint,0.05,0.001,yes,\n"
-                            "b.csv,A,soft,1,2,1,1,loading,,,,no,too few samples\n"
-                            "c.csv,A,hard,1,2,1,1,loading,joint,0.06,0.001,yes,\n");
+    const auto path = write(
+        "tidy.csv",
+        "file,surface,elastomer,lens,spot,contact,cycle,branch,method,W [J/m2],W_standard_error [J/m2],primary,reason\n"
+        "a.csv,A,soft,1,1,1,1,loading,radius_force,0.04,0.001,no,\n"
+        "a.csv,A,soft,1,1,1,1,loading,joint,0.05,0.001,yes,\n"
+        "b.csv,A,soft,1,2,1,1,loading,,,,no,too few samples\n"
+        "c.csv,A,hard,1,2,1,1,loading,joint,0.06,0.001,yes,\n");
     const auto soft = read_replicates({path}, {.elastomer = "soft"}, {});
     ASSERT_EQ(soft.data.rows.size(), 1U);
     EXPECT_EQ(soft.data.rows[0].value, 0.05);
     EXPECT_EQ(soft.bad_rows.at(0).reason, "no W: too few samples");
     EXPECT_EQ(read_replicates({path}, {.method = "radius_force"}, {}).data.rows.at(0).value, 0.04);
     EXPECT_EQ(read_replicates({path}, {.group_by = {"elastomer", "surface"}}, {}).data.rows.size(), 2U);
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {}, {}); }).find("choose one by --elastomer"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {}, {}); }).find("choose one by --elastomer"),
+              std::string::npos);
 }
 
 TEST_F(ReplicateFiles, CountAContactsEnergyOnce) {
@@ -103,7 +114,9 @@ TEST_F(ReplicateFiles, CountAContactsEnergyOnce) {
 }
 
 TEST_F(ReplicateFiles, NameTheLineOfABadRow) {
-    const auto path = write("bad.csv", "surface,lens,W [J/m2],W_se [J/m2]\nA,1,0.04,0.001\nA,1,,0.001\nA,,0.05,0.001\nA,2,much,0.001\nA,2,0.04,-1\n");
+    const auto path = write(
+        "bad.csv",
+        "surface,lens,W [J/m2],W_se [J/m2]\nA,1,0.04,0.001\nA,1,,0.001\nA,,0.05,0.001\nA,2,much,0.001\nA,2,0.04,-1\n");
     const auto tables = read_replicates({path}, {}, {});
     EXPECT_EQ(tables.data.rows.size(), 1U);
     ASSERT_EQ(tables.bad_rows.size(), 4U);
@@ -135,8 +148,14 @@ TEST_F(ReplicateFiles, ExclusionsKeepTheirRowsAndReasons) {
     ASSERT_EQ(tables.data.exclusions.size(), 1U);
     EXPECT_EQ(tables.data.exclusions[0].row, 0U);
     EXPECT_EQ(tables.data.exclusions[0].reason, "dust on the lens");
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, columns, {parse_exclusion("file=z.csv;reason=x")}); }).find("no row meets"), std::string::npos);
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, columns, {parse_exclusion("spot=1;reason=x"), parse_exclusion("file=a.csv;reason=y")}); }).find("excluded twice"),
+    EXPECT_NE(message_of([&] {
+                  (void)read_replicates({path}, columns, {parse_exclusion("file=z.csv;reason=x")});
+              }).find("no row meets"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  (void)read_replicates({path}, columns,
+                                        {parse_exclusion("spot=1;reason=x"), parse_exclusion("file=a.csv;reason=y")});
+              }).find("excluded twice"),
               std::string::npos);
     EXPECT_NE(message_of([] { (void)parse_exclusion("file=a.csv"); }).find("without a reason"), std::string::npos);
     EXPECT_NE(message_of([] { (void)parse_exclusion("reason=x"); }).find("names no row"), std::string::npos);
@@ -150,7 +169,8 @@ TEST_F(ReplicateFiles, ExclusionsAreReadFromFilesToo) {
     EXPECT_EQ(rules[0].conditions.at("spot"), "1");
     const auto csv = write("out.csv", "file,spot,reason\na.csv,,slipped\n");
     EXPECT_EQ(read_exclusions(csv).at(0).conditions.size(), 1U);
-    const auto bad_toml = write("bad.toml", "[[exclude]]\nfile = \"a.csv\"\n"), bad_csv = write("bad.csv", "file,reason\na.csv,\n");
+    const auto bad_toml = write("bad.toml", "[[exclude]]\nfile = \"a.csv\"\n"),
+               bad_csv = write("bad.csv", "file,reason\na.csv,\n");
     EXPECT_NE(message_of([&] { (void)read_exclusions(bad_toml); }).find("without a reason"), std::string::npos);
     EXPECT_NE(message_of([&] { (void)read_exclusions(bad_csv); }).find("bad.csv:2: "), std::string::npos);
 }
@@ -164,7 +184,8 @@ ExperimentResult loop_of(const std::string& surface, const std::string& lens, co
     result.input.lens = lens;
     result.input.spot = spot;
     loops::LoopAnalysis loop;
-    loop.loading.radius_force = loops::Outcome<loops::JkrFit>(loops::JkrFit{.method = "radius_force", .converged = true, .work_of_adhesion = {work, 0.001}});
+    loop.loading.radius_force = loops::Outcome<loops::JkrFit>(
+        loops::JkrFit{.method = "radius_force", .converged = true, .work_of_adhesion = {work, 0.001}});
     result.analysis = loop;
     return result;
 }
@@ -175,7 +196,8 @@ StudyResult study_with_lenses() {
     result.surfaces[0].name = "A";
     result.elastomers.resize(1);
     result.elastomers[0].input.name = "soft";
-    result.experiments = {loop_of("A", "1", "1", 0.040), loop_of("A", "1", "2", 0.042), loop_of("A", "2", "1", 0.050), loop_of("A", "2", "2", 0.052)};
+    result.experiments = {loop_of("A", "1", "1", 0.040), loop_of("A", "1", "2", 0.042), loop_of("A", "2", "1", 0.050),
+                          loop_of("A", "2", "2", 0.052)};
     return result;
 }
 
@@ -209,7 +231,8 @@ TEST(StudyReplicates, KeepExcludedLoopsWithTheirReason) {
     const auto json = output::to_json(result);
     EXPECT_EQ(json.at("replicates").at(0).at("rows").at(3).at("excluded"), "lens slipped");
     EXPECT_EQ(json.at("experiments").at(3).at("excluded"), "lens slipped");
-    EXPECT_EQ(output::replicate_mean_table(result).rows.at(0).size(), output::replicate_mean_table(result).columns.size());
+    EXPECT_EQ(output::replicate_mean_table(result).rows.at(0).size(),
+              output::replicate_mean_table(result).columns.size());
     EXPECT_NE(output::summary(data, *result.replicates[0].model).find("lens slipped"), std::string::npos);
 }
 

@@ -11,9 +11,9 @@
 
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::study {
 namespace {
@@ -43,7 +43,9 @@ Table loop(double work_in, double work_out, double depth) {
         add(d, a, jkr::force(a, out));
     }
     for (double d = end - step; d > end - gap; d -= step) add(d, 0.0, 0.0);
-    const auto column = [](const std::vector<double>& v) -> Array1D { return Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size())); };
+    const auto column = [](const std::vector<double>& v) -> Array1D {
+        return Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size()));
+    };
     return {{{"time", "s", Array1D::LinSpaced(static_cast<Index>(force.size()), 0.0, 100.0)},
              {"force", "N", column(force)},
              {"displacement", "m", column(displacement)},
@@ -51,10 +53,13 @@ Table loop(double work_in, double work_out, double depth) {
             {}};
 }
 
-/// ∮F dδ of such a loop in closed form: the work to and fro is the change of elastic minus surface energy of each branch.
+/// ∮F dδ of such a loop in closed form: the work to and fro is the change of elastic minus surface energy of each
+/// branch.
 double loss(double work_in, double work_out, double depth) {
     const jkr::Contact in{sphere_radius, contact_modulus, work_in}, out{sphere_radius, contact_modulus, work_out};
-    const auto energy = [](const jkr::Contact& c, double d) { return jkr::total_energy(jkr::contact_radius_at_displacement(d, c, jkr::Branch::outer), d, c); };
+    const auto energy = [](const jkr::Contact& c, double d) {
+        return jkr::total_energy(jkr::contact_radius_at_displacement(d, c, jkr::Branch::outer), d, c);
+    };
     const auto pull_off = jkr::pull_off_at_fixed_grips(out);
     const double pressed = energy(in, depth) - energy(in, 0.0);
     const double released = energy(out, depth) - jkr::total_energy(pull_off.contact_radius, pull_off.displacement, out);
@@ -67,7 +72,9 @@ protected:
         std::filesystem::create_directories(folder_);
         write_scan("a.csv", 20e-9);
         write_scan("b.csv", 60e-9);
-        for (int i = 0; i < 4; ++i) tables::write_csv((folder_ / ("loop" + std::to_string(i) + ".csv")).string(), loop(0.03 + 0.004 * i, 0.06 + 0.01 * i, 20e-6));
+        for (int i = 0; i < 4; ++i)
+            tables::write_csv((folder_ / ("loop" + std::to_string(i) + ".csv")).string(),
+                              loop(0.03 + 0.004 * i, 0.06 + 0.01 * i, 20e-6));
         tables::write_csv((folder_ / "smooth_before.csv").string(), loop(0.040, 0.0405, 20e-6));
         tables::write_csv((folder_ / "smooth_after.csv").string(), loop(0.041, 0.0415, 20e-6));
     }
@@ -76,18 +83,20 @@ protected:
     /// A line of 200 µm with one cosine of 5 µm wavelength.
     void write_scan(const std::string& name, double amplitude) {
         const Array1D x = Array1D::LinSpaced(2000, 0.0, 199.9e-6);
-        tables::write_csv((folder_ / name).string(), {{{"x", "m", x}, {"h", "m", amplitude * (2.0 * pi * x / 5e-6).cos()}}, {}});
+        tables::write_csv((folder_ / name).string(),
+                          {{{"x", "m", x}, {"h", "m", amplitude * (2.0 * pi * x / 5e-6).cos()}}, {}});
     }
 
     StudyResult run(const std::string& experiments, int threads = 2) {
         const auto path = (folder_ / "study.toml").string();
-        std::ofstream(path) << "[rough_solid]\nyoungs_modulus = \"1e9 GPa\"\npoisson_ratio = 0.0\n"
-                               "[analysis]\nwindow = \"none\"\nbootstrap_resamples = 0\n"
-                               "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
-                               "[surfaces.B]\nmeasurements = [{ file = \"b.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
-                               "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
-                               "[elastomers.other]\nyoungs_modulus = \"0.75 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
-                            << experiments;
+        std::ofstream(path)
+            << "[rough_solid]\nyoungs_modulus = \"1e9 GPa\"\npoisson_ratio = 0.0\n"
+               "[analysis]\nwindow = \"none\"\nbootstrap_resamples = 0\n"
+               "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+               "[surfaces.B]\nmeasurements = [{ file = \"b.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+               "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
+               "[elastomers.other]\nyoungs_modulus = \"0.75 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
+            << experiments;
         auto study = read_study(path);
         return run_study(study, {threads});
     }
@@ -98,7 +107,8 @@ protected:
         "[[experiments]]\nfile = \"loop2.csv\"\nsurface = \"A\"\nelastomer = \"other\"\n"
         "[[experiments]]\nfile = \"loop3.csv\"\nsurface = \"B\"\nelastomer = \"other\"\n";
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_chain_" + std::to_string(::getpid()));
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("setae_chain_" + std::to_string(::getpid()));
 };
 
 TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
@@ -109,7 +119,9 @@ TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
         ASSERT_EQ(surface.error, "");
         EXPECT_NEAR(surface.average.parameters.rms_height / (amplitude / std::sqrt(2.0)), 1.0, 1e-6) << name;
         // taken for isotropic, a line of one wave has U_el/(A E*) = (1/8) ∫ q C1D dq = π q A²/16
-        EXPECT_NEAR(surface.average.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0), 1.0, 1e-6) << name;
+        EXPECT_NEAR(surface.average.parameters.elastic_energy_per_modulus / (pi * q * amplitude * amplitude / 16.0),
+                    1.0, 1e-6)
+            << name;
     }
 }
 
@@ -167,14 +179,16 @@ TEST_F(StudyOfFiles, FitsTheLossOfAllPairsAgainstTrueArea) {
     }
     EXPECT_NEAR(result.loop->through_origin.work_of_adhesion.value / (products / squares), 1.0, 1e-9);
     ASSERT_TRUE(result.loop->through_origin_without_ideal_loss);
-    EXPECT_LT(result.loop->through_origin_without_ideal_loss->work_of_adhesion.value, result.loop->through_origin.work_of_adhesion.value);
+    EXPECT_LT(result.loop->through_origin_without_ideal_loss->work_of_adhesion.value,
+              result.loop->through_origin.work_of_adhesion.value);
     EXPECT_TRUE(result.loop->with_intercept);
 }
 
 TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
     // the balances as lines in W_int, which the fits use, against the balances themselves, which the predictions use
     const auto result = run(rough_loops);
-    for (const auto& [fit, predicted] : {std::pair{&result.modified, &PairResult::modified}, {&result.persson_tosatti, &PairResult::persson_tosatti},
+    for (const auto& [fit, predicted] : {std::pair{&result.modified, &PairResult::modified},
+                                         {&result.persson_tosatti, &PairResult::persson_tosatti},
                                          {&result.without_area_change, &PairResult::without_area_change}})
         for (const auto& point : (*fit)->pairs)
             for (const auto& pair : result.pairs) {
@@ -184,9 +198,10 @@ TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
 }
 
 TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
-    const auto result = run(std::string(rough_loops) +
-                            "[[experiments]]\nfile = \"smooth_before.csv\"\nrole = \"reference\"\nstage = \"before\"\nelastomer = \"soft\"\n"
-                            "[[experiments]]\nfile = \"smooth_after.csv\"\nrole = \"reference\"\nstage = \"after\"\nelastomer = \"soft\"\n");
+    const auto result = run(
+        std::string(rough_loops) +
+        "[[experiments]]\nfile = \"smooth_before.csv\"\nrole = \"reference\"\nstage = \"before\"\nelastomer = \"soft\"\n"
+        "[[experiments]]\nfile = \"smooth_after.csv\"\nrole = \"reference\"\nstage = \"after\"\nelastomer = \"soft\"\n");
     ASSERT_EQ(result.references.size(), 2u);
     EXPECT_NEAR(result.references[0].approach.value, 0.040, 2e-5);
     EXPECT_NEAR(result.references[0].excess_energy->value / loss(0.040, 0.0405, 20e-6), 1.0, 0.02);
@@ -196,7 +211,8 @@ TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
 }
 
 TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
-    const auto result = run(std::string(rough_loops) + "[[experiments]]\nfile = \"none.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
+    const auto result =
+        run(std::string(rough_loops) + "[[experiments]]\nfile = \"none.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
     EXPECT_EQ(result.failures(), 1);
     EXPECT_TRUE(result.loop);
     EXPECT_NE(result.experiments.back().error.find("none.csv"), std::string::npos);

@@ -30,17 +30,20 @@ protected:
         return "no error";
     }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("setae_study_" + std::to_string(::getpid()));
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("setae_study_" + std::to_string(::getpid()));
     std::string path_ = (folder_ / "study.toml").string();
 };
 
 constexpr const char* surface = "[surfaces.A]\nmeasurements = [{ file = \"a.txt\", unit = \"um\" }]\n";
 
 TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
-    const auto study = read(std::string("work_of_adhesion = \"37.0 ± 3.7 mJ/m2\"\n[analysis]\nlongest_wavelength = \"100 um\"\ncutoff_scan = [\"4 A\"]\n") +
-                            "[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n" + surface +
-                            "[elastomers.soft]\nyoungs_modulus = \"0.69 +- 0.02 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsurface_energy_law = { area_ratio = [1.0, "
-                            "1.5], surface_energy = [\"25 mJ/m2\", \"30 mJ/m2\"] }\n");
+    const auto study = read(
+        std::string(
+            "work_of_adhesion = \"37.0 ± 3.7 mJ/m2\"\n[analysis]\nlongest_wavelength = \"100 um\"\ncutoff_scan = [\"4 A\"]\n") +
+        "[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n" + surface +
+        "[elastomers.soft]\nyoungs_modulus = \"0.69 +- 0.02 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsurface_energy_law = { area_ratio = [1.0, "
+        "1.5], surface_energy = [\"25 mJ/m2\", \"30 mJ/m2\"] }\n");
     EXPECT_DOUBLE_EQ(study.work_of_adhesion->value, 0.037);
     EXPECT_DOUBLE_EQ(study.work_of_adhesion->standard_error, 0.0037);
     EXPECT_DOUBLE_EQ(*study.analysis.limits.longest, 1e-4);
@@ -53,25 +56,35 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
 
 TEST_F(StudyFile, LeavesTheSpectrumToTheMeasurementsUnlessOneIsAskedFor) {
     EXPECT_FALSE(read(surface).analysis.spectrum);
-    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"average\"\n") + surface).analysis.spectrum, SpectrumMethod::average);
-    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"likelihood\"\n") + surface).analysis.spectrum, SpectrumMethod::likelihood);
-    EXPECT_NE(message_of(std::string("[analysis]\nspectrum = \"best\"\n") + surface).find("analysis.spectrum"), std::string::npos);
+    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"average\"\n") + surface).analysis.spectrum,
+              SpectrumMethod::average);
+    EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"likelihood\"\n") + surface).analysis.spectrum,
+              SpectrumMethod::likelihood);
+    EXPECT_NE(message_of(std::string("[analysis]\nspectrum = \"best\"\n") + surface).find("analysis.spectrum"),
+              std::string::npos);
 }
 
 TEST_F(StudyFile, NamesTheNearestKeyAndItsLine) {
-    EXPECT_EQ(message_of("[analysis]\nlongest_wavelenght = \"1 um\"\n"), "study.toml:2: unknown key 'longest_wavelenght' in analysis; did you mean 'longest_wavelength'?");
+    EXPECT_EQ(message_of("[analysis]\nlongest_wavelenght = \"1 um\"\n"),
+              "study.toml:2: unknown key 'longest_wavelenght' in analysis; did you mean 'longest_wavelength'?");
 }
 
 TEST_F(StudyFile, RefusesANumberWithoutUnit) {
-    EXPECT_NE(message_of(std::string(surface) + "[elastomers.s]\nsurface_energy = 25\n").find("study.toml:4: elastomers.s.surface_energy: a number without unit"), std::string::npos);
-    EXPECT_NE(message_of(std::string(surface) + "[elastomers.s]\nsurface_energy = \"25 nm\"\n").find("expected one of J/m2"), std::string::npos);
+    EXPECT_NE(message_of(std::string(surface) + "[elastomers.s]\nsurface_energy = 25\n")
+                  .find("study.toml:4: elastomers.s.surface_energy: a number without unit"),
+              std::string::npos);
+    EXPECT_NE(
+        message_of(std::string(surface) + "[elastomers.s]\nsurface_energy = \"25 nm\"\n").find("expected one of J/m2"),
+        std::string::npos);
 }
 
 TEST_F(StudyFile, RefusesNamesThatAreNotDeclared) {
-    EXPECT_NE(message_of(std::string("[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n") + surface +
-                         "[elastomers.s]\nsurface_energy = \"25 mJ/m2\"\n[[experiments]]\nfile = \"l.csv\"\nsurface = \"B\"\nelastomer = \"s\"\n")
-                  .find("surface 'B', which is not declared"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of(
+            std::string("[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n") + surface +
+            "[elastomers.s]\nsurface_energy = \"25 mJ/m2\"\n[[experiments]]\nfile = \"l.csv\"\nsurface = \"B\"\nelastomer = \"s\"\n")
+            .find("surface 'B', which is not declared"),
+        std::string::npos);
 }
 
 TEST_F(StudyFile, WantsOneSourceOfRoughnessForEachSurface) {
@@ -79,26 +92,37 @@ TEST_F(StudyFile, WantsOneSourceOfRoughnessForEachSurface) {
 }
 
 TEST_F(StudyFile, WantsOnePublishedValueForEachElastomer) {
-    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n") + surface + "[elastomers.s]\nsurface_energy = \"25 mJ/m2\"\n";
-    EXPECT_NE(message_of(head + "[published]\nelastomers = [\"s\"]\n[published.approach]\nA = [\"1 mJ/m2\", \"2 mJ/m2\"]\n").find("2 values, expected 1"), std::string::npos);
-    EXPECT_NE(message_of(head + "[published]\nelastomers = [\"s\"]\n[published.approach]\nB = [\"1 mJ/m2\"]\n").find("surface 'B' is not declared"), std::string::npos);
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n") + surface +
+                             "[elastomers.s]\nsurface_energy = \"25 mJ/m2\"\n";
+    EXPECT_NE(
+        message_of(head + "[published]\nelastomers = [\"s\"]\n[published.approach]\nA = [\"1 mJ/m2\", \"2 mJ/m2\"]\n")
+            .find("2 values, expected 1"),
+        std::string::npos);
+    EXPECT_NE(message_of(head + "[published]\nelastomers = [\"s\"]\n[published.approach]\nB = [\"1 mJ/m2\"]\n")
+                  .find("surface 'B' is not declared"),
+              std::string::npos);
 }
 
-TEST_F(StudyFile, ReportsBrokenTomlWithItsLine) { EXPECT_EQ(message_of("title = \"a\"\nb = = 1\n").substr(0, 13), "study.toml:2:"); }
+TEST_F(StudyFile, ReportsBrokenTomlWithItsLine) {
+    EXPECT_EQ(message_of("title = \"a\"\nb = = 1\n").substr(0, 13), "study.toml:2:");
+}
 
 TEST_F(StudyFile, NamesWhatLoopsRepeatAndWhyOneIsLeftOut) {
-    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") + surface +
-                             "[elastomers.soft]\nyoungs_modulus = \"1 MPa\"\nsurface_energy = \"25 mJ/m2\"\n";
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
+                             surface + "[elastomers.soft]\nyoungs_modulus = \"1 MPa\"\nsurface_energy = \"25 mJ/m2\"\n";
     const auto loop = [](const std::string& file, const std::string& more) {
         return "[[experiments]]\nfile = \"" + file + "\"\nsurface = \"A\"\nelastomer = \"soft\"\n" + more;
     };
-    const auto study = read(head + loop("1.csv", "lens = \"a\"\nspot = \"1\"\n") + loop("2.csv", "lens = \"b\"\nspot = \"1\"\nexclude = \"dust\"\n"));
+    const auto study = read(head + loop("1.csv", "lens = \"a\"\nspot = \"1\"\n") +
+                            loop("2.csv", "lens = \"b\"\nspot = \"1\"\nexclude = \"dust\"\n"));
     EXPECT_EQ(study.experiments.at(0).lens, "a");
     EXPECT_EQ(study.experiments.at(1).spot, "1");
     EXPECT_FALSE(study.experiments.at(0).excluded());
     EXPECT_EQ(study.experiments.at(1).exclusion, "dust");
-    EXPECT_NE(message_of(head + loop("1.csv", "exclude = \" \"\n")).find("an exclusion without a reason"), std::string::npos);
-    EXPECT_NE(message_of(head + loop("1.csv", "lens = \"a\"\n") + loop("2.csv", "")).find("2.csv names no lens"), std::string::npos);
+    EXPECT_NE(message_of(head + loop("1.csv", "exclude = \" \"\n")).find("an exclusion without a reason"),
+              std::string::npos);
+    EXPECT_NE(message_of(head + loop("1.csv", "lens = \"a\"\n") + loop("2.csv", "")).find("2.csv names no lens"),
+              std::string::npos);
 }
 
 }  // namespace

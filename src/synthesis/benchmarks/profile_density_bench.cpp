@@ -18,7 +18,9 @@ BENCHMARK(profile_density_of_power_laws)->Unit(benchmark::kMillisecond);
 
 /// Five decades of a spectrum that is a power law nowhere.
 void profile_density_of_a_smooth_curve(benchmark::State& state) {
-    const spectra::SpectralDensity C_iso = [](double q) { return std::pow(1.0 + q * q, -1.8) * (1.1 + std::sin(std::log(q))); };
+    const spectra::SpectralDensity C_iso = [](double q) {
+        return std::pow(1.0 + q * q, -1.8) * (1.1 + std::sin(std::log(q)));
+    };
     for (auto _ : state) benchmark::DoNotOptimize(spectra::profile_density(C_iso, {0.1, 1e4}));
 }
 BENCHMARK(profile_density_of_a_smooth_curve)->Unit(benchmark::kMillisecond);

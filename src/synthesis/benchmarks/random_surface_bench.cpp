@@ -16,14 +16,21 @@ using namespace setae;
 void random_surface(benchmark::State& state) {
     const Index n = state.range(0);
     const double extent = 1e-9 * static_cast<double>(n);
-    const auto C_iso = spectra::density(spectra::SelfAffine{1e-27, 6.28e9 * 16.0 / static_cast<double>(n), 0.8, 1.57e9});
+    const auto C_iso =
+        spectra::density(spectra::SelfAffine{1e-27, 6.28e9 * 16.0 / static_cast<double>(n), 0.8, 1.57e9});
     for (auto _ : state) {
-        const auto map = synthesis::random_surface(C_iso, {n, n, extent, extent}, {.threads = {static_cast<int>(state.range(1))}});
+        const auto map =
+            synthesis::random_surface(C_iso, {n, n, extent, extent}, {.threads = {static_cast<int>(state.range(1))}});
         benchmark::DoNotOptimize(map.heights.data());
     }
 }
 BENCHMARK(random_surface)
-    ->Args({1024, 1})->Args({4096, 1})->Args({4096, 2})->Args({16384, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+    ->Args({1024, 1})
+    ->Args({4096, 1})
+    ->Args({4096, 2})
+    ->Args({16384, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// FFTW's own c2r of the same size into memory that is there already, one thread.
 void bare_inverse_transform(benchmark::State& state) {

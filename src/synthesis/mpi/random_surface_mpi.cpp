@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "setae/core/summation.hpp"
 #include "setae/synthesis/rms_height.hpp"
 #include "setae/synthesis/surface_modes.hpp"
-#include "setae/core/summation.hpp"
 
 namespace setae::synthesis {
 namespace {
@@ -27,12 +27,13 @@ double rms(MPI_Comm communicator, const fourier::MapSlab& slab, const SurfaceGri
 
 }  // namespace
 
-fourier::MapSlab random_surface_slab(MPI_Comm communicator, const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
-                                     const SurfaceOptions& options) {
+fourier::MapSlab random_surface_slab(MPI_Comm communicator, const spectra::SpectralDensity& C_iso,
+                                     const SurfaceGrid& grid, const SurfaceOptions& options) {
     if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const SurfaceModes modes(C_iso, grid, options);
     auto slab = fourier::distributed_inverse_transform_map(
-        communicator, [&](Index ky, fourier::Complex* line) { modes.line(ky, line); }, grid.nx, grid.ny, options.threads);
+        communicator, [&](Index ky, fourier::Complex* line) { modes.line(ky, line); }, grid.nx, grid.ny,
+        options.threads);
     if (options.exact_rms_height) slab.heights *= scale_to(*options.exact_rms_height, rms(communicator, slab, grid));
     return slab;
 }

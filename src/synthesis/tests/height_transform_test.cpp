@@ -16,12 +16,14 @@ using namespace setae::synthesis;
 
 TEST(JohnsonHeights, HaveTheShapeAskedForOnBothSidesOfTheLognormalLine) {
     // the log-normal curve has kurtosis 3, 3.16, 4.83 and 15.9 at these skewnesses
-    const HeightShape shapes[] = {{0.0, 1.8}, {0.0, 2.5}, {0.0, 3.01}, {0.0, 12.0}, {0.3, 2.0}, {0.3, 3.15}, {0.3, 3.2}, {0.3, 6.0},
-                                  {1.0, 3.2}, {1.0, 4.5}, {1.0, 5.0}, {-1.0, 5.0}, {-1.0, 4.0}, {2.5, 12.0}, {2.5, 30.0}, {3.0, 3.0e3}};
+    const HeightShape shapes[] = {{0.0, 1.8},  {0.0, 2.5},  {0.0, 3.01}, {0.0, 12.0}, {0.3, 2.0}, {0.3, 3.15},
+                                  {0.3, 3.2},  {0.3, 6.0},  {1.0, 3.2},  {1.0, 4.5},  {1.0, 5.0}, {-1.0, 5.0},
+                                  {-1.0, 4.0}, {2.5, 12.0}, {2.5, 30.0}, {3.0, 3.0e3}};
     for (const auto& shape : shapes) {
         const auto transform = johnson_heights(shape);
         const auto found = shape_of(transform);
-        EXPECT_NEAR(found.skewness, shape.skewness, 2e-6 * (1.0 + std::abs(shape.skewness))) << shape.skewness << " " << shape.kurtosis;
+        EXPECT_NEAR(found.skewness, shape.skewness, 2e-6 * (1.0 + std::abs(shape.skewness)))
+            << shape.skewness << " " << shape.kurtosis;
         EXPECT_NEAR(found.kurtosis / shape.kurtosis, 1.0, 5e-6) << shape.skewness << " " << shape.kurtosis;
         for (double z = -8.0; z < 8.0; z += 0.5) EXPECT_LE(transform(z), transform(z + 0.5));
     }
@@ -36,7 +38,8 @@ TEST(JohnsonHeights, OnTheLognormalLineAreLognormal) {
     // σ = ½: w = e^¼, skewness (w + 2)√(w − 1), kurtosis w⁴ + 2w³ + 3w² − 3
     const double w = std::exp(0.25), skewness = (w + 2.0) * std::sqrt(w - 1.0);
     const auto transform = johnson_heights({skewness, w * w * w * w + 2.0 * w * w * w + 3.0 * w * w - 3.0});
-    for (const double z : {-3.0, 0.0, 2.0}) EXPECT_NEAR(transform(z), (std::exp(0.5 * z - 0.125) - 1.0) / std::sqrt(w - 1.0), 1e-12);
+    for (const double z : {-3.0, 0.0, 2.0})
+        EXPECT_NEAR(transform(z), (std::exp(0.5 * z - 0.125) - 1.0) / std::sqrt(w - 1.0), 1e-12);
 }
 
 TEST(JohnsonHeights, OfRandomNumbersHaveMeanZeroAndUnitVariance) {
@@ -70,7 +73,8 @@ TEST(TransformCorrelation, OfLognormalHeightsIsItsClosedForm) {
 TEST(TransformCorrelation, OfUniformHeightsIsTheArcsine) {
     // y = Φ(z): ρ_g = (6/π) arcsin(ρ/2), Pearson 1907; the series converges like n^-5/2 at ρ = 1
     const TransformCorrelation correlation([](double z) { return std::sqrt(3.0) * std::erf(z / std::sqrt(2.0)); });
-    for (const double rho : {-0.9, -0.2, 0.5, 0.95}) EXPECT_NEAR(correlation.transformed(rho), 6.0 / pi * std::asin(0.5 * rho), 1e-12);
+    for (const double rho : {-0.9, -0.2, 0.5, 0.95})
+        EXPECT_NEAR(correlation.transformed(rho), 6.0 / pi * std::asin(0.5 * rho), 1e-12);
 }
 
 TEST(HeightTransforms, RefuseShapesThatDoNotExist) {

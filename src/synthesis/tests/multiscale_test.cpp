@@ -18,11 +18,13 @@ using Complex = std::complex<double>;
 
 TEST(PeriodicPatch, IsTheSumOfItsModesAnywhere) {
     const auto modes = [](Index k, Index m) {
-        return std::polar(std::abs(k) + std::abs(m) > 40 ? 1.0 : 0.0, 0.7 * static_cast<double>(k * k) - 1.3 * static_cast<double>(m * m + k));
+        return std::polar(std::abs(k) + std::abs(m) > 40 ? 1.0 : 0.0,
+                          0.7 * static_cast<double>(k * k) - 1.3 * static_cast<double>(m * m + k));
     };
     const PeriodicPatch patch(modes);
     // on the grid, between, at both ends, outside the period
-    const double u[] = {0.0, 0.3, 511.7 / 512.0, 1.0 - 1e-17, -0.2, 7.123, 0.5}, v[] = {0.0, 0.9999, 1e-9, 0.4, 3.7, -5.55, 0.001};
+    const double u[] = {0.0, 0.3, 511.7 / 512.0, 1.0 - 1e-17, -0.2, 7.123, 0.5},
+                 v[] = {0.0, 0.9999, 1e-9, 0.4, 3.7, -5.55, 0.001};
     double sums[7] = {}, power = 0.0, expected[7] = {};
     patch.add_at(u, v, sums, 7);
     for (Index k = 0; k <= 128; ++k)
@@ -30,7 +32,10 @@ TEST(PeriodicPatch, IsTheSumOfItsModesAnywhere) {
             const Complex mode = modes(k, m);
             power += 2.0 * std::norm(mode);
             for (int i = 0; i < 7; ++i)
-                expected[i] += 2.0 * (mode * std::polar(1.0, 2.0 * pi * (static_cast<double>(k) * u[i] + static_cast<double>(m) * v[i]))).real();
+                expected[i] +=
+                    2.0 *
+                    (mode * std::polar(1.0, 2.0 * pi * (static_cast<double>(k) * u[i] + static_cast<double>(m) * v[i])))
+                        .real();
         }
     for (int i = 0; i < 7; ++i) EXPECT_LT(std::abs(sums[i] - expected[i]), 1e-6 * std::sqrt(power)) << i;
 }
@@ -51,7 +56,8 @@ TEST(MultiscaleSurface, HasTheMomentsOfItsSpectrum) {
 
 TEST(MultiscaleSurface, IsTheSameThroughWindowsOfAnySizeAndPixel) {
     const double x = 2.5e-3, y = -1.7e-3;
-    const auto coarse = surface().window({x, y, 5, 4, 1e-6}), fine = surface().window({x + 2e-6, y + 1e-6, 30, 20, 1e-7});
+    const auto coarse = surface().window({x, y, 5, 4, 1e-6}),
+               fine = surface().window({x + 2e-6, y + 1e-6, 30, 20, 1e-7});
     const auto finest = surface().window({x + 2e-6 + 1e-7, y + 1e-6, 12, 3, 1e-9});
     const double rounding = 1e-7 * spectra::rms_height(model);  // positions of millimetres, wavelengths of 0.4 nm
     EXPECT_NEAR(coarse.heights(2, 1), fine.heights(0, 0), rounding);
@@ -59,7 +65,8 @@ TEST(MultiscaleSurface, IsTheSameThroughWindowsOfAnySizeAndPixel) {
     EXPECT_NEAR(fine.heights(1, 0), finest.heights(0, 0), rounding);
     const auto line = surface().line({x, y, 0.5 * pi, 4, 1e-6});
     EXPECT_NEAR(line.heights[3], coarse.heights(0, 3), rounding);
-    EXPECT_NEAR(surface().heights_at(Array1D::Constant(1, x + 4e-6), Array1D::Constant(1, y + 2e-6))[0], coarse.heights(4, 2), rounding);
+    EXPECT_NEAR(surface().heights_at(Array1D::Constant(1, x + 4e-6), Array1D::Constant(1, y + 2e-6))[0],
+                coarse.heights(4, 2), rounding);
 }
 
 TEST(MultiscaleSurface, HasTheSameBytesForAnyNumberOfThreads) {
@@ -68,14 +75,16 @@ TEST(MultiscaleSurface, HasTheSameBytesForAnyNumberOfThreads) {
     single.threads = {1};
     const Window window{1e-5, 2e-5, 60, 40, 3e-9};
     EXPECT_TRUE((MultiscaleSurface(spectra::density(model), options).window(window).heights ==
-                 MultiscaleSurface(spectra::density(model), single).window(window).heights).all());
+                 MultiscaleSurface(spectra::density(model), single).window(window).heights)
+                    .all());
 }
 
 TEST(MultiscaleSurface, KeepsItsLongerWavelengthsWhereTheShorterAreLeftOut) {
     const MultiscaleSurface blurred(spectra::density(model), {{11, 0}, 4e-3, 1e-8, {1}});
     const Array1D x = Array1D::LinSpaced(400, 0.0, 2e-6), y = Array1D::Constant(400, 3e-4);
     const double left_out = std::sqrt((surface().heights_at(x, y) - blurred.heights_at(x, y)).square().mean());
-    const double expected = std::sqrt(spectra::moment(model, 0.0) / (2.0 * pi) - blurred.rms_height() * blurred.rms_height());
+    const double expected =
+        std::sqrt(spectra::moment(model, 0.0) / (2.0 * pi) - blurred.rms_height() * blurred.rms_height());
     EXPECT_NEAR(left_out / expected, 1.0, 0.2);  // about 100 independent values of ± 7 % each way
 }
 
@@ -109,7 +118,9 @@ TEST(MultiscaleSurface, AliasesLikeAnInstrumentWhereItsPixelIsCoarse) {
     const double variance = line.heights.square().mean();
     EXPECT_NEAR(variance / (spectra::rms_height(model) * spectra::rms_height(model)), 1.0, 4.0 * std::sqrt(2.0 / n));
     for (const Index lag : {1, 2, 5, 100})
-        EXPECT_LT(std::abs((line.heights.head(n - lag) * line.heights.tail(n - lag)).mean()) / variance, 4.0 / std::sqrt(static_cast<double>(n - lag))) << lag;
+        EXPECT_LT(std::abs((line.heights.head(n - lag) * line.heights.tail(n - lag)).mean()) / variance,
+                  4.0 / std::sqrt(static_cast<double>(n - lag)))
+            << lag;
 }
 
 TEST(MultiscaleSurface, RefusesWavelengthsAndWindowsThatAreNone) {

@@ -51,7 +51,8 @@ TEST(RandomSurface, WithExactAmplitudesHasTheSpectrumInEveryMode) {
         for (Index ky = 0; ky <= ny / 2; ++ky)
             for (Index kx = 0; kx < nx; ++kx) {
                 const double expected = kx + ky == 0 ? 0.0 : std::sqrt(C_iso(wavevector(kx, ky, shape)) / 1.08e-12);
-                EXPECT_NEAR(std::abs(modes(ky, kx)), expected, 2e-6 * expected + noise) << nx << " x " << ny << ": " << kx << ", " << ky;
+                EXPECT_NEAR(std::abs(modes(ky, kx)), expected, 2e-6 * expected + noise)
+                    << nx << " x " << ny << ": " << kx << ", " << ky;
             }
     }
 }
@@ -96,7 +97,8 @@ TEST(RandomSurface, HasZeroMeanAndTheRoughnessExpected) {
     const auto modes = modes_of(map);
     for (Index ky = 0; ky < 19; ++ky)
         for (Index kx = 0; kx < 48; ++kx)
-            slope += (ky == 0 || ky == 18 ? 1.0 : 2.0) * std::norm(modes(ky, kx)) * std::pow(wavevector(kx, ky, grid), 2.0);
+            slope +=
+                (ky == 0 || ky == 18 ? 1.0 : 2.0) * std::norm(modes(ky, kx)) * std::pow(wavevector(kx, ky, grid), 2.0);
     EXPECT_NEAR(std::sqrt(slope) / expected.rms_slope, 1.0, 2e-6);
 }
 
@@ -150,9 +152,11 @@ TEST(RandomSurface, StretchedHasLongerFeaturesAlongTheDirection) {
         double height = 0.0, along = 0.0, across = 0.0, mixed = 0.0;
         for (Index ky = 0; ky <= 128; ++ky)
             for (Index k = 0; k < 256; ++k) {
-                const double qx = pi * 1e6 * static_cast<double>(k > 128 ? k - 256 : k), qy = pi * 1e6 * static_cast<double>(ky);
+                const double qx = pi * 1e6 * static_cast<double>(k > 128 ? k - 256 : k),
+                             qy = pi * 1e6 * static_cast<double>(ky);
                 const double power = (ky % 128 == 0 ? 1.0 : 2.0) * std::norm(modes(ky, k));
-                const double q_along = qx * std::cos(angle) + qy * std::sin(angle), q_across = qy * std::cos(angle) - qx * std::sin(angle);
+                const double q_along = qx * std::cos(angle) + qy * std::sin(angle),
+                             q_across = qy * std::cos(angle) - qx * std::sin(angle);
                 height += power;
                 along += power * q_along * q_along;
                 across += power * q_across * q_across;
@@ -179,7 +183,8 @@ TEST(RandomSurface, RefusesGridsAndSpectraThatAreNone) {
 Complex mode_of(const topography::LineScan& scan, Index k) {
     Complex sum{};
     for (Index i = 0; i < scan.heights.size(); ++i)
-        sum += scan.heights[i] * std::polar(1.0, -2.0 * pi * static_cast<double>(i * k) / static_cast<double>(scan.heights.size()));
+        sum += scan.heights[i] *
+               std::polar(1.0, -2.0 * pi * static_cast<double>(i * k) / static_cast<double>(scan.heights.size()));
     return sum / static_cast<double>(scan.heights.size());
 }
 
@@ -199,7 +204,8 @@ TEST(RandomLine, HasTheSpectrumInEveryMode) {
 TEST(RandomLine, OnAFinerGridIsTheSameLineWithMoreModes) {
     const auto C1D = spectra::tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto coarse = random_line(C1D, {50, 1e-6}, {.key = {8}}), fine = random_line(C1D, {101, 1e-6}, {.key = {8}});
-    for (Index k = 1; k < 25; ++k) EXPECT_LT(std::abs(mode_of(coarse, k) - mode_of(fine, k)), 1e-12 * std::abs(mode_of(fine, k)) + 1e-22);
+    for (Index k = 1; k < 25; ++k)
+        EXPECT_LT(std::abs(mode_of(coarse, k) - mode_of(fine, k)), 1e-12 * std::abs(mode_of(fine, k)) + 1e-22);
 }
 
 TEST(RandomLine, HasTheRoughnessExpectedAndTheOneAskedFor) {
@@ -215,7 +221,8 @@ TEST(RandomLine, HasTheRoughnessExpectedAndTheOneAskedFor) {
 }
 
 topography::HeightMap numbered() {
-    return {.heights = Array2D::NullaryExpr(6, 5, [](Index i, Index j) { return static_cast<double>(10 * i + j); }), .size = {3.0, 10.0}};
+    return {.heights = Array2D::NullaryExpr(6, 5, [](Index i, Index j) { return static_cast<double>(10 * i + j); }),
+            .size = {3.0, 10.0}};
 }
 
 TEST(Cut, IsTheWindowWithItsPixels) {

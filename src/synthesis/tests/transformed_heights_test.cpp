@@ -24,7 +24,8 @@ std::vector<double> ring_powers(const topography::HeightMap& map) {
     std::vector<double> rings(12, 0.0);
     const double unit_x = 2.0 * pi / map.size[0], unit_y = 2.0 * pi / map.size[1];
     fourier::transform_map(
-        map.heights.rows(), map.heights.cols(), [&](Index i, double* line) { std::copy_n(map.heights.row(i).data(), map.heights.cols(), line); },
+        map.heights.rows(), map.heights.cols(),
+        [&](Index i, double* line) { std::copy_n(map.heights.row(i).data(), map.heights.cols(), line); },
         [&](const fourier::SpectrumBlock& block) {
             for (Index m = 0; m < block.lines; ++m)
                 for (Index k = 0; k < block.modes; ++k) {
@@ -68,9 +69,11 @@ TEST(NonGaussianSurface, WithTheIdentityIsTheRandomSurface) {
     for (const auto amplitudes : {Amplitudes::gaussian, Amplitudes::exact}) {
         const SurfaceOptions options{.key = {5, 1}, .amplitudes = amplitudes, .threads = {1}};
         const auto gaussian = random_surface(spectra::density(model), grid, options);
-        const auto same = non_gaussian_surface(spectra::density(model), grid, [](double z) { return z; }, options);
+        const auto same = non_gaussian_surface(
+            spectra::density(model), grid, [](double z) { return z; }, options);
         EXPECT_LT(same.dropped_share, 1e-12);
-        EXPECT_LT((same.map.heights - gaussian.heights).abs().maxCoeff(), 1e-6 * std::sqrt(gaussian.heights.square().mean()));
+        EXPECT_LT((same.map.heights - gaussian.heights).abs().maxCoeff(),
+                  1e-6 * std::sqrt(gaussian.heights.square().mean()));
     }
 }
 
@@ -78,18 +81,20 @@ TEST(NonGaussianSurface, HasTheSpectrumAndTheShapeAskedFor) {
     constexpr int samples = 12;
     const auto transform = lognormal_heights(1.5);
     double dropped = 0.0;
-    const auto gaussian = ensemble(samples, [&](const SurfaceOptions& options) { return random_surface(spectra::density(model), grid, options); });
+    const auto gaussian = ensemble(
+        samples, [&](const SurfaceOptions& options) { return random_surface(spectra::density(model), grid, options); });
     const auto shaped = ensemble(samples, [&](const SurfaceOptions& options) {
         auto made = non_gaussian_surface(spectra::density(model), grid, transform, options);
         dropped = made.dropped_share;
         return made.map;
     });
     const auto plain = ensemble(samples, [&](const SurfaceOptions& options) {
-        return transformed_heights(random_surface(spectra::density(model), grid, options), transform, expected_roughness(spectra::density(model), grid).rms_height);
+        return transformed_heights(random_surface(spectra::density(model), grid, options), transform,
+                                   expected_roughness(spectra::density(model), grid).rms_height);
     });
     EXPECT_LT(dropped, 0.002);
-    // 12 maps of some 60 independent patches: the mean square of such heights (kurtosis 7) scatters by √(6/720) = 9 %, and
-    // the skewness, whose estimate leans low in small samples, by about twice that
+    // 12 maps of some 60 independent patches: the mean square of such heights (kurtosis 7) scatters by √(6/720) = 9 %,
+    // and the skewness, whose estimate leans low in small samples, by about twice that
     EXPECT_NEAR(shaped.shape.skewness, 1.5, 0.4);
     EXPECT_NEAR(shaped.mean_square / gaussian.mean_square, 1.0, 0.2);
     // rings 6 … 9 hold 500 modes and more a map; the same seeds, so most of their scatter is common
@@ -115,19 +120,24 @@ TEST(NonGaussianSurface, MeetsAnExactRmsHeightWithZeroMeanForAnyNumberOfThreads)
     EXPECT_LT(std::abs(single.map.heights.mean()), 1e-20);
     EXPECT_TRUE(single.map.periodic);
     options.threads = {3};
-    EXPECT_TRUE((non_gaussian_surface(spectra::density(model), grid, lognormal_heights(-1.0), options).map.heights == single.map.heights).all());
+    EXPECT_TRUE((non_gaussian_surface(spectra::density(model), grid, lognormal_heights(-1.0), options).map.heights ==
+                 single.map.heights)
+                    .all());
 }
 
 TEST(TransformedHeights, ReplaceEveryHeightAndKeepUndefinedOnes) {
     topography::HeightMap map{Array2D::Constant(2, 3, 2e-9), {1.0, 1.5}};
     map.heights(0, 1) = NAN;
     map.heights(1, 2) = -4e-9;
-    const auto cubed = transformed_heights(map, [](double z) { return z * z * z; }, 2e-9);
+    const auto cubed = transformed_heights(
+        map, [](double z) { return z * z * z; }, 2e-9);
     EXPECT_TRUE(std::isnan(cubed.heights(0, 1)));
     const double mean = (4 * 2e-9 - 16e-9) / 5;  // 1³ and (−2)³ in units of 2 nm
     EXPECT_NEAR(cubed.heights(0, 0), 2e-9 - mean, 1e-22);
     EXPECT_NEAR(cubed.heights(1, 2), -16e-9 - mean, 1e-22);
-    EXPECT_THROW((void)transformed_heights(map, [](double z) { return z; }, 0.0), InvalidArgument);
+    EXPECT_THROW((void)transformed_heights(
+                     map, [](double z) { return z; }, 0.0),
+                 InvalidArgument);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/tables/force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/force_curve_formats.hpp"
 
 namespace setae::tables {
 namespace {
@@ -24,10 +24,11 @@ constexpr Reader readers[] = {{"jpk-force", is_jpk_force, read_jpk_force},
                               {"nt-mdt", is_nt_mdt_text, read_nt_mdt_text}};
 
 void require_positive(const std::optional<double>& value, const char* name) {
-    if (value && !(std::isfinite(*value) && *value > 0.0)) throw InvalidArgument(fmt::format("{} = {}, expected a number > 0", name, *value));
+    if (value && !(std::isfinite(*value) && *value > 0.0))
+        throw InvalidArgument(fmt::format("{} = {}, expected a number > 0", name, *value));
 }
 
-Array1D joined(const std::vector<ForceSegment>& segments, Array1D ForceSegment::* series) {
+Array1D joined(const std::vector<ForceSegment>& segments, Array1D ForceSegment::*series) {
     Index total = 0, at = 0;
     for (const auto& segment : segments) total += (segment.*series).size();
     Array1D all(total);
@@ -56,7 +57,8 @@ std::optional<Array1D> times(const std::vector<ForceSegment>& segments) {
     for (const auto& segment : segments) {
         if (!(segment.duration > 0.0)) return std::nullopt;
         const auto n = segment.height.size();
-        for (Index i = 0; i < n; ++i) all[at + i] = begin + segment.duration * static_cast<double>(i) / static_cast<double>(n);
+        for (Index i = 0; i < n; ++i)
+            all[at + i] = begin + segment.duration * static_cast<double>(i) / static_cast<double>(n);
         at += n;
         begin += segment.duration;
     }
@@ -64,7 +66,8 @@ std::optional<Array1D> times(const std::vector<ForceSegment>& segments) {
 }
 
 /// Deflection [m]; nothing where the constants it needs are not known.
-std::optional<Array1D> deflection(const ForceCurveData& data, const Array1D& reading, const ForceCurveOptions& constants) {
+std::optional<Array1D> deflection(const ForceCurveData& data, const Array1D& reading,
+                                  const ForceCurveOptions& constants) {
     if (data.reading == Reading::deflection) return reading;
     const auto& factor = data.reading == Reading::force ? constants.spring_constant : constants.sensitivity;
     if (!factor) return std::nullopt;
@@ -85,8 +88,7 @@ Table table_of(const ForceCurveData& data, const ForceCurveOptions& constants) {
     const auto bent = deflection(data, reading, constants);
     Table table;
     if (const auto time = times(data.segments)) table.columns.push_back({"time", "s", *time});
-    if (data.reading == Reading::force)
-        table.columns.push_back({"force", "N", reading});
+    if (data.reading == Reading::force) table.columns.push_back({"force", "N", reading});
     else if (bent && constants.spring_constant)
         table.columns.push_back({"force", "N", *bent * *constants.spring_constant});
     if (bent) table.columns.push_back({"displacement", "m", height * data.travel_sign - *bent});
@@ -102,13 +104,20 @@ Table table_of(const ForceCurveData& data, const ForceCurveOptions& constants) {
 
 const std::vector<ForceCurveFormat>& force_curve_formats() {
     static const std::vector<ForceCurveFormat> formats{
-        {"jpk-force", "JPK force curve", ".jpk-force", "ZIP with a header of properties and a big-endian channel a file for each segment; conversions "
-         "from converter to volts, metres and newtons are followed in the order the file names them", "JPK Instruments, data format of NanoWizard, version 0.x to 2", true},
-        {"afm-workshop", "AFM Workshop force curve", ".csv", "text with 'Force-Distance Curve' in the first line; height and force or volts of extension, then of retraction",
+        {"jpk-force", "JPK force curve", ".jpk-force",
+         "ZIP with a header of properties and a big-endian channel a file for each segment; conversions "
+         "from converter to volts, metres and newtons are followed in the order the file names them",
+         "JPK Instruments, data format of NanoWizard, version 0.x to 2", true},
+        {"afm-workshop", "AFM Workshop force curve", ".csv",
+         "text with 'Force-Distance Curve' in the first line; height and force or volts of extension, then of retraction",
          "files of AFM Workshop instruments, format 3", true},
-        {"igor-force", "Asylum force curve", ".ibw", "Igor binary wave of version 5 with channels Defl and ZSnsr or Raw; segments by the note's Indexes, spring constant and InvOLS "
-         "from the note", "WaveMetrics, Technical Note 3 (Igor binary format); names of channels as Asylum's software writes them", false},
-        {"nt-mdt", "NT-MDT force curve", ".txt", "text that Nova exports: height, deflection of approach and of retraction, no header; nm and nA are assumed, constant padding is cut off",
+        {"igor-force", "Asylum force curve", ".ibw",
+         "Igor binary wave of version 5 with channels Defl and ZSnsr or Raw; segments by the note's Indexes, spring constant and InvOLS "
+         "from the note",
+         "WaveMetrics, Technical Note 3 (Igor binary format); names of channels as Asylum's software writes them",
+         false},
+        {"nt-mdt", "NT-MDT force curve", ".txt",
+         "text that Nova exports: height, deflection of approach and of retraction, no header; nm and nA are assumed, constant padding is cut off",
          "files of NT-MDT Nova", true}};
     return formats;
 }
@@ -141,17 +150,24 @@ Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& opt
         table.metadata = data.metadata;
         table.metadata["file"] = source.name;
         table.metadata["format"] = reader.identifier;
-        if (constants.spring_constant) table.metadata["spring_constant"] = fmt::format("{} N/m", *constants.spring_constant);
-        if (constants.sensitivity) table.metadata["sensitivity"] = fmt::format("{} {}", *constants.sensitivity, data.reading == Reading::amperes ? "m/A" : "m/V");
+        if (constants.spring_constant)
+            table.metadata["spring_constant"] = fmt::format("{} N/m", *constants.spring_constant);
+        if (constants.sensitivity)
+            table.metadata["sensitivity"] =
+                fmt::format("{} {}", *constants.sensitivity, data.reading == Reading::amperes ? "m/A" : "m/V");
         if (const auto names = missing(data, constants); !names.empty()) table.metadata["missing"] = names;
         std::vector<std::string> segments;
         for (const auto& segment : data.segments) segments.push_back(segment.name);
         table.metadata["segments"] = fmt::format("{}", fmt::join(segments, ", "));
         return table;
     }
-    throw FormatError(source.name, {}, "no force curve setae reads (JPK, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
+    throw FormatError(
+        source.name, {},
+        "no force curve setae reads (JPK, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
 }
 
-Table read_force_curve(const std::string& path, const ForceCurveOptions& options) { return read_force_curve(bytes::file_source(path), options); }
+Table read_force_curve(const std::string& path, const ForceCurveOptions& options) {
+    return read_force_curve(bytes::file_source(path), options);
+}
 
 }  // namespace setae::tables

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "setae/tables/force_curve_formats.hpp"
-#include "setae/tables/header.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/tables/table_file.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/force_curve_formats.hpp"
+#include "setae/tables/header.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::tables {
 namespace {
@@ -20,18 +20,22 @@ constexpr std::string_view workshop_mark = "Force-Distance Curve";
 Array1D in_si(const RawTable::RawColumn& column, const Dimension& expected, const bytes::Source& source) {
     const auto unit = try_parse_unit(column.unit);
     if (!unit || unit->dimension != expected)
-        throw FormatError(source.name, {}, fmt::format("column '{}' has the unit '{}', expected one of {}", column.name, column.unit, si_unit(expected)));
+        throw FormatError(source.name, {},
+                          fmt::format("column '{}' has the unit '{}', expected one of {}", column.name, column.unit,
+                                      si_unit(expected)));
     return column.values * unit->factor;
 }
 
-/// A stretch without the rows in which both are undefined: the shorter one of two branches is filled up with empty cells.
+/// A stretch without the rows in which both are undefined: the shorter one of two branches is filled up with empty
+/// cells.
 ForceSegment segment_of(const char* name, const Array1D& height, const Array1D& reading, const bytes::Source& source) {
     Index rows = height.size();
     while (rows > 0 && std::isnan(height[rows - 1]) && std::isnan(reading[rows - 1])) --rows;
     for (Index i = 0; i < rows; ++i)
         if (std::isnan(height[i]) || std::isnan(reading[i]))
-            throw FormatError(source.name, {}, fmt::format("channels of different length: row {} of the {} branch has {} alone", i + 1, name,
-                                                           std::isnan(height[i]) ? "a force" : "a height"));
+            throw FormatError(source.name, {},
+                              fmt::format("channels of different length: row {} of the {} branch has {} alone", i + 1,
+                                          name, std::isnan(height[i]) ? "a force" : "a height"));
     if (rows == 0) throw FormatError(source.name, {}, fmt::format("the {} branch holds no number at all", name));
     return {name, height.head(rows), reading.head(rows), 0.0};
 }
@@ -40,7 +44,8 @@ ForceSegment segment_of(const char* name, const Array1D& height, const Array1D& 
 std::optional<std::string> entry(const RawTable& table, std::string_view key) {
     for (const auto& line : table.header) {
         const auto colon = line.find(':', key.size());
-        if (line.starts_with(key) && colon != std::string::npos) return std::string(trimmed(std::string_view(line).substr(colon + 1)));
+        if (line.starts_with(key) && colon != std::string::npos)
+            return std::string(trimmed(std::string_view(line).substr(colon + 1)));
     }
     return std::nullopt;
 }
@@ -60,7 +65,9 @@ Reading kind_of(const RawTable::RawColumn& column, const bytes::Source& source) 
     if (unit && unit->dimension == dimension::force) return Reading::force;
     if (unit && unit->dimension == dimension::length) return Reading::deflection;
     if (unit && unit->dimension == volts()) return Reading::volts;
-    throw FormatError(source.name, {}, fmt::format("column '{}' has the unit '{}', expected one of force, length or volts", column.name, column.unit));
+    throw FormatError(
+        source.name, {},
+        fmt::format("column '{}' has the unit '{}', expected one of force, length or volts", column.name, column.unit));
 }
 
 Dimension dimension_of(Reading reading) {
@@ -69,7 +76,9 @@ Dimension dimension_of(Reading reading) {
 
 /// The three columns of Nova's text, or nothing.
 std::optional<RawTable> nova_table(const bytes::Source& source) {
-    if (!bytes::looks_like_text(source.head(bytes::detection_bytes)) || numeric_columns(source.head(bytes::detection_bytes)) != 3) return std::nullopt;
+    if (!bytes::looks_like_text(source.head(bytes::detection_bytes)) ||
+        numeric_columns(source.head(bytes::detection_bytes)) != 3)
+        return std::nullopt;
     auto table = read_raw_table(source);
     if (!table.header.empty() || table.columns.size() != 3) return std::nullopt;
     const auto& height = table.columns[0].values;
@@ -90,13 +99,16 @@ Index after_padding(const Array1D& reading) {
 
 bool is_afm_workshop(const bytes::Source& source) {
     const auto head = source.head(256);
-    return bytes::looks_like_text(head) && trimmed(bytes::decoded(head, bytes::Encoding::latin1)).starts_with(workshop_mark);
+    return bytes::looks_like_text(head) &&
+           trimmed(bytes::decoded(head, bytes::Encoding::latin1)).starts_with(workshop_mark);
 }
 
 ForceCurveData read_afm_workshop(const bytes::Source& source) {
     const auto table = read_raw_table(source, {.separator = ',', .decimal_point = '.'});
     if (table.columns.size() != 4 || table.columns.front().name.empty())
-        throw FormatError(source.name, {}, fmt::format("{} columns, expected four: height and force of extension, then of retraction", table.columns.size()));
+        throw FormatError(source.name, {},
+                          fmt::format("{} columns, expected four: height and force of extension, then of retraction",
+                                      table.columns.size()));
     ForceCurveData data;
     data.reading = kind_of(table.columns[1], source);
     const auto dimension = dimension_of(data.reading);
@@ -105,8 +117,14 @@ ForceCurveData read_afm_workshop(const bytes::Source& source) {
     data.segments.push_back(segment_of("retract", si(2, dimension::length), si(3, dimension), source));
     if (const auto gain = calibration(table, "Light Lever Gain, mV/nm")) data.constants.sensitivity = 1e-6 / *gain;
     data.constants.spring_constant = calibration(table, "Force Constant, nN/nm");
-    for (const auto& [key, name] : {std::pair{"Date", "date"}, {"Time", "time_of_day"}, {"Mode", "mode"}, {"Point", "point"}, {"X, um", "position_x"}, {"Y, um", "position_y"}})
-        if (const auto value = entry(table, key)) data.metadata.emplace(name, std::string_view(key).ends_with("um") ? *value + " um" : *value);
+    for (const auto& [key, name] : {std::pair{"Date", "date"},
+                                    {"Time", "time_of_day"},
+                                    {"Mode", "mode"},
+                                    {"Point", "point"},
+                                    {"X, um", "position_x"},
+                                    {"Y, um", "position_y"}})
+        if (const auto value = entry(table, key))
+            data.metadata.emplace(name, std::string_view(key).ends_with("um") ? *value + " um" : *value);
     return data;
 }
 
@@ -120,14 +138,19 @@ bool is_nt_mdt_text(const bytes::Source& source) {
 
 ForceCurveData read_nt_mdt_text(const bytes::Source& source) {
     const auto table = nova_table(source);
-    if (!table) throw FormatError(source.name, {}, "expected three columns without names: height, deflection of approach, deflection of retraction");
+    if (!table)
+        throw FormatError(
+            source.name, {},
+            "expected three columns without names: height, deflection of approach, deflection of retraction");
     constexpr double nano = 1e-9;
     const Array1D height = table->columns[0].values * nano;
     const auto branch = [&](std::size_t k) {
         const Array1D& reading = table->columns[k].values;
-        if (!reading.isFinite().all()) throw FormatError(source.name, {}, fmt::format("column {} has undefined values", k + 1));
+        if (!reading.isFinite().all())
+            throw FormatError(source.name, {}, fmt::format("column {} has undefined values", k + 1));
         const auto first = after_padding(reading);
-        if (first + 1 == reading.size()) throw FormatError(source.name, {}, fmt::format("column {} is constant: no force curve", k + 1));
+        if (first + 1 == reading.size())
+            throw FormatError(source.name, {}, fmt::format("column {} is constant: no force curve", k + 1));
         const auto count = reading.size() - first;
         return std::pair<Array1D, Array1D>(height.tail(count), reading.tail(count) * nano);
     };

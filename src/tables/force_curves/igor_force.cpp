@@ -10,13 +10,13 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/bytes.hpp"
-#include "setae/tables/force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/force_curve_formats.hpp"
 
-// Igor binary wave, version 5: BinHeader5 (64 bytes), WaveHeader5 (320 bytes), numbers, formula, note, units and labels of
-// dimensions. Source: WaveMetrics, Technical Note 3, "Igor Binary Format".
+// Igor binary wave, version 5: BinHeader5 (64 bytes), WaveHeader5 (320 bytes), numbers, formula, note, units and labels
+// of dimensions. Source: WaveMetrics, Technical Note 3, "Igor Binary Format".
 namespace setae::tables {
 namespace {
 
@@ -29,13 +29,17 @@ struct Wave {
     std::uint64_t note_at = 0, note_bytes = 0, labels_at = 0, labels_bytes = 0;
 };
 
-std::int32_t integer(const std::string& head, std::size_t at, std::endian order) { return bytes::load<std::int32_t>(head.data() + at, order); }
+std::int32_t integer(const std::string& head, std::size_t at, std::endian order) {
+    return bytes::load<std::int32_t>(head.data() + at, order);
+}
 
 /// A size of the header, which must lie within the file.
 std::uint64_t size_at(const std::string& head, std::size_t at, std::endian order, const bytes::Source& source) {
     const auto value = integer(head, at, order);
     if (value < 0 || static_cast<std::uint64_t>(value) > source.size)
-        throw FormatError(source.name, {.offset = at}, fmt::format("a size of {} bytes in a file of {}; it is damaged or truncated", value, source.size));
+        throw FormatError(
+            source.name, {.offset = at},
+            fmt::format("a size of {} bytes in a file of {}; it is damaged or truncated", value, source.size));
     return static_cast<std::uint64_t>(value);
 }
 
@@ -45,7 +49,8 @@ std::optional<std::endian> order_of(const std::string& head) {
     for (const auto order : {std::endian::little, std::endian::big}) {
         if (bytes::load<std::int16_t>(head.data(), order) != 5) continue;
         std::uint16_t sum = 0;
-        for (std::size_t at = 0; at < header_bytes; at += 2) sum = static_cast<std::uint16_t>(sum + bytes::load<std::uint16_t>(head.data() + at, order));
+        for (std::size_t at = 0; at < header_bytes; at += 2)
+            sum = static_cast<std::uint16_t>(sum + bytes::load<std::uint16_t>(head.data() + at, order));
         if (sum == 0) return order;
     }
     return std::nullopt;
@@ -56,15 +61,22 @@ Wave wave_of(const std::string& head, std::endian order, const bytes::Source& so
     const auto size = [&](std::size_t at) { return size_at(head, at, order, source); };
     const auto type = bytes::load<std::int16_t>(head.data() + 80, order);
     wave.number_bytes = type == 2 ? 4 : type == 4 ? 8 : 0;
-    if (wave.number_bytes == 0) throw FormatError(source.name, {.offset = 80}, fmt::format("numbers of type {}, expected real floats of 4 or 8 bytes", type));
+    if (wave.number_bytes == 0)
+        throw FormatError(source.name, {.offset = 80},
+                          fmt::format("numbers of type {}, expected real floats of 4 or 8 bytes", type));
     wave.rows = size(132);
     wave.columns = size(136);
     const auto layers = size(140);
     if (wave.rows < 2 || wave.columns < 2 || wave.columns > 64 || layers > 1)
-        throw FormatError(source.name, {.offset = 132}, fmt::format("a wave of {} × {} × {}, expected samples by channels", wave.rows, wave.columns, layers));
+        throw FormatError(
+            source.name, {.offset = 132},
+            fmt::format("a wave of {} × {} × {}, expected samples by channels", wave.rows, wave.columns, layers));
     const auto data_end = header_bytes + wave.rows * wave.columns * wave.number_bytes;
-    if (data_end > source.size) throw FormatError(source.name, {.offset = source.size}, fmt::format("the file ends here, the numbers up to byte {}; it is truncated", data_end));
-    if (size(4) + wave_begins < data_end) throw FormatError(source.name, {.offset = 4}, "the wave is announced shorter than its numbers");
+    if (data_end > source.size)
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("the file ends here, the numbers up to byte {}; it is truncated", data_end));
+    if (size(4) + wave_begins < data_end)
+        throw FormatError(source.name, {.offset = 4}, "the wave is announced shorter than its numbers");
     wave.note_at = wave_begins + size(4) + size(8);
     wave.note_bytes = size(12);
     wave.labels_at = wave.note_at + wave.note_bytes + size(16);
@@ -79,7 +91,8 @@ std::vector<std::string> labels(const Wave& wave, const bytes::Source& source) {
     if (wave.labels_bytes < (wave.columns + 1) * label_bytes) return {};
     const auto bytes = source.bytes(wave.labels_at, wave.labels_bytes);
     std::vector<std::string> names;
-    for (std::uint64_t k = 1; k <= wave.columns; ++k) names.emplace_back(bytes.substr(k * label_bytes, label_bytes).c_str());
+    for (std::uint64_t k = 1; k <= wave.columns; ++k)
+        names.emplace_back(bytes.substr(k * label_bytes, label_bytes).c_str());
     return names;
 }
 
@@ -96,7 +109,8 @@ std::map<std::string, std::string> note_of(const Wave& wave, const bytes::Source
     const auto text = bytes::decoded(source.bytes(wave.note_at, wave.note_bytes), bytes::Encoding::detect);
     for (const auto line : bytes::split_lines(text)) {
         const auto colon = line.find(':');
-        if (colon != std::string_view::npos) note.emplace(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
+        if (colon != std::string_view::npos)
+            note.emplace(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
     }
     return note;
 }
@@ -104,7 +118,8 @@ std::map<std::string, std::string> note_of(const Wave& wave, const bytes::Source
 std::optional<double> positive(const std::map<std::string, std::string>& note, const char* key) {
     const auto entry = note.find(key);
     double value = 0.0;
-    if (entry == note.end() || !parse_cell(entry->second, '.', value) || !(value > 0.0) || !std::isfinite(value)) return std::nullopt;
+    if (entry == note.end() || !parse_cell(entry->second, '.', value) || !(value > 0.0) || !std::isfinite(value))
+        return std::nullopt;
     return value;
 }
 
@@ -114,7 +129,8 @@ Array1D channel(const Wave& wave, std::size_t index, const bytes::Source& source
     Array1D values(static_cast<Index>(wave.rows));
     for (Index i = 0; i < values.size(); ++i) {
         const char* at = bytes.data() + static_cast<std::uint64_t>(i) * wave.number_bytes;
-        values[i] = wave.number_bytes == 4 ? static_cast<double>(bytes::load<float>(at, wave.order)) : bytes::load<double>(at, wave.order);
+        values[i] = wave.number_bytes == 4 ? static_cast<double>(bytes::load<float>(at, wave.order))
+                                           : bytes::load<double>(at, wave.order);
     }
     return values;
 }
@@ -127,7 +143,8 @@ std::vector<Index> bounds(const std::map<std::string, std::string>& note, const 
         split_cells(entry->second, ',', cells);
         for (const auto cell : cells) {
             double value = 0.0;
-            if (parse_cell(cell, '.', value) && value > static_cast<double>(result.back()) && value < static_cast<double>(height.size()))
+            if (parse_cell(cell, '.', value) && value > static_cast<double>(result.back()) &&
+                value < static_cast<double>(height.size()))
                 result.push_back(static_cast<Index>(value));
         }
     }
@@ -157,8 +174,11 @@ ForceCurveData read_igor_force(const bytes::Source& source) {
     const auto head = source.head(header_bytes);
     const auto wave = wave_of(head, order_of(head).value_or(std::endian::little), source);
     const auto names = labels(wave, source);
-    const auto deflection = column(names, {"Defl", "Deflection"}), height = column(names, {"ZSnsr", "ZSensor", "Raw", "Height"});
-    if (!deflection || !height) throw FormatError(source.name, {}, fmt::format("no channels of deflection and height, it has: {}", fmt::join(names, ", ")));
+    const auto deflection = column(names, {"Defl", "Deflection"}),
+               height = column(names, {"ZSnsr", "ZSensor", "Raw", "Height"});
+    if (!deflection || !height)
+        throw FormatError(source.name, {},
+                          fmt::format("no channels of deflection and height, it has: {}", fmt::join(names, ", ")));
     const auto note = note_of(wave, source);
     ForceCurveData data;
     data.constants = {positive(note, "SpringConstant"), positive(note, "InvOLS")};
@@ -171,7 +191,8 @@ ForceCurveData read_igor_force(const bytes::Source& source) {
     for (std::size_t k = 0; k + 1 < begin.size(); ++k) {
         const auto n = begin[k + 1] - begin[k];
         const char* name = k == 0 ? "extend" : k + 2 == begin.size() ? "retract" : "pause";
-        data.segments.push_back({name, z.segment(begin[k], n), reading.segment(begin[k], n), rate ? static_cast<double>(n) / *rate : 0.0});
+        data.segments.push_back(
+            {name, z.segment(begin[k], n), reading.segment(begin[k], n), rate ? static_cast<double>(n) / *rate : 0.0});
     }
     data.metadata["height_channel"] = names[*height];
     for (const auto& [key, entry] : {std::pair{"Date", "date"}, {"MicroscopeModel", "instrument"}})

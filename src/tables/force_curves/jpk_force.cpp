@@ -10,10 +10,10 @@
 
 #include "setae/bytes/archive.hpp"
 #include "setae/bytes/bytes.hpp"
-#include "setae/tables/force_curve_formats.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/force_curve_formats.hpp"
 
 namespace setae::tables {
 namespace {
@@ -36,7 +36,8 @@ Properties parse_properties(const std::string& text) {
         line = trimmed(line);
         const auto equal = line.find('=');
         if (line.empty() || line.front() == '#' || line.front() == '!' || equal == std::string_view::npos) continue;
-        properties.insert_or_assign(unescaped(trimmed(line.substr(0, equal))), unescaped(trimmed(line.substr(equal + 1))));
+        properties.insert_or_assign(unescaped(trimmed(line.substr(0, equal))),
+                                    unescaped(trimmed(line.substr(equal + 1))));
     }
     return properties;
 }
@@ -50,7 +51,9 @@ struct Segment {
     const Properties& shared;
 
     [[nodiscard]] std::string member() const { return folder + "segment-header.properties"; }
-    [[noreturn]] void fail(const std::string& what) const { throw FormatError(source.name, {}, fmt::format("member '{}': {}", member(), what)); }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw FormatError(source.name, {}, fmt::format("member '{}': {}", member(), what));
+    }
 
     [[nodiscard]] std::optional<std::string> find(const std::string& key) const {
         const auto found = own.find(key);
@@ -76,7 +79,8 @@ struct Segment {
     [[nodiscard]] double number(const std::string& text, const std::string& key) const {
         double value = 0.0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) fail(fmt::format("{} = '{:.40}' is no number", key, text));
+        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+            fail(fmt::format("{} = '{:.40}' is no number", key, text));
         return value;
     }
 };
@@ -90,7 +94,9 @@ Scaling scaling(const Segment& segment, const std::string& channel, const std::s
     const auto style = segment.of_channel(channel, prefix + "scaling.style").value_or("offsetmultiplier");
     const auto type = segment.of_channel(channel, prefix + "scaling.type").value_or("linear");
     if (style != "offsetmultiplier" || type != "linear")
-        segment.fail(fmt::format("channel '{}': scaling '{}' of style '{}' is not known, expected linear, offsetmultiplier", channel, type, style));
+        segment.fail(
+            fmt::format("channel '{}': scaling '{}' of style '{}' is not known, expected linear, offsetmultiplier",
+                        channel, type, style));
     const auto value = [&](const char* name) {
         const auto key = prefix + "scaling." + name;
         return segment.number(segment.required(channel, key), key);
@@ -100,7 +106,8 @@ Scaling scaling(const Segment& segment, const std::string& channel, const std::s
 
 /// Whether a channel can be had in a slot, such as "force".
 bool defines(const Segment& segment, const std::string& channel, const std::string& slot) {
-    return segment.of_channel(channel, fmt::format("conversion-set.conversion.{}.defined", slot)).value_or("false") == "true";
+    return segment.of_channel(channel, fmt::format("conversion-set.conversion.{}.defined", slot)).value_or("false") ==
+           "true";
 }
 
 /// The conversions from the file's numbers up to a slot, one after the other.
@@ -108,7 +115,8 @@ Scaling chain(const Segment& segment, const std::string& channel, const std::str
     Scaling total;
     std::vector<std::string> seen;
     for (std::string at = slot; defines(segment, channel, at);) {
-        if (std::find(seen.begin(), seen.end(), at) != seen.end()) segment.fail(fmt::format("channel '{}': the conversions to '{}' run in a circle", channel, slot));
+        if (std::find(seen.begin(), seen.end(), at) != seen.end())
+            segment.fail(fmt::format("channel '{}': the conversions to '{}' run in a circle", channel, slot));
         seen.push_back(at);
         const auto prefix = fmt::format("conversion-set.conversion.{}.", at);
         const auto step = scaling(segment, channel, prefix);
@@ -123,7 +131,8 @@ Scaling chain(const Segment& segment, const std::string& channel, const std::str
 template <class Number>
 std::vector<double> numbers(const std::string& bytes) {
     std::vector<double> values(bytes.size() / sizeof(Number));
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(bytes::load<Number>(bytes.data() + i * sizeof(Number), std::endian::big));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<double>(bytes::load<Number>(bytes.data() + i * sizeof(Number), std::endian::big));
     return values;
 }
 
@@ -153,8 +162,10 @@ Array1D base_values(const Segment& segment, const std::string& channel) {
     auto file = segment.required(channel, "file.name");
     const auto bytes = segment.archive.read(segment.folder + file);
     if (bytes.size() % coder.bytes != 0)
-        throw FormatError(segment.source.name, {}, fmt::format("member '{}': {} bytes are no whole number of values of {} bytes; it is truncated",
-                                                               segment.folder + file, bytes.size(), coder.bytes));
+        throw FormatError(
+            segment.source.name, {},
+            fmt::format("member '{}': {} bytes are no whole number of values of {} bytes; it is truncated",
+                        segment.folder + file, bytes.size(), coder.bytes));
     const auto values = coder.read(bytes);
     const Array1D raw = Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
     if (!segment.of_channel(channel, "encoder.scaling.multiplier")) return raw;
@@ -181,7 +192,8 @@ struct HeightChannel {
 
 HeightChannel height_channel(const Segment& segment) {
     const auto there = channels(segment);
-    for (const char* name : {"strainGaugeHeight", "capacitiveSensorHeight", "measuredHeight", "height", "head-height"}) {
+    for (const char* name :
+         {"strainGaugeHeight", "capacitiveSensorHeight", "measuredHeight", "height", "head-height"}) {
         if (std::find(there.begin(), there.end(), name) == there.end()) continue;
         const bool sensor = std::string_view(name) != "height" && std::string_view(name) != "head-height";
         for (const char* slot : {sensor ? "nominal" : "calibrated", sensor ? "calibrated" : "nominal", "absolute"})
@@ -199,7 +211,8 @@ std::vector<std::string> segment_folders(const bytes::Archive& archive) {
         const auto digits = std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size());
         long number = 0;
         const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (error == std::errc{} && stop == digits.data() + digits.size()) folders.emplace(number, name.substr(0, name.size() - end.size() + 1));
+        if (error == std::errc{} && stop == digits.data() + digits.size())
+            folders.emplace(number, name.substr(0, name.size() - end.size() + 1));
     }
     std::vector<std::string> result;
     for (const auto& [number, folder] : folders) result.push_back(folder);
@@ -207,22 +220,28 @@ std::vector<std::string> segment_folders(const bytes::Archive& archive) {
 }
 
 std::string style(const Segment& segment) {
-    for (const char* key : {"force-segment-header.settings.segment-settings.style", "force-segment-header.settings.style"})
+    for (const char* key :
+         {"force-segment-header.settings.segment-settings.style", "force-segment-header.settings.style"})
         if (const auto found = segment.find(key)) return *found;
     return "segment";
 }
 
 ForceSegment read_segment(const Segment& segment) {
     const auto height = height_channel(segment);
-    ForceSegment result{style(segment), in_slot(segment, height.name, height.slot), base_values(segment, "vDeflection")};
+    ForceSegment result{style(segment), in_slot(segment, height.name, height.slot),
+                        base_values(segment, "vDeflection")};
     if (result.height.size() != result.reading.size())
-        segment.fail(fmt::format("channels of different length: '{}' has {} values, 'vDeflection' {}", height.name, result.height.size(), result.reading.size()));
+        segment.fail(fmt::format("channels of different length: '{}' has {} values, 'vDeflection' {}", height.name,
+                                 result.height.size(), result.reading.size()));
     if (const auto announced = segment.find("force-segment-header.num-points")) {
         const auto points = segment.number(*announced, "num-points");
         if (points != static_cast<double>(result.reading.size()))
-            segment.fail(fmt::format("{} values in channel 'vDeflection', the header announces {}; the file is truncated", result.reading.size(), points));
+            segment.fail(
+                fmt::format("{} values in channel 'vDeflection', the header announces {}; the file is truncated",
+                            result.reading.size(), points));
     }
-    if (const auto duration = segment.find("force-segment-header.duration")) result.duration = segment.number(*duration, "duration");
+    if (const auto duration = segment.find("force-segment-header.duration"))
+        result.duration = segment.number(*duration, "duration");
     return result;
 }
 
@@ -231,7 +250,8 @@ ForceCurveOptions constants_of(const Segment& segment) {
     ForceCurveOptions constants;
     const std::string channel = "vDeflection";
     if (defines(segment, channel, "distance")) constants.sensitivity = chain(segment, channel, "distance").multiplier;
-    if (defines(segment, channel, "force") && constants.sensitivity) constants.spring_constant = chain(segment, channel, "force").multiplier / *constants.sensitivity;
+    if (defines(segment, channel, "force") && constants.sensitivity)
+        constants.spring_constant = chain(segment, channel, "force").multiplier / *constants.sensitivity;
     return constants;
 }
 
@@ -240,7 +260,8 @@ void add_metadata(const Segment& segment, ForceCurveData& data) {
     data.metadata.emplace("height_channel", fmt::format("{}, slot {}", height.name, height.slot));
     if (const auto stamp = segment.find("force-segment-header.time-stamp")) data.metadata.emplace("date", *stamp);
     for (const char* axis : {"x", "y"})
-        if (const auto at = segment.find(fmt::format("force-segment-header.position.{}", axis))) data.metadata.emplace(fmt::format("position_{}", axis), *at + " m");
+        if (const auto at = segment.find(fmt::format("force-segment-header.position.{}", axis)))
+            data.metadata.emplace(fmt::format("position_{}", axis), *at + " m");
 }
 
 }  // namespace
@@ -258,15 +279,18 @@ ForceCurveData read_jpk_force(const bytes::Source& source) {
     const bytes::Archive archive(source);
     const auto header = parse_properties(archive.read("header.properties"));
     Properties shared;
-    if (archive.has("shared-data/header.properties")) shared = parse_properties(archive.read("shared-data/header.properties"));
+    if (archive.has("shared-data/header.properties"))
+        shared = parse_properties(archive.read("shared-data/header.properties"));
     ForceCurveData data;
     data.reading = Reading::volts;
     data.travel_sign = -1.0;
     for (const auto& [key, value] : header)
         for (const char* wanted : {"instrument", "probe", "comment", "source-software"})
-            if (key == fmt::format("force-scan-series.description.{}", wanted) && !value.empty()) data.metadata.emplace(wanted, value);
+            if (key == fmt::format("force-scan-series.description.{}", wanted) && !value.empty())
+                data.metadata.emplace(wanted, value);
     for (const auto& folder : segment_folders(archive)) {
-        const Segment segment{archive, source, folder, parse_properties(archive.read(folder + "segment-header.properties")), shared};
+        const Segment segment{archive, source, folder,
+                              parse_properties(archive.read(folder + "segment-header.properties")), shared};
         data.segments.push_back(read_segment(segment));
         if (data.segments.size() == 1) data.constants = constants_of(segment);
         add_metadata(segment, data);

@@ -15,16 +15,20 @@ namespace {
 const Array1D& required(const Table& table, const char* name, const char* unit, const char* subject) {
     const auto* column = table.find(name);
     if (!column) throw InvalidArgument(fmt::format("{}: no column '{}'", subject, name));
-    if (column->unit != unit) throw InvalidArgument(fmt::format("{}: column '{}' has the unit '{}', expected '{}'", subject, name, column->unit, unit));
+    if (column->unit != unit)
+        throw InvalidArgument(
+            fmt::format("{}: column '{}' has the unit '{}', expected '{}'", subject, name, column->unit, unit));
     return column->values;
 }
 
 void require_forwards(const Array1D& time, const std::string& subject) {
     for (Index i = 0; i < time.size(); ++i) {
-        if (!std::isfinite(time[i])) throw InvalidArgument(fmt::format("{}: time is undefined in row {} of {}", subject, i + 1, time.size()));
+        if (!std::isfinite(time[i]))
+            throw InvalidArgument(fmt::format("{}: time is undefined in row {} of {}", subject, i + 1, time.size()));
         if (i > 0 && time[i] <= time[i - 1])
-            throw InvalidArgument(fmt::format("{}: time {} from row {} to {}, from {} s to {} s; expected times that grow", subject,
-                                              time[i] < time[i - 1] ? "runs backwards" : "stands still", i, i + 1, time[i - 1], time[i]));
+            throw InvalidArgument(
+                fmt::format("{}: time {} from row {} to {}, from {} s to {} s; expected times that grow", subject,
+                            time[i] < time[i - 1] ? "runs backwards" : "stands still", i, i + 1, time[i - 1], time[i]));
     }
 }
 
@@ -56,28 +60,37 @@ Index last_defined(const Array1D& values) {
 void require_one_clock(const Table& table, const std::string& subject) {
     for (const auto& column : table.columns)
         if (column.values.size() != table.rows())
-            throw InvalidArgument(fmt::format("{}: channels of different length: column '{}' has {} rows, '{}' has {}", subject, column.name,
-                                              column.values.size(), table.columns.front().name, table.rows()));
+            throw InvalidArgument(fmt::format("{}: channels of different length: column '{}' has {} rows, '{}' has {}",
+                                              subject, column.name, column.values.size(), table.columns.front().name,
+                                              table.rows()));
     for (const char* name : {"force", "displacement", "time"}) {
         const auto* column = table.find(name);
         if (!column) continue;
         const auto last = last_defined(column->values);
         if (last < 0) throw InvalidArgument(fmt::format("{}: column '{}' holds no number at all", subject, name));
         if (last + 1 < table.rows())
-            throw InvalidArgument(fmt::format("{}: channels of different length: column '{}' ends in row {} of {}; cut the others there or bring "
-                                              "them onto one clock", subject, name, last + 1, table.rows()));
+            throw InvalidArgument(fmt::format(
+                "{}: channels of different length: column '{}' ends in row {} of {}; cut the others there or bring "
+                "them onto one clock",
+                subject, name, last + 1, table.rows()));
     }
     if (const auto* time = table.find("time")) require_forwards(time->values, subject);
 }
 
 Table merged_by_time(const Table& force_table, const Table& camera_table, double offset) {
-    if (!std::isfinite(offset)) throw InvalidArgument(fmt::format("an offset of {} s between the clocks, expected a finite one", offset));
+    if (!std::isfinite(offset))
+        throw InvalidArgument(fmt::format("an offset of {} s between the clocks, expected a finite one", offset));
     const auto& time = required(force_table, "time", "s", "force record");
     const auto& frames = required(camera_table, "time", "s", "camera record");
     const auto& radius = required(camera_table, "contact_radius", "m", "camera record");
-    if (force_table.find("contact_radius")) throw InvalidArgument("force record: it has a contact radius already; leave that column out of its mapping");
-    if (time.size() < 2 || frames.size() < 1) throw InvalidArgument(fmt::format("{} samples of force and {} frames, expected two of force and one frame at least", time.size(), frames.size()));
-    if (frames.size() != radius.size()) throw InvalidArgument(fmt::format("camera record: {} times for {} radii", frames.size(), radius.size()));
+    if (force_table.find("contact_radius"))
+        throw InvalidArgument("force record: it has a contact radius already; leave that column out of its mapping");
+    if (time.size() < 2 || frames.size() < 1)
+        throw InvalidArgument(
+            fmt::format("{} samples of force and {} frames, expected two of force and one frame at least", time.size(),
+                        frames.size()));
+    if (frames.size() != radius.size())
+        throw InvalidArgument(fmt::format("camera record: {} times for {} radii", frames.size(), radius.size()));
     require_forwards(time, "force record");
     require_forwards(frames, "camera record");
 
@@ -100,8 +113,9 @@ Table merged_by_time(const Table& force_table, const Table& camera_table, double
         merged[sample] = radius[i];
     }
     if (used == 0)
-        throw InvalidArgument(fmt::format("the clocks do not overlap: force from {} s to {} s, frames from {} s to {} s with the offset; check the offset",
-                                          time[0], time[time.size() - 1], frames[0] + offset, frames[frames.size() - 1] + offset));
+        throw InvalidArgument(fmt::format(
+            "the clocks do not overlap: force from {} s to {} s, frames from {} s to {} s with the offset; check the offset",
+            time[0], time[time.size() - 1], frames[0] + offset, frames[frames.size() - 1] + offset));
     Table result = force_table;
     result.columns.push_back({"contact_radius", "m", merged});
     result.metadata["camera_clock_offset"] = fmt::format("{} s", offset);

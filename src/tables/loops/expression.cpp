@@ -59,7 +59,8 @@ std::vector<Dimension> dimensions_of(const ExpressionInputs& inputs) {
 }
 
 /// Value at generic arguments, with base unit `base` made 2^−`power` times as large; larger first or last.
-double probe(Expression& expression, const std::vector<Dimension>& dimensions, std::size_t base, int power, bool descending) {
+double probe(Expression& expression, const std::vector<Dimension>& dimensions, std::size_t base, int power,
+             bool descending) {
     const auto n = dimensions.size();
     for (std::size_t i = 0; i < n; ++i) {
         const double generic = 1.0 + std::sqrt(2.0 + static_cast<double>(descending ? n - i : i));
@@ -75,7 +76,8 @@ bool has_dimension(Expression& expression, const std::vector<Dimension>& dimensi
             const double before = probe(expression, dimensions, base, 0, descending);
             const double after = probe(expression, dimensions, base, 1, descending);
             const double scaled = std::ldexp(before, expected.exponents[base]);
-            if (std::isfinite(before) && std::isfinite(after) && std::abs(after - scaled) > 1e-12 * std::abs(scaled)) return false;
+            if (std::isfinite(before) && std::isfinite(after) && std::abs(after - scaled) > 1e-12 * std::abs(scaled))
+                return false;
         }
     return true;
 }
@@ -96,13 +98,15 @@ void require_expression(const std::string& expression, const std::vector<std::st
 Array1D evaluate(const std::string& text, const ExpressionInputs& inputs, const Dimension& expected) {
     Expression expression(text, names_of(inputs));
     if (!has_dimension(expression, dimensions_of(inputs), expected))
-        throw InvalidArgument(fmt::format("the expression is no {}; give its constants their units, as in \"3.01 N/m\"", si_unit(expected)));
+        throw InvalidArgument(fmt::format("the expression is no {}; give its constants their units, as in \"3.01 N/m\"",
+                                          si_unit(expected)));
     const auto constants = inputs.constants.size();
     for (std::size_t k = 0; k < constants; ++k) expression.set(k, inputs.constants[k].value);
     const auto rows = inputs.columns.empty() ? Index{0} : inputs.columns.front().values.size();
     Array1D result(rows);
     for (Index i = 0; i < rows; ++i) {
-        for (std::size_t k = 0; k < inputs.columns.size(); ++k) expression.set(constants + k, inputs.columns[k].values[i]);
+        for (std::size_t k = 0; k < inputs.columns.size(); ++k)
+            expression.set(constants + k, inputs.columns[k].values[i]);
         result[i] = expression();
     }
     return result;

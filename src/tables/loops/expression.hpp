@@ -32,6 +32,7 @@ struct ExpressionInputs {
 /// Its dimension is checked by changing the base units one at a time: where metres become twice as large, a result of
 /// dimension length^n must scale with 2^n.
 /// @throws InvalidArgument for an expression that does not parse or whose dimension is not `expected`.
-[[nodiscard]] Array1D evaluate(const std::string& expression, const ExpressionInputs& inputs, const Dimension& expected);
+[[nodiscard]] Array1D evaluate(const std::string& expression, const ExpressionInputs& inputs,
+                               const Dimension& expected);
 
 }  // namespace setae::tables

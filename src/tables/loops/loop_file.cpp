@@ -8,21 +8,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/tables/header.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/bytes/source.hpp"
-#include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/header.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::tables {
 namespace {
 
 constexpr std::string_view format_line = "# format: setae loop", version_line = "# version: 1";
 
-bool is_own_key(const std::string& key) { return key == "format" || key == "version" || key == "file" || key == "header" || key == "mapping"; }
+bool is_own_key(const std::string& key) {
+    return key == "format" || key == "version" || key == "file" || key == "header" || key == "mapping";
+}
 
 bool is_key(std::string_view key) {
     return !key.empty() && key.front() >= 'a' && key.front() <= 'z' && std::all_of(key.begin(), key.end(), [](char c) {
@@ -55,8 +57,11 @@ double quantity(const std::string& key, const std::string& value, const Dimensio
 }
 
 void require_entry(const std::string& key, const std::string& value) {
-    if (!is_key(key)) throw InvalidArgument(fmt::format("'{}' is no key of a loop file; take lower-case letters, digits and _, beginning with a letter", key));
-    if (value.find_first_of("\r\n") != std::string::npos || trimmed(value) != value || value.find('\0') != std::string::npos)
+    if (!is_key(key))
+        throw InvalidArgument(fmt::format(
+            "'{}' is no key of a loop file; take lower-case letters, digits and _, beginning with a letter", key));
+    if (value.find_first_of("\r\n") != std::string::npos || trimmed(value) != value ||
+        value.find('\0') != std::string::npos)
         throw InvalidArgument(fmt::format("the value of '{}' has line breaks or outer blanks; take one line", key));
     if (!is_utf8(value)) throw InvalidArgument(fmt::format("the value of '{}' is no UTF-8", key));
     const auto* known = known_key(key);
@@ -88,14 +93,17 @@ void read_entry(Reader& reader, Table& table) {
 }
 
 void read_names(Reader& reader, Table& table) {
-    if (reader.line == reader.lines.size()) reader.fail("no row of column names such as 'time [s],force [N],displacement [m]'");
+    if (reader.line == reader.lines.size())
+        reader.fail("no row of column names such as 'time [s],force [N],displacement [m]'");
     std::vector<std::string_view> cells;
     split_cells(reader.lines[reader.line], ',', cells);
     std::set<std::string> names;
     for (const auto cell : cells) {
         const auto parsed = parse_header_cell(cell);
         const auto unit = try_parse_unit(parsed.unit);
-        if (!unit && !parsed.unit.empty() && parsed.unit != "°C") reader.fail(fmt::format("column '{}' has the unit '{}', which setae does not know", parsed.name, parsed.unit));
+        if (!unit && !parsed.unit.empty() && parsed.unit != "°C")
+            reader.fail(
+                fmt::format("column '{}' has the unit '{}', which setae does not know", parsed.name, parsed.unit));
         if (!names.insert(parsed.name).second) reader.fail(fmt::format("two columns '{}'", parsed.name));
         table.columns.push_back({parsed.name, unit ? si_unit(unit->dimension) : parsed.unit, {}});
     }
@@ -115,15 +123,18 @@ void read_numbers(Reader& reader, Table& table) {
         if (text.empty() || text.front() == '#') continue;
         split_cells(text, ',', cells);
         if (cells.size() != values.size())
-            reader.fail(fmt::format("{} cells, expected {} as there are names; the file may be truncated here", cells.size(), values.size()));
+            reader.fail(fmt::format("{} cells, expected {} as there are names; the file may be truncated here",
+                                    cells.size(), values.size()));
         for (std::size_t k = 0; k < cells.size(); ++k) {
             double value = undefined;
-            if (!parse_cell(cells[k], '.', value)) reader.fail(fmt::format("'{:.40}' for {} is no number", cells[k], table.columns[k].name));
+            if (!parse_cell(cells[k], '.', value))
+                reader.fail(fmt::format("'{:.40}' for {} is no number", cells[k], table.columns[k].name));
             values[k].push_back(value * factors[k]);
         }
     }
     if (values.front().empty()) reader.fail("no rows of numbers below the names");
-    for (std::size_t k = 0; k < values.size(); ++k) table.columns[k].values = Eigen::Map<const Array1D>(values[k].data(), static_cast<Index>(values[k].size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+        table.columns[k].values = Eigen::Map<const Array1D>(values[k].data(), static_cast<Index>(values[k].size()));
 }
 
 void require_loop(const Table& table) {
@@ -140,10 +151,14 @@ void require_columns(const Table& table) {
     for (const auto& column : table.columns) {
         const auto unit = try_parse_unit(column.unit);
         if (!column.unit.empty() && column.unit != "°C" && (!unit || si_unit(unit->dimension) != column.unit))
-            throw InvalidArgument(fmt::format("column '{}' has the unit '{}', expected one of SI", column.name, column.unit));
-        const auto cell = parse_header_cell(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
-        if (column.name.empty() || column.name.front() == '#' || cell.name != column.name || cell.unit != column.unit || !is_utf8(column.name))
-            throw InvalidArgument(fmt::format("column name '{}' cannot be written: it is empty or would be read otherwise", column.name));
+            throw InvalidArgument(
+                fmt::format("column '{}' has the unit '{}', expected one of SI", column.name, column.unit));
+        const auto cell =
+            parse_header_cell(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+        if (column.name.empty() || column.name.front() == '#' || cell.name != column.name || cell.unit != column.unit ||
+            !is_utf8(column.name))
+            throw InvalidArgument(
+                fmt::format("column name '{}' cannot be written: it is empty or would be read otherwise", column.name));
         if (!names.insert(column.name).second) throw InvalidArgument(fmt::format("two columns '{}'", column.name));
     }
 }
@@ -159,7 +174,8 @@ const std::vector<LoopKey>& loop_keys() {
         {"layer_thickness", "thickness of the soft body where it is a layer on a rigid base", dimension::length},
         {"counter_youngs_modulus", "Young's modulus of the body it is pressed against", dimension::pressure},
         {"counter_poisson_ratio", "its Poisson's ratio", dimension::none},
-        {"machine_stiffness", "stiffness of the force sensor and frame, where displacement is the stage's", dimension::stiffness},
+        {"machine_stiffness", "stiffness of the force sensor and frame, where displacement is the stage's",
+         dimension::stiffness},
         {"spring_constant", "stiffness of the spring that senses the force", dimension::stiffness},
         {"camera_clock_offset", "added to the camera's times to give the times of the force record", dimension::time},
         {"camera_clock_offset_error", "its standard error", dimension::time},
@@ -224,7 +240,10 @@ bool is_loop_file(const bytes::Source& source) {
 Table read_loop(const std::string& path) {
     const auto text = bytes::decoded(bytes::read_file(path), bytes::Encoding::utf8);
     Reader reader{path, bytes::split_lines(text)};
-    if (!is_loop_file(text)) throw FormatError(path, {.line = 1}, fmt::format("no loop file: it begins otherwise than '{}'; import other tables by a mapping", format_line));
+    if (!is_loop_file(text))
+        throw FormatError(
+            path, {.line = 1},
+            fmt::format("no loop file: it begins otherwise than '{}'; import other tables by a mapping", format_line));
     Table table;
     for (; reader.line < reader.lines.size(); ++reader.line) {
         const auto line = trimmed(reader.lines[reader.line]);
@@ -232,7 +251,8 @@ Table read_loop(const std::string& path) {
         if (line.front() != '#') break;
         read_entry(reader, table);
     }
-    if (table.metadata["version"] != "1") reader.fail(fmt::format("version '{}' of the loop format, setae knows version 1", table.metadata["version"]));
+    if (table.metadata["version"] != "1")
+        reader.fail(fmt::format("version '{}' of the loop format, setae knows version 1", table.metadata["version"]));
     read_names(reader, table);
     read_numbers(reader, table);
     table.metadata["file"] = path;

@@ -9,19 +9,23 @@
 #include <fmt/ranges.h>
 
 #include "expression.hpp"
-#include "setae/tables/header.hpp"
-#include "setae/core/errors.hpp"
-#include "setae/bytes/toml_reader.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/bytes/toml_reader.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/tables/header.hpp"
 
 namespace setae::tables {
 namespace {
 
 TableOptions parse_file(bytes::TomlReader reader) {
     TableOptions options;
-    options.encoding = reader.choice<bytes::Encoding>("encoding", {{"utf-8", bytes::Encoding::utf8}, {"utf-16", bytes::Encoding::utf16}, {"latin-1", bytes::Encoding::latin1}})
+    options.encoding = reader
+                           .choice<bytes::Encoding>("encoding", {{"utf-8", bytes::Encoding::utf8},
+                                                                 {"utf-16", bytes::Encoding::utf16},
+                                                                 {"latin-1", bytes::Encoding::latin1}})
                            .value_or(options.encoding);
-    options.separator = reader.choice<char>("separator", {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}});
+    options.separator =
+        reader.choice<char>("separator", {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}});
     options.decimal_point = reader.choice<char>("decimal", {{"point", '.'}, {"comma", ','}});
     options.header_end = reader.text("header_end");
     options.sheet = reader.text("sheet");
@@ -39,7 +43,8 @@ Unit unit_of(const bytes::TomlReader& reader, const char* key, const std::string
 }
 
 void require_name(const bytes::TomlReader& reader, const std::string& name) {
-    if (!is_identifier(name)) reader.fail(name.c_str(), fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
+    if (!is_identifier(name))
+        reader.fail(name.c_str(), fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
 }
 
 /// "3.01 N/m": the number and the unit behind it.
@@ -51,7 +56,8 @@ MappedConstant parse_constant(bytes::TomlReader& reader, const std::string& name
     const auto blank = std::min(source.find(' '), source.size());
     double number = 0.0;
     if (!bytes::parse_cell(std::string_view(source).substr(0, blank), '.', number) || !std::isfinite(number))
-        reader.fail(key, fmt::format("constant '{}' is '{}', expected a number and its unit such as \"3.01 N/m\"", name, source));
+        reader.fail(key, fmt::format("constant '{}' is '{}', expected a number and its unit such as \"3.01 N/m\"", name,
+                                     source));
     const auto unit = blank < source.size() ? unit_of(reader, key, source.substr(blank)) : Unit{};
     return {name, number * unit.factor, unit.dimension};
 }
@@ -62,7 +68,8 @@ MappedColumn parse_column(const std::string& name, bytes::TomlReader reader) {
         if (*position < 1) reader.fail("position", "position is counted from 1");
         column.position = static_cast<Index>(*position);
     }
-    if (column.header.has_value() == column.position.has_value()) reader.fail("header", fmt::format("column '{}' needs either header or position", name));
+    if (column.header.has_value() == column.position.has_value())
+        reader.fail("header", fmt::format("column '{}' needs either header or position", name));
     if (column.unit) (void)unit_of(reader, "unit", *column.unit);
     reader.finish();
     return column;
@@ -89,12 +96,15 @@ MappedResult parse_result_with_unit(const std::string& name, bytes::TomlReader r
 MappedResult parse_result(bytes::TomlReader& reader, const std::string& name) {
     MappedResult result;
     if (reader.is_table(name.c_str())) {
-        reader.table(name.c_str(), [&](bytes::TomlReader inner) { result = parse_result_with_unit(name, std::move(inner)); });
+        reader.table(name.c_str(),
+                     [&](bytes::TomlReader inner) { result = parse_result_with_unit(name, std::move(inner)); });
         return result;
     }
     const auto canonical = canonical_dimension(name);
     if (!canonical)
-        reader.fail(name.c_str(), fmt::format("the unit of '{}' is not known; write {} = {{ expression = \"…\", unit = \"…\" }}", name, name));
+        reader.fail(name.c_str(),
+                    fmt::format("the unit of '{}' is not known; write {} = {{ expression = \"…\", unit = \"…\" }}",
+                                name, name));
     return {name, reader.required_text(name.c_str()), *canonical};
 }
 
@@ -144,13 +154,16 @@ namespace {
 std::string listed_headers(const RawTable& table) {
     std::vector<std::string> cells;
     for (const auto& column : table.columns)
-        cells.push_back(column.name.empty() ? "(no name)" : column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+        cells.push_back(column.name.empty()   ? "(no name)"
+                        : column.unit.empty() ? column.name
+                                              : fmt::format("{} [{}]", column.name, column.unit));
     return fmt::format("{}", fmt::join(cells, ", "));
 }
 
 bool same_header(const RawTable::RawColumn& column, const std::string& wanted) {
     const auto cell = parse_header_cell(wanted);
-    return !column.name.empty() && bytes::lowered(column.name) == bytes::lowered(cell.name) && (cell.unit.empty() || cell.unit == column.unit);
+    return !column.name.empty() && bytes::lowered(column.name) == bytes::lowered(cell.name) &&
+           (cell.unit.empty() || cell.unit == column.unit);
 }
 
 /// nullptr where the table lacks the column.
@@ -167,10 +180,15 @@ const RawTable::RawColumn* find_column(const RawTable& table, const MappedColumn
 void require_columns(const RawTable& table, const Mapping& mapping, const std::string& path) {
     std::vector<std::string> missing;
     for (const auto& column : mapping.columns)
-        if (!find_column(table, column)) missing.push_back(column.header ? fmt::format("'{}'", *column.header) : fmt::format("{}", *column.position));
+        if (!find_column(table, column))
+            missing.push_back(column.header ? fmt::format("'{}'", *column.header)
+                                            : fmt::format("{}", *column.position));
     if (missing.empty()) return;
-    throw FormatError(path, {}, fmt::format("no column {}; the file has {}: {}", fmt::join(missing, ", "),
-                                            table.columns.size() == 1 ? "one column" : fmt::format("{} columns", table.columns.size()), listed_headers(table)));
+    throw FormatError(
+        path, {},
+        fmt::format("no column {}; the file has {}: {}", fmt::join(missing, ", "),
+                    table.columns.size() == 1 ? "one column" : fmt::format("{} columns", table.columns.size()),
+                    listed_headers(table)));
 }
 
 /// A column in SI and its dimension.
@@ -181,13 +199,19 @@ struct SiColumn {
 
 SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, const std::string& path) {
     if (!column.text.empty())
-        throw FormatError(path, {}, fmt::format("column '{}' holds text ({}), expected numbers", wanted.name, column.text));
+        throw FormatError(path, {},
+                          fmt::format("column '{}' holds text ({}), expected numbers", wanted.name, column.text));
     if (column.values.isNaN().all())
-        throw FormatError(path, {}, fmt::format("column '{}' holds no number at all: all {} values are undefined", wanted.name, column.values.size()));
+        throw FormatError(path, {},
+                          fmt::format("column '{}' holds no number at all: all {} values are undefined", wanted.name,
+                                      column.values.size()));
     const auto name = wanted.unit ? *wanted.unit : column.unit;
-    if (name.empty()) throw FormatError(path, {}, fmt::format("column '{}' has no unit; give it in the mapping", wanted.name));
+    if (name.empty())
+        throw FormatError(path, {}, fmt::format("column '{}' has no unit; give it in the mapping", wanted.name));
     const auto unit = try_parse_unit(name);
-    if (!unit) throw FormatError(path, {}, fmt::format("column '{}' has the unit '{}', which setae does not know", wanted.name, name));
+    if (!unit)
+        throw FormatError(path, {},
+                          fmt::format("column '{}' has the unit '{}', which setae does not know", wanted.name, name));
     return {column.values * unit->factor, unit->dimension};
 }
 
@@ -209,9 +233,12 @@ Table read_mapped_table(const std::string& path, const Mapping& mapping) {
     if (!raw.header.empty()) table.metadata["header"] = fmt::format("{}", fmt::join(raw.header, "\n"));
     for (const auto& result : mapping.results) {
         try {
-            table.columns.push_back({result.name, si_unit(result.dimension), evaluate(result.expression, inputs, result.dimension)});
+            table.columns.push_back(
+                {result.name, si_unit(result.dimension), evaluate(result.expression, inputs, result.dimension)});
         } catch (const InvalidArgument& error) {
-            throw FormatError(mapping.path, {}, fmt::format("{} = \"{}\" for {}: {}", result.name, result.expression, path, error.what()));
+            throw FormatError(
+                mapping.path, {},
+                fmt::format("{} = \"{}\" for {}: {}", result.name, result.expression, path, error.what()));
         }
     }
     return table;

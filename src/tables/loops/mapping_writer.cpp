@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "expression.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/mapping.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::tables {
 namespace {
@@ -16,12 +16,9 @@ std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            result += fmt::format("\\{}", c);
-        else if (byte < 0x20 || byte == 0x7f)
-            result += fmt::format("\\u{:04X}", byte);
-        else
-            result += c;
+        if (c == '"' || c == '\\') result += fmt::format("\\{}", c);
+        else if (byte < 0x20 || byte == 0x7f) result += fmt::format("\\u{:04X}", byte);
+        else result += c;
     }
     return result + '"';
 }
@@ -29,12 +26,17 @@ std::string quoted(const std::string& text) {
 std::string key(const std::string& name) { return is_identifier(name) ? name : quoted(name); }
 
 void require_name(const std::string& name) {
-    if (!is_identifier(name)) throw InvalidArgument(fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
+    if (!is_identifier(name))
+        throw InvalidArgument(fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
 }
 
-const char* word(bytes::Encoding encoding) { return encoding == bytes::Encoding::utf8 ? "utf-8" : encoding == bytes::Encoding::utf16 ? "utf-16" : "latin-1"; }
+const char* word(bytes::Encoding encoding) {
+    return encoding == bytes::Encoding::utf8 ? "utf-8" : encoding == bytes::Encoding::utf16 ? "utf-16" : "latin-1";
+}
 
-const char* word(char separator) { return separator == '\t' ? "tab" : separator == ',' ? "comma" : separator == ';' ? "semicolon" : "blank"; }
+const char* word(char separator) {
+    return separator == '\t' ? "tab" : separator == ',' ? "comma" : separator == ';' ? "semicolon" : "blank";
+}
 
 std::string file_section(const TableOptions& file) {
     if (file == TableOptions{}) return {};
@@ -52,7 +54,9 @@ std::string constants_section(const std::vector<MappedConstant>& constants) {
     std::string text = "[constants]\n";
     for (const auto& constant : constants) {
         require_name(constant.name);
-        if (!std::isfinite(constant.value)) throw InvalidArgument(fmt::format("constant '{}' is {}, expected a finite number", constant.name, constant.value));
+        if (!std::isfinite(constant.value))
+            throw InvalidArgument(
+                fmt::format("constant '{}' is {}, expected a finite number", constant.name, constant.value));
         text += fmt::format("{} = \"{} {}\"\n", constant.name, constant.value, si_unit(constant.dimension));
     }
     return text + '\n';
@@ -61,10 +65,8 @@ std::string constants_section(const std::vector<MappedConstant>& constants) {
 std::string column_section(const MappedColumn& column) {
     require_name(column.name);
     std::string text = fmt::format("[columns.{}]\n", column.name);
-    if (column.position)
-        text += fmt::format("position = {}\n", *column.position);
-    else
-        text += fmt::format("header = {}\n", quoted(column.header.value_or("")));
+    if (column.position) text += fmt::format("position = {}\n", *column.position);
+    else text += fmt::format("header = {}\n", quoted(column.header.value_or("")));
     if (column.unit) text += fmt::format("unit = {}\n", quoted(*column.unit));
     return text + '\n';
 }
@@ -86,7 +88,8 @@ std::string as_toml(const Mapping& mapping) {
         if (has_known_dimension(result.name))
             text += fmt::format("{} = {}\n", key(result.name), quoted(result.expression));
         else
-            text += fmt::format("{} = {{ expression = {}, unit = \"{}\" }}\n", key(result.name), quoted(result.expression), si_unit(result.dimension));
+            text += fmt::format("{} = {{ expression = {}, unit = \"{}\" }}\n", key(result.name),
+                                quoted(result.expression), si_unit(result.dimension));
     }
     return text;
 }

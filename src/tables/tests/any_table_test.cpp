@@ -12,10 +12,13 @@ using namespace setae::tests;
 namespace setae::tables::tests {
 namespace {
 
-RawTable table_of(const std::string& text, const TableOptions& options = {}) { return read_raw_table(bytes::memory_source("t.csv", text), options); }
+RawTable table_of(const std::string& text, const TableOptions& options = {}) {
+    return read_raw_table(bytes::memory_source("t.csv", text), options);
+}
 
 TEST(AnyTable, UnitsAreFoundInEveryUsualSpelling) {
-    for (const char* name : {"force (mN)", "force [mN]", "force_mN", "force / mN", "force in mN", "force mN", "force, mN"}) {
+    for (const char* name :
+         {"force (mN)", "force [mN]", "force_mN", "force / mN", "force in mN", "force mN", "force, mN"}) {
         const auto table = table_of(fmt::format("{};time [s]\n1;2\n3;4\n", name));
         EXPECT_EQ(table.columns[0].name, "force") << name;
         EXPECT_EQ(table.columns[0].unit, "mN") << name;
@@ -37,7 +40,8 @@ TEST(AnyTable, TwoUnitsForOneColumnAreRefused) {
 }
 
 TEST(AnyTable, KeyedCommentsAreKeptAsMetadata) {
-    const auto table = table_of("# surface: UNCD\n# sphere radius : 1.25 mm\n# a remark\nforce [mN],time [s]\n1,2\n# stopped: here\n2,3\n");
+    const auto table = table_of(
+        "# surface: UNCD\n# sphere radius : 1.25 mm\n# a remark\nforce [mN],time [s]\n1,2\n# stopped: here\n2,3\n");
     EXPECT_EQ(table.metadata.at("surface"), "UNCD");
     EXPECT_EQ(table.metadata.at("sphere radius"), "1.25 mm");
     EXPECT_EQ(table.metadata.size(), 2u);
@@ -61,7 +65,8 @@ TEST(AnyTable, OneCellDecidesWhatCommasMean) {
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234\t5.5\n2,345\t6.75\n").columns[0].values[0], 1234.0);
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234,567.5\t5\n2,345.25\t6\n").columns[0].values[0], 1234567.5);
     EXPECT_DOUBLE_EQ(table_of("a;b\n1.234,5;5\n2.345,25;6\n").columns[0].values[0], 1234.5);
-    EXPECT_DOUBLE_EQ(table_of("a;b\n1,234;5,678\n2,345;6,789\n").columns[0].values[0], 1.234);  // semicolons stand where commas are decimals
+    EXPECT_DOUBLE_EQ(table_of("a;b\n1,234;5,678\n2,345;6,789\n").columns[0].values[0],
+                     1.234);  // semicolons stand where commas are decimals
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1.234\t5.678\n2.345\t6.789\n").columns[0].values[0], 1.234);
 }
 
@@ -82,7 +87,8 @@ TEST(AnyTable, ColumnsOfTextAreKeptApart) {
 
 TEST(AnyTable, BrokenRowsAreNamed) {
     EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,4\n5\n6,7\n"); }), "t.csv:4: 1 columns, expected 2"));
-    EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,oops\n5,6\n6,7\n"); }), "t.csv:3: 'oops' in column 2 is no number"));
+    EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,oops\n5,6\n6,7\n"); }),
+                      "t.csv:3: 'oops' in column 2 is no number"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of("only words here\nand there\n"); }), "no row of numbers"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of(""); }), "is empty"));
 }
@@ -102,24 +108,32 @@ TEST(Spreadsheet, FirstSheetWithATableIsRead) {
 }
 
 TEST(Spreadsheet, SheetsAreChosenByName) {
-    const auto first = xlsx_sheet({{{"A1", "a [N]"}, {"B1", "b [m]"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "4"}}});
-    const auto second = xlsx_sheet({{{"A1", "a [N]"}, {"B1", "b [m]"}}, {{"A2", "5"}, {"B2", "6"}}, {{"A3", "7"}, {"B3", "8"}}});
+    const auto first =
+        xlsx_sheet({{{"A1", "a [N]"}, {"B1", "b [m]"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "4"}}});
+    const auto second =
+        xlsx_sheet({{{"A1", "a [N]"}, {"B1", "b [m]"}}, {{"A2", "5"}, {"B2", "6"}}, {{"A3", "7"}, {"B3", "8"}}});
     const auto book = bytes::memory_source("t.xlsx", xlsx_file({{"one", first}, {"two", second}}));
     EXPECT_EQ(sheet_names(book), (std::vector<std::string>{"one", "two"}));
     EXPECT_DOUBLE_EQ(read_raw_table(book).columns[0].values[0], 1.0);
     EXPECT_EQ(read_raw_table(book).metadata.at("other_sheets"), "two");
     EXPECT_DOUBLE_EQ(read_raw_table(book, {.sheet = "two"}).columns[0].values[1], 7.0);
-    EXPECT_TRUE(holds(message_of([&] { (void)read_raw_table(book, {.sheet = "three"}); }), "no sheet 'three', the workbook has 'one', 'two'"));
+    EXPECT_TRUE(holds(message_of([&] { (void)read_raw_table(book, {.sheet = "three"}); }),
+                      "no sheet 'three', the workbook has 'one', 'two'"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of("1 2\n3 4\n", {.sheet = "one"}); }), "is no workbook"));
 }
 
 TEST(Spreadsheet, MistakesAreNamedByCell) {
     const auto message = [](const std::string& sheet, const std::vector<std::string>& strings = {}) {
-        return message_of([&] { (void)read_raw_table(bytes::memory_source("t.xlsx", xlsx_file({{"S", sheet}}, strings))); });
+        return message_of([&] {
+            (void)read_raw_table(bytes::memory_source("t.xlsx", xlsx_file({{"S", sheet}}, strings)));
+        });
     };
     EXPECT_TRUE(holds(message(xlsx_sheet({})), "sheet 'S' is empty"));
     EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "words"}}, {{"A2", "more"}}})), "has no two rows of numbers"));
-    const auto text = xlsx_sheet({{{"A1", "a"}, {"B1", "b"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "oops"}}, {{"A4", "5"}, {"B4", "6"}}});
+    const auto text = xlsx_sheet({{{"A1", "a"}, {"B1", "b"}},
+                                  {{"A2", "1"}, {"B2", "2"}},
+                                  {{"A3", "3"}, {"B3", "oops"}},
+                                  {{"A4", "5"}, {"B4", "6"}}});
     EXPECT_TRUE(holds(message(text), "sheet 'S': 'oops' in cell B3 is no number"));
     EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "s:7"}}})), "shared string '7' is not among the 0"));
     EXPECT_TRUE(holds(message(xlsx_sheet({{{"ZZZZ1", "1"}}})), "'ZZZZ1' is no cell"));

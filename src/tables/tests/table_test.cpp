@@ -6,11 +6,11 @@
 
 #include "error_message.hpp"
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -19,8 +19,10 @@ namespace {
 
 TEST(Table, ColumnsComeInSi) {
     const TemporaryFolder folder;
-    const char* tables[] = {"force [mN],displacement (um),note\n1,2,3\n2,4,6\n", "force / mN;displacement / um;note\n1;2;3\n2;4;6\n",
-                            "force\tdisplacement\tnote\nmN\tum\t-\n1\t2\t3\n2\t4\t6\n", "# force [mN] displacement [um] note\n1 2 3\n2 4 6\n",
+    const char* tables[] = {"force [mN],displacement (um),note\n1,2,3\n2,4,6\n",
+                            "force / mN;displacement / um;note\n1;2;3\n2;4;6\n",
+                            "force\tdisplacement\tnote\nmN\tum\t-\n1\t2\t3\n2\t4\t6\n",
+                            "# force [mN] displacement [um] note\n1 2 3\n2 4 6\n",
                             "force [mN];displacement [um];note\n1,0;2,0;3,0\n2,0;4,0;6,0\n"};
     for (const auto* text : tables) {
         const auto table = read_table(folder.write("t.csv", text));
@@ -42,7 +44,8 @@ TEST(Table, ColumnsWithoutUnitKeepNumbersAndSayNone) {
 TEST(Table, WrittenTablesAreReadBackToTheLastDigit) {
     const TemporaryFolder folder;
     Table table;
-    table.columns = {{"wavevector", "1/m", Array1D{{0.1, 1.0 / 3.0, 1e300}}}, {"C1D", "m3", Array1D{{4.9e-324, std::nan(""), -2.0}}}};
+    table.columns = {{"wavevector", "1/m", Array1D{{0.1, 1.0 / 3.0, 1e300}}},
+                     {"C1D", "m3", Array1D{{4.9e-324, std::nan(""), -2.0}}}};
     write_csv(folder.path("t.csv"), table);
     const auto back = read_table(folder.path("t.csv"));
     EXPECT_TRUE((back.at("wavevector") == table.columns[0].values).all());
@@ -97,7 +100,8 @@ TEST(LoopTable, NeedsForcesAndUnits) {
 TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
     const TemporaryFolder folder;
     for (const auto* first_row : {"q;C\n", "0;1\n"}) {
-        const auto table = read_power_spectrum_table(folder.write("p.csv", std::string(first_row) + "1,5e3;2,5e-12\n2,5e3;1e-12\n"));
+        const auto table =
+            read_power_spectrum_table(folder.write("p.csv", std::string(first_row) + "1,5e3;2,5e-12\n2,5e3;1e-12\n"));
         ASSERT_EQ(table.rows(), 2) << first_row;
         EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 1500.0);
         EXPECT_DOUBLE_EQ(table.at("C1D")[0], 2.5e-12);
@@ -107,7 +111,8 @@ TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
 
 TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
     const TemporaryFolder folder;
-    const auto table = read_power_spectrum_table(folder.write("p.csv", "q [1/um],C1D [nm3],std err [nm3]\n1,2,0.5\n2,1,0.25\n"));
+    const auto table =
+        read_power_spectrum_table(folder.write("p.csv", "q [1/um],C1D [nm3],std err [nm3]\n1,2,0.5\n2,1,0.25\n"));
     EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 1e6);
     EXPECT_DOUBLE_EQ(table.at("C1D")[0], 2e-27);
     EXPECT_DOUBLE_EQ(table.at("standard_error")[1], 0.25e-27);
@@ -142,7 +147,9 @@ force = "k * mems"
 displacement = "piezo - mems"
 power = { expression = "k * mems^2", unit = "J" }
 )";
-constexpr const char* foreign_table = "Made 1,5 \xb0""C\nPiezo[nm]\tMEMS[nm]\nx\neoh\n1,5\t10\n2,5\t20\n";
+constexpr const char* foreign_table =
+    "Made 1,5 \xb0"
+    "C\nPiezo[nm]\tMEMS[nm]\nx\neoh\n1,5\t10\n2,5\t20\n";
 
 TEST(Mapping, ExpressionsWorkOnColumnsInSi) {
     const TemporaryFolder folder;
@@ -175,7 +182,8 @@ TEST(Mapping, MistakesAreNamed) {
     EXPECT_NE(mapping_error("piezo - mems", "piezo -").find("displacement"), std::string::npos);
     EXPECT_NE(mapping_error("force =", "load =").find("unit of 'load'"), std::string::npos);
     EXPECT_NE(mapping_error("position = 2", "position = 5").find("no column 5"), std::string::npos);
-    EXPECT_NE(mapping_error("header = \"Piezo\"", "header = \"Stage\"").find("Piezo [nm], MEMS [nm]"), std::string::npos);
+    EXPECT_NE(mapping_error("header = \"Piezo\"", "header = \"Stage\"").find("Piezo [nm], MEMS [nm]"),
+              std::string::npos);
     EXPECT_NE(mapping_error("\"eoh\"", "\"end\"").find("no line 'end'"), std::string::npos);
     EXPECT_NE(mapping_error("[file]", "[file").find("TOML"), std::string::npos);
     EXPECT_NE(mapping_error("header = \"Piezo\"", "").find("either header or position"), std::string::npos);

@@ -25,11 +25,15 @@ HeightMap rough_map(Index nx, Index ny, double pixel, double rms, double rolloff
     double variance = 0.0;
     for (int mode = 0; mode < 60; ++mode) {
         const double q = 2.0 * pi / rolloff * std::pow(rolloff / (4.0 * pixel), mode / 60.0);
-        const double amplitude = std::pow(q * rolloff, -hurst), angle = 2.0 * pi * uniform(), phase = 2.0 * pi * uniform();
+        const double amplitude = std::pow(q * rolloff, -hurst), angle = 2.0 * pi * uniform(),
+                     phase = 2.0 * pi * uniform();
         variance += 0.5 * amplitude * amplitude;
-        const Array1D along_x = Array1D::LinSpaced(nx, 0.0, static_cast<double>(nx - 1)) * (q * std::cos(angle) * pixel) + phase;
-        const Array1D along_y = Array1D::LinSpaced(ny, 0.0, static_cast<double>(ny - 1)) * (q * std::sin(angle) * pixel);
-        const Array1D cx = amplitude * along_x.cos(), sx = amplitude * along_x.sin(), cy = along_y.cos(), sy = along_y.sin();
+        const Array1D along_x =
+            Array1D::LinSpaced(nx, 0.0, static_cast<double>(nx - 1)) * (q * std::cos(angle) * pixel) + phase;
+        const Array1D along_y =
+            Array1D::LinSpaced(ny, 0.0, static_cast<double>(ny - 1)) * (q * std::sin(angle) * pixel);
+        const Array1D cx = amplitude * along_x.cos(), sx = amplitude * along_x.sin(), cy = along_y.cos(),
+                      sy = along_y.sin();
         map.heights += (cx.matrix() * cy.matrix().transpose() - sx.matrix() * sy.matrix().transpose()).array();
     }
     map.heights *= rms / std::sqrt(variance);
@@ -93,9 +97,7 @@ struct Line {
     Array1D x, y;
 };
 
-Line scan_points() {
-    return {Array1D::LinSpaced(5000, 0.0, 499.9e-6), Array1D::Constant(5000, 200 * 12.5e-9)};
-}
+Line scan_points() { return {Array1D::LinSpaced(5000, 0.0, 499.9e-6), Array1D::Constant(5000, 200 * 12.5e-9)}; }
 
 /// 5000 windows of a disc of 160 pixels radius, a horizontal maximum each.
 void bare_maximum_5000_points(benchmark::State& state) {
@@ -119,7 +121,8 @@ void bare_maximum_5000_points(benchmark::State& state) {
             sum += *std::max_element(std::begin(lanes), std::end(lanes));
         }
     benchmark::DoNotOptimize(sum);
-    state.counters["comparisons/s"] = benchmark::Counter(5000.0 * 321.0 * 320.0, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["comparisons/s"] =
+        benchmark::Counter(5000.0 * 321.0 * 320.0, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(bare_maximum_5000_points)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -46,7 +46,8 @@ Steps steps_along_lines(const Mask& mask, bool periodic, parallel::Threads threa
                     if (row[j] != 0) next = j + ny;
             for (Index j = ny - 1; j >= 0; --j) {
                 if (row[j] != 0) next = j;
-                if (next != nowhere && (out[j] == none || next - j < -out[j])) out[j] = static_cast<std::int32_t>(next - j);
+                if (next != nowhere && (out[j] == none || next - j < -out[j]))
+                    out[j] = static_cast<std::int32_t>(next - j);
             }
         }
     });
@@ -99,8 +100,8 @@ private:
     std::vector<double> starts_;
 };
 
-/// Calls found(i, j, k, value) with the line k whose chosen point is nearest to (i, j), k outside 0 … nx − 1 across a border, and the
-/// squared distance along y there [m²].
+/// Calls found(i, j, k, value) with the line k whose chosen point is nearest to (i, j), k outside 0 … nx − 1 across a
+/// border, and the squared distance along y there [m²].
 template <class Found>
 void for_each_nearest(const Steps& steps, const PointGrid& grid, parallel::Threads threads, Found found) {
     const Index nx = steps.rows(), ny = steps.cols();
@@ -108,12 +109,14 @@ void for_each_nearest(const Steps& steps, const PointGrid& grid, parallel::Threa
     const Index margin = grid.periodic ? (nx + 1) / 2 : 0;
     parallel::for_each_index(static_cast<std::size_t>(block_count(ny)), threads, [&](std::size_t block) {
         const Index first = static_cast<Index>(block) * block_lines, width = std::min(block_lines, ny - first);
-        std::vector<std::vector<double>> columns(static_cast<std::size_t>(width), std::vector<double>(static_cast<std::size_t>(nx + 2 * margin)));
+        std::vector<std::vector<double>> columns(static_cast<std::size_t>(width),
+                                                 std::vector<double>(static_cast<std::size_t>(nx + 2 * margin)));
         for (Index i = -margin; i < nx + margin; ++i) {
             const std::int32_t* row = steps.row((i + nx) % nx).data() + first;
             for (Index c = 0; c < width; ++c) {
                 const double along_y = static_cast<double>(row[c]) * grid.pixel_size[1];
-                columns[static_cast<std::size_t>(c)][static_cast<std::size_t>(i + margin)] = row[c] == none ? infinite : along_y * along_y;
+                columns[static_cast<std::size_t>(c)][static_cast<std::size_t>(i + margin)] =
+                    row[c] == none ? infinite : along_y * along_y;
             }
         }
         Envelope envelope;

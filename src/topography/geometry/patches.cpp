@@ -64,7 +64,8 @@ void join_lines(const std::vector<Run>& before, const std::vector<Run>& here, In
     auto b = before.begin();
     for (const auto& run : here) {
         while (b != before.end() && b->end + reach <= run.begin) ++b;
-        for (auto touching = b; touching != before.end() && touching->begin < run.end + reach; ++touching) sets.join(touching->number, run.number);
+        for (auto touching = b; touching != before.end() && touching->begin < run.end + reach; ++touching)
+            sets.join(touching->number, run.number);
     }
 }
 
@@ -93,14 +94,16 @@ void join_across_borders(const PatchNumbers& numbers, Index reach, Union& sets) 
 /// Sums over the points of one patch.
 struct Sums {
     Index points = 0;
-    double i = 0.0, j = 0.0;        ///< of indices, each unwrapped by whole periods
-    Index edges_x = 0, edges_y = 0; ///< towards points that are not chosen
+    double i = 0.0, j = 0.0;         ///< of indices, each unwrapped by whole periods
+    Index edges_x = 0, edges_y = 0;  ///< towards points that are not chosen
 };
 
 /// Which pieces of a patch, cut at the borders of a periodic grid, lie how many periods apart.
 class Pieces {
 public:
-    explicit Pieces(std::size_t count) : parent_(count), shift_(count, {0, 0}), endless_(count, false) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+    explicit Pieces(std::size_t count) : parent_(count), shift_(count, {0, 0}), endless_(count, false) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
 
     struct Place {
         std::size_t root;
@@ -150,7 +153,8 @@ std::vector<Sums> sums_of(const PatchNumbers& numbers, std::int32_t count, bool 
     const Index nx = numbers.rows(), ny = numbers.cols();
     std::vector<Sums> sums(static_cast<std::size_t>(count) + 1);
     const auto of = [&](std::int32_t number) -> Sums& {
-        if (number < 0 || number > count) throw InvalidArgument(fmt::format("patch number {} of {} patches", number, count));
+        if (number < 0 || number > count)
+            throw InvalidArgument(fmt::format("patch number {} of {} patches", number, count));
         return sums[static_cast<std::size_t>(number)];
     };
     for (Index i = 0; i < nx; ++i) {
@@ -175,7 +179,8 @@ std::vector<Sums> sums_of(const PatchNumbers& numbers, std::int32_t count, bool 
 /// Pieces of a periodic grid with their places across its borders.
 Pieces joined_pieces(const Patches& pieces) {
     const auto& numbers = pieces.numbers;
-    const Index nx = numbers.rows(), ny = numbers.cols(), reach = pieces.neighbours == Neighbours::edges_and_corners ? 1 : 0;
+    const Index nx = numbers.rows(), ny = numbers.cols(),
+                reach = pieces.neighbours == Neighbours::edges_and_corners ? 1 : 0;
     Pieces places(static_cast<std::size_t>(pieces.count) + 1);
     const auto join = [&](Index i, Index j, Index k, Index l) {
         // k, l may lie outside by one: the point there belongs to a grid one period away
@@ -200,7 +205,8 @@ double brought_into(double position, double size) {
 Patches patches(const Mask& mask, Neighbours neighbours, bool periodic) {
     require_points(mask);
     if (mask.size() >= std::numeric_limits<std::int32_t>::max())
-        throw InvalidArgument(fmt::format("mask of {} x {} points; patches are numbered below 2^31 points", mask.rows(), mask.cols()));
+        throw InvalidArgument(
+            fmt::format("mask of {} x {} points; patches are numbered below 2^31 points", mask.rows(), mask.cols()));
     const Index nx = mask.rows(), ny = mask.cols(), reach = neighbours == Neighbours::edges_and_corners ? 1 : 0;
     Patches result{PatchNumbers(nx, ny), 0, neighbours, periodic};
     Union sets;
@@ -238,14 +244,16 @@ std::vector<PatchShape> patch_shapes(const Patches& patches, std::array<double, 
     require_pixels({pixel_size, patches.periodic});
     const auto& numbers = patches.numbers;
     const bool periodic = patches.periodic;
-    const Patches pieces = periodic ? geometry::patches((numbers > 0).cast<std::uint8_t>(), patches.neighbours, false) : Patches{};
+    const Patches pieces =
+        periodic ? geometry::patches((numbers > 0).cast<std::uint8_t>(), patches.neighbours, false) : Patches{};
     const auto sums = periodic ? sums_of(pieces.numbers, pieces.count, true) : sums_of(numbers, patches.count, false);
     std::vector<Sums> total(static_cast<std::size_t>(patches.count));
     std::vector<PatchShape> shapes(total.size());
     if (periodic) {
         auto places = joined_pieces(pieces);
         std::vector<std::int32_t> patch_of(sums.size(), 0);
-        for (Index k = 0; k < numbers.size(); ++k) patch_of[static_cast<std::size_t>(pieces.numbers.data()[k])] = numbers.data()[k];
+        for (Index k = 0; k < numbers.size(); ++k)
+            patch_of[static_cast<std::size_t>(pieces.numbers.data()[k])] = numbers.data()[k];
         for (std::size_t p = 1; p < sums.size(); ++p) {
             const auto [root, shift] = places.place(p);
             const auto patch = static_cast<std::size_t>(patch_of[p] - 1);
@@ -267,12 +275,17 @@ std::vector<PatchShape> patch_shapes(const Patches& patches, std::array<double, 
         const auto points = static_cast<double>(sum.points);
         shape.points = sum.points;
         shape.area = points * pixel_size[0] * pixel_size[1];
-        shape.edge_length = static_cast<double>(sum.edges_x) * pixel_size[1] + static_cast<double>(sum.edges_y) * pixel_size[0];
+        shape.edge_length =
+            static_cast<double>(sum.edges_x) * pixel_size[1] + static_cast<double>(sum.edges_y) * pixel_size[0];
         shape.centroid_x = sum.i / points * pixel_size[0];
         shape.centroid_y = sum.j / points * pixel_size[1];
         if (!periodic) continue;
-        shape.centroid_x = shape.spans_period ? undefined : brought_into(shape.centroid_x, pixel_size[0] * static_cast<double>(numbers.rows()));
-        shape.centroid_y = shape.spans_period ? undefined : brought_into(shape.centroid_y, pixel_size[1] * static_cast<double>(numbers.cols()));
+        shape.centroid_x = shape.spans_period
+                               ? undefined
+                               : brought_into(shape.centroid_x, pixel_size[0] * static_cast<double>(numbers.rows()));
+        shape.centroid_y = shape.spans_period
+                               ? undefined
+                               : brought_into(shape.centroid_y, pixel_size[1] * static_cast<double>(numbers.cols()));
     }
     return shapes;
 }

@@ -29,7 +29,8 @@ Mask rim(const Mask& mask, bool inside, Neighbours neighbours, bool periodic) {
             if ((mask(i, j) != 0) != inside) continue;
             bool touches = differs(i - 1, j) || differs(i + 1, j) || differs(i, j - 1) || differs(i, j + 1);
             if (!touches && neighbours == Neighbours::edges_and_corners)
-                touches = differs(i - 1, j - 1) || differs(i - 1, j + 1) || differs(i + 1, j - 1) || differs(i + 1, j + 1);
+                touches =
+                    differs(i - 1, j - 1) || differs(i - 1, j + 1) || differs(i + 1, j - 1) || differs(i + 1, j + 1);
             result(i, j) = touches ? 1 : 0;
         }
     return result;
@@ -63,13 +64,19 @@ double isotropic_perimeter(double edge_length) { return 0.25 * pi * edge_length;
 double corrected_contact_area(double counted_area, double edge_length, double pixel_size) {
     for (const double value : {counted_area, edge_length, pixel_size})
         if (!(value >= 0.0 && std::isfinite(value)))
-            throw InvalidArgument(fmt::format("contact area of {} m2, edge of {} m, pixels of {} m; expected none negative", counted_area, edge_length, pixel_size));
+            throw InvalidArgument(
+                fmt::format("contact area of {} m2, edge of {} m, pixels of {} m; expected none negative", counted_area,
+                            edge_length, pixel_size));
     static const double share = (pi - 1.0 + std::log(2.0)) / 24.0;
     return counted_area - share * edge_length * pixel_size;
 }
 
-Mask inner_perimeter(const Mask& mask, Neighbours neighbours, bool periodic) { return rim(mask, true, neighbours, periodic); }
+Mask inner_perimeter(const Mask& mask, Neighbours neighbours, bool periodic) {
+    return rim(mask, true, neighbours, periodic);
+}
 
-Mask outer_perimeter(const Mask& mask, Neighbours neighbours, bool periodic) { return rim(mask, false, neighbours, periodic); }
+Mask outer_perimeter(const Mask& mask, Neighbours neighbours, bool periodic) {
+    return rim(mask, false, neighbours, periodic);
+}
 
 }  // namespace setae::geometry

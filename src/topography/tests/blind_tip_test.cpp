@@ -44,7 +44,8 @@ TEST(BlindTip, OfSpikesShowsWhichWayATipLeans) {
     ArrayTip tip{Array2D(5, 5), {1.0, 1.0}, 2, 2};
     for (Index i = 0; i < 5; ++i)
         for (Index j = 0; j < 5; ++j)
-            tip.heights(i, j) = (i < 2 ? 3.0 : 1.0) * std::abs(static_cast<double>(i - 2)) + 0.5 * std::abs(static_cast<double>(j - 2));
+            tip.heights(i, j) =
+                (i < 2 ? 3.0 : 1.0) * std::abs(static_cast<double>(i - 2)) + 0.5 * std::abs(static_cast<double>(j - 2));
     const auto blind = blind_tip(dilated(spikes(false), tip), {.points_x = 5, .points_y = 5});
     EXPECT_LT((blind.tip.heights - tip.heights).abs().maxCoeff(), 1e-10);
 }

@@ -52,7 +52,8 @@ TEST(Certainty, ClaimsNothingThatTheSurfaceBeyondTheEndsMayHaveHeld) {
     const Tip tip = ParabolicTip{6.0};
     const auto image = dilated(whole, tip);
     const HeightMap part{image.heights.block(20, 20, 30, 40), {30.0, 40.0}};
-    const auto certainty = certainty_map(part, tip, {.height_range = whole.heights.maxCoeff() - whole.heights.minCoeff()});
+    const auto certainty =
+        certainty_map(part, tip, {.height_range = whole.heights.maxCoeff() - whole.heights.minCoeff()});
     EXPECT_GT(certainty.share, 0.01);
     for (Index i = 0; i < 30; ++i)
         for (Index j = 0; j < 40; ++j)

@@ -15,7 +15,8 @@ HeightMap paraboloid(Index nx, Index ny, double offset) {
     HeightMap map{Array2D(nx, ny), {3.0, 2.0}};
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j) {
-            const double x = 3.0 * static_cast<double>(i) / static_cast<double>(nx), y = 2.0 * static_cast<double>(j) / static_cast<double>(ny);
+            const double x = 3.0 * static_cast<double>(i) / static_cast<double>(nx),
+                         y = 2.0 * static_cast<double>(j) / static_cast<double>(ny);
             map.heights(i, j) = offset + 0.3 * x - 0.7 * y + 0.05 * x * x + 0.02 * y * y - 0.04 * x * y;
         }
     return map;
@@ -25,7 +26,8 @@ TEST(Detrend, RemovesAPlaneFromANonSquareMap) {
     auto map = paraboloid(17, 33, 0.0);
     HeightMap plane{Array2D(17, 33), {3.0, 2.0}};
     for (Index i = 0; i < 17; ++i)
-        for (Index j = 0; j < 33; ++j) plane.heights(i, j) = 1.0 + 2.0 * static_cast<double>(i) - 3.0 * static_cast<double>(j);
+        for (Index j = 0; j < 33; ++j)
+            plane.heights(i, j) = 1.0 + 2.0 * static_cast<double>(i) - 3.0 * static_cast<double>(j);
     EXPECT_LT(detrended(plane, Trend::tilt).heights.abs().maxCoeff(), 1e-12);
     EXPECT_GT(detrended(map, Trend::tilt).heights.abs().maxCoeff(), 1e-3);
 }
@@ -77,7 +79,8 @@ TEST(Detrend, RefusesTooFewDefinedHeights) {
 TEST(FlattenLines, RemovesEachLinesOwnPolynomial) {
     HeightMap map{Array2D(50, 3), {1.0, 1.0}};
     for (Index i = 0; i < 50; ++i)
-        for (Index j = 0; j < 3; ++j) map.heights(i, j) = std::pow(0.1 * static_cast<double>(i), static_cast<double>(j));
+        for (Index j = 0; j < 3; ++j)
+            map.heights(i, j) = std::pow(0.1 * static_cast<double>(i), static_cast<double>(j));
     EXPECT_LT(flattened_lines(map, 2).heights.abs().maxCoeff(), 1e-12);
     EXPECT_LT(flattened_lines(map, 1).heights.leftCols(2).abs().maxCoeff(), 1e-12);
     EXPECT_GT(flattened_lines(map, 1).heights.col(2).abs().maxCoeff(), 1.0);
@@ -85,7 +88,8 @@ TEST(FlattenLines, RemovesEachLinesOwnPolynomial) {
 }
 
 TEST(TrendNames, GoBothWays) {
-    for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola}) EXPECT_EQ(trend_from_name(name(trend)), trend);
+    for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola})
+        EXPECT_EQ(trend_from_name(name(trend)), trend);
     EXPECT_THROW((void)trend_from_name("plane"), InvalidArgument);
 }
 
@@ -108,7 +112,9 @@ TEST(Detrend, OfAMapByBandsIsThatOfTheWholeMap) {
 
 TEST(Detrend, OfAMapIsTheSameForAnyNumberOfThreads) {
     const auto map = paraboloid(200, 30, 5.0);
-    EXPECT_TRUE((detrended(map, Trend::parabola, parallel::Threads{1}).heights == detrended(map, Trend::parabola, parallel::Threads{3}).heights).all());
+    EXPECT_TRUE((detrended(map, Trend::parabola, parallel::Threads{1}).heights ==
+                 detrended(map, Trend::parabola, parallel::Threads{3}).heights)
+                    .all());
 }
 
 TEST(Detrend, OfAMapWithoutDefinedHeightsIsRefused) {

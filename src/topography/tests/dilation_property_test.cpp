@@ -12,7 +12,9 @@ namespace {
 HeightMap any_map() {
     const auto nx = *rc::gen::inRange<Index>(12, 40), ny = *rc::gen::inRange<Index>(12, 40);
     const auto seed = *rc::gen::arbitrary<unsigned>();
-    return {tests::random_map(nx, ny, seed), {static_cast<double>(nx), static_cast<double>(ny)}, *rc::gen::arbitrary<bool>()};
+    return {tests::random_map(nx, ny, seed),
+            {static_cast<double>(nx), static_cast<double>(ny)},
+            *rc::gen::arbitrary<bool>()};
 }
 
 Tip any_tip() {
@@ -44,7 +46,8 @@ TEST(Dilation, GrowsWithTheSurface) {
     check([] {
         const auto lower = any_map();
         auto upper = lower;
-        upper.heights += tests::random_map(lower.heights.rows(), lower.heights.cols(), *rc::gen::arbitrary<unsigned>()).abs();
+        upper.heights +=
+            tests::random_map(lower.heights.rows(), lower.heights.cols(), *rc::gen::arbitrary<unsigned>()).abs();
         const Tip tip = SphereTip{4.0};
         RC_ASSERT((dilated(upper, tip).heights >= dilated(lower, tip).heights).all());
     });
@@ -60,7 +63,8 @@ TEST(Dilation, FollowsShiftsOfAPeriodicSurfaceAndMirrors) {
         auto moved = surface;
         for (Index i = 0; i < nx; ++i) moved.heights.row((i + shift) % nx) = surface.heights.row(i);
         const auto moved_image = dilated(moved, tip);
-        for (Index i = 0; i < nx; ++i) RC_ASSERT((moved_image.heights.row((i + shift) % nx) == image.heights.row(i)).all());
+        for (Index i = 0; i < nx; ++i)
+            RC_ASSERT((moved_image.heights.row((i + shift) % nx) == image.heights.row(i)).all());
         auto mirror = surface;
         mirror.heights = surface.heights.reverse().eval();
         RC_ASSERT((dilated(mirror, tip).heights == image.heights.reverse()).all());

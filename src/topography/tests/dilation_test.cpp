@@ -38,7 +38,8 @@ Array2D slow_dilation(const HeightMap& surface, const TipImage& tip) {
                     } else if (at_x < 0 || at_y < 0 || at_x >= nx || at_y >= ny) {
                         continue;
                     }
-                    result(x, y) = std::max(result(x, y), surface.heights(at_x, at_y) - tip.heights(i + tip.centre_x, j + tip.centre_y));
+                    result(x, y) = std::max(
+                        result(x, y), surface.heights(at_x, at_y) - tip.heights(i + tip.centre_x, j + tip.centre_y));
                 }
     return result;
 }
@@ -50,13 +51,15 @@ TEST(Dilation, OfASpikeIsTheTipUpsideDown) {
     for (Index i = 0; i < 41; ++i)
         for (Index j = 0; j < 37; ++j) {
             const double distance = std::hypot(static_cast<double>(i - 20), static_cast<double>(j - 18));
-            const double expected = std::max(0.0, 6.0 - (distance <= 10.0 ? 10.0 - std::sqrt(100.0 - distance * distance) : 10.0));
+            const double expected =
+                std::max(0.0, 6.0 - (distance <= 10.0 ? 10.0 - std::sqrt(100.0 - distance * distance) : 10.0));
             EXPECT_NEAR(image.heights(i, j), expected, 1e-14) << i << ' ' << j;
         }
 }
 
 TEST(Dilation, OfABallIsTheBallOfSummedRadii) {
-    // contacts fall between grid points: their error is second order, pixel²/8 (1/R + 1/R_s) = 0.0021 of a pixel at the top
+    // contacts fall between grid points: their error is second order, pixel²/8 (1/R + 1/R_s) = 0.0021 of a pixel at the
+    // top
     const double bump = 120.0, tip = 200.0;
     auto surface = flat_map(101, 101);
     for (Index i = 0; i < 101; ++i)
@@ -119,7 +122,9 @@ TEST(Dilation, OfAPeriodicMapWrapsTipsLargerThanThePeriod) {
     const Tip tip = ParabolicTip{30.0};
     const double range = surface.heights.maxCoeff() - surface.heights.minCoeff();
     ASSERT_GT(tip_reach(tip, range), 9.0);
-    EXPECT_TRUE((dilated(surface, tip).heights == slow_dilation(surface, tip_image(tip, 1.0, 1.0, tip_reach(tip, range)))).all());
+    EXPECT_TRUE(
+        (dilated(surface, tip).heights == slow_dilation(surface, tip_image(tip, 1.0, 1.0, tip_reach(tip, range))))
+            .all());
 }
 
 TEST(Dilation, TreatsBothWindowEndsAlike) {
@@ -134,7 +139,8 @@ TEST(Dilation, TreatsBothWindowEndsAlike) {
 
 TEST(Dilation, IsTheSameForAnyNumberOfThreads) {
     const auto surface = rough_map(67, 1100);
-    const auto one = dilated(surface, SphereTip{12.0}, {.threads = {1}}), three = dilated(surface, SphereTip{12.0}, {.threads = {3}});
+    const auto one = dilated(surface, SphereTip{12.0}, {.threads = {1}}),
+               three = dilated(surface, SphereTip{12.0}, {.threads = {3}});
     EXPECT_TRUE((one.heights == three.heights).all());
 }
 
@@ -186,9 +192,11 @@ TEST(Dilator, ReadsSinglePointsAsTheMap) {
 
 TEST(DilatedAt, RefusesPointsOutsideAndUnequalLists) {
     const auto surface = rough_map(50, 50);
-    EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Constant(1, 50.0), Array1D::Zero(1)), InvalidArgument);
+    EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Constant(1, 50.0), Array1D::Zero(1)),
+                 InvalidArgument);
     EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Zero(2), Array1D::Zero(1)), InvalidArgument);
-    EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Constant(1, undefined), Array1D::Zero(1)), InvalidArgument);
+    EXPECT_THROW((void)dilated_at(surface, SphereTip{3.0}, Array1D::Constant(1, undefined), Array1D::Zero(1)),
+                 InvalidArgument);
 }
 
 TEST(Dilation, RefusesATipLargerThanTheScanWithBothLengths) {

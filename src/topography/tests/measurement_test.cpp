@@ -49,7 +49,8 @@ TEST(CleanContour, LeavesAFunctionAlone) {
 
 TEST(CleanContour, DropsRepeatedPointsAndCutsReentrantStretchesWithTheirShare) {
     // forward 3, back 1 under an overhang and forward again: 2 of 7 length units are cut
-    const auto clean = clean_contour(contour({0.0, 1.0, 2.0, 3.0, 2.0, 3.0, 3.5, 4.0, 4.0, 5.0}, std::vector<double>(10, 0.0)));
+    const auto clean =
+        clean_contour(contour({0.0, 1.0, 2.0, 3.0, 2.0, 3.0, 3.5, 4.0, 4.0, 5.0}, std::vector<double>(10, 0.0)));
     EXPECT_EQ(clean.reentrant_points, 2);
     EXPECT_EQ(clean.dropped_points, 1);
     EXPECT_DOUBLE_EQ(clean.reentrant_share, 2.0 / 7.0);
@@ -83,7 +84,8 @@ TEST(ReferenceArtefact, IsRecoveredAndSubtracted) {
     scan.heights += average.heights;
     EXPECT_LT((subtract_artefact(scan, average).heights - truth).abs().maxCoeff(), 1e-18);
     // averaging keeps the curved part of the bow
-    EXPECT_NEAR(average.heights[0] - 2.0 * average.heights[n / 2] + average.heights[n - 1], bow[0] - 2.0 * bow[n / 2] + bow[n - 1], 1e-9);
+    EXPECT_NEAR(average.heights[0] - 2.0 * average.heights[n / 2] + average.heights[n - 1],
+                bow[0] - 2.0 * bow[n / 2] + bow[n - 1], 1e-9);
 }
 
 TEST(ReferenceArtefact, RefusesScansOnAnotherGrid) {

@@ -46,7 +46,8 @@ TEST(TipHeight, OfAParaboloid) { EXPECT_DOUBLE_EQ(tip_height(ParabolicTip{4.0}, 
 
 TEST(TipReach, InvertsTheProfile) {
     for (const Tip& tip : {Tip(SphereTip{3.0}), Tip(ConeTip{0.5, 1.0}), Tip(ConeTip{0.7, 0.0}), Tip(ParabolicTip{2.0})})
-        for (const double distance : {0.0, 0.1, 0.6, 1.3, 2.5}) EXPECT_NEAR(tip_reach(tip, tip_height(tip, distance)), distance, 1e-12);
+        for (const double distance : {0.0, 0.1, 0.6, 1.3, 2.5})
+            EXPECT_NEAR(tip_reach(tip, tip_height(tip, distance)), distance, 1e-12);
     EXPECT_EQ(tip_reach(SphereTip{3.0}, 100.0), 3.0);
 }
 

@@ -21,7 +21,8 @@ TEST(SmoothingTransfer, IsThatOfAnEquidistantSmoothingSpline) {
         differences(i, i) = -2.0;
         differences(i, (i + 1) % n) = differences(i, (i + n - 1) % n) = 1.0;
     }
-    const Eigen::MatrixXd smoother = (Eigen::MatrixXd::Identity(n, n) + std::pow(0.9 / 0.5, 4) * differences.transpose() * differences).inverse();
+    const Eigen::MatrixXd smoother =
+        (Eigen::MatrixXd::Identity(n, n) + std::pow(0.9 / 0.5, 4) * differences.transpose() * differences).inverse();
     const Array1D positions = Array1D::LinSpaced(n, 0.0, 0.5 * (n - 1));
     for (const int mode : {1, 5, 12, 24}) {
         const double q = 2.0 * pi * mode / (0.5 * n);

@@ -15,7 +15,9 @@ namespace {
 /// Whether two segments have a point in common that is not the joint of neighbours.
 bool crosses_itself(const TracedCurve& curve) {
     const auto side = [&](Index a, Index b, Index c) {
-        return (curve.x[b] - curve.x[a]) * (curve.y[c] - curve.y[a]) - (curve.y[b] - curve.y[a]) * (curve.x[c] - curve.x[a]) > 0.0;
+        return (curve.x[b] - curve.x[a]) * (curve.y[c] - curve.y[a]) -
+                   (curve.y[b] - curve.y[a]) * (curve.x[c] - curve.x[a]) >
+               0.0;
     };
     for (Index i = 0; i + 1 < curve.x.size(); ++i)
         for (Index j = i + 2; j + 1 < curve.x.size(); ++j)
@@ -51,7 +53,8 @@ TracedCurve turned(TracedCurve curve, double angle) {
 }
 
 double height_at(const Profile& profile, double x) {
-    const auto above = std::upper_bound(profile.positions.begin() + 1, profile.positions.end() - 1, x) - profile.positions.begin();
+    const auto above =
+        std::upper_bound(profile.positions.begin() + 1, profile.positions.end() - 1, x) - profile.positions.begin();
     const double t = (x - profile.positions[above - 1]) / (profile.positions[above] - profile.positions[above - 1]);
     return profile.heights[above - 1] + t * (profile.heights[above] - profile.heights[above - 1]);
 }
@@ -97,7 +100,8 @@ RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
     int apart = 0;
     constexpr int places = 200;
     for (int k = 1; k < places; ++k) {
-        const double at = profile.size() * k / places, departure = height_at(profile, at) + shift_y - highest(at + shift_x);
+        const double at = profile.size() * k / places,
+                     departure = height_at(profile, at) + shift_y - highest(at + shift_x);
         apart += std::abs(departure) > 1e-9 ? 1 : 0;
     }
     const double step = 1.0 / static_cast<double>(profile.positions.size() - 1);
@@ -106,7 +110,8 @@ RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
 
 RC_GTEST_PROP(ParametricStatistics, AreTheSameFromAnyDirection, ()) {
     const auto curve = wandering(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(20, 60));
-    const auto one = parametric_statistics(curve), other = parametric_statistics(turned(curve, 0.01 * *rc::gen::inRange(-314, 314)));
+    const auto one = parametric_statistics(curve),
+               other = parametric_statistics(turned(curve, 0.01 * *rc::gen::inRange(-314, 314)));
     RC_ASSERT(std::abs(one.length / other.length - 1.0) < 1e-12);
     RC_ASSERT(std::abs(one.tortuosity / other.tortuosity - 1.0) < 1e-9);
     RC_ASSERT(std::abs(one.rms_normal_distance - other.rms_normal_distance) < 1e-9);

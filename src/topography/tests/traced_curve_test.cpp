@@ -17,7 +17,9 @@
 namespace setae::topography {
 namespace {
 
-Array1D array(const std::vector<double>& values) { return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())); }
+Array1D array(const std::vector<double>& values) {
+    return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
+}
 
 TracedCurve curve_of(const std::vector<double>& x, const std::vector<double>& y) {
     TracedCurve curve;
@@ -122,11 +124,13 @@ TEST(Envelope, HasAPointWhereBranchesCross) {
     const auto highest = [&](double at) {
         double top = -1e9;
         for (Index i = 0; i + 1 < u.size(); ++i)
-            if (std::min(u[i], u[i + 1]) <= at && at <= std::max(u[i], u[i + 1])) top = std::max(top, v[i] + (v[i + 1] - v[i]) * (at - u[i]) / (u[i + 1] - u[i]));
+            if (std::min(u[i], u[i + 1]) <= at && at <= std::max(u[i], u[i + 1]))
+                top = std::max(top, v[i] + (v[i + 1] - v[i]) * (at - u[i]) / (u[i + 1] - u[i]));
         return top;
     };
     const double offset = highest(u[0] + 0.5) - height_at(profile, 0.5);
-    for (const double at : {0.5, 1.0, 2.0, 4.2, 5.0, 6.0, 7.0}) EXPECT_NEAR(height_at(profile, at), highest(u[0] + at) - offset, 1e-12) << at;
+    for (const double at : {0.5, 1.0, 2.0, 4.2, 5.0, 6.0, 7.0})
+        EXPECT_NEAR(height_at(profile, at), highest(u[0] + at) - offset, 1e-12) << at;
 }
 
 TEST(Cut, LeavesOutWhatCleanContourCuts) {
@@ -140,7 +144,8 @@ TEST(Cut, LeavesOutWhatCleanContourCuts) {
 }
 
 TEST(Levelled, TakesNoiseOnASteepFlankForNoise) {
-    // a wall that leans by a twentieth of a step a step, seen with noise of a third of a step: it turns back all the time
+    // a wall that leans by a twentieth of a step a step, seen with noise of a third of a step: it turns back all the
+    // time
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     auto wall = densely(curve_of({0, 20, 20.5, 40.5}, {0, 0, 10, 10}), 0.2);
@@ -172,7 +177,7 @@ TEST(Levelled, OverhangsDeeperThanNoiseAreFoundInNoise) {
     trace.standard_error = Array1D::Constant(trace.x.size(), 0.02);
     const auto level = levelled(trace, Reentrance::envelope);
     ASSERT_EQ(level.reentrant.size(), 2u);
-    EXPECT_NEAR(level.reentrant[0].depth, 1.0, 0.1);  // five standard errors
+    EXPECT_NEAR(level.reentrant[0].depth, 1.0, 0.1);             // five standard errors
     EXPECT_NEAR(level.reentrant_share, 7.0 / 17.0, 1.2 / 17.0);  // either edge of the hat may be seen in part
 }
 
@@ -221,7 +226,9 @@ TEST(Levelled, LimitsErrorsOfWalls) {
 
 TEST(Levelled, NoiseAlongNormalsHasTheStatedDensityAlongTheHeight) {
     // a rough curve of rms slope about 0.8, sampled at equal lengths, displaced along its normals
-    const auto shape = [](double x) { return 0.5 * std::sin(x) + 0.3 * std::sin(2.7 * x + 1.0) + 0.1 * std::sin(5.3 * x + 2.0); };
+    const auto shape = [](double x) {
+        return 0.5 * std::sin(x) + 0.3 * std::sin(2.7 * x + 1.0) + 0.1 * std::sin(5.3 * x + 2.0);
+    };
     std::vector<double> xs, ys;
     const double step = 0.05, extent = 120.0;
     double to_next = 0.0;
@@ -257,7 +264,8 @@ TEST(Levelled, NoiseAlongNormalsHasTheStatedDensityAlongTheHeight) {
             const double q = 2.0 * pi * k / length;
             for (Index i = 0; i + 1 < n; ++i) {
                 const auto area = [&](const TracedCurve& c) {
-                    return 0.5 * (c.y[i] + c.y[i + 1]) * (c.x[i + 1] - c.x[i]) * std::polar(1.0, -q * 0.5 * (c.x[i] + c.x[i + 1]));
+                    return 0.5 * (c.y[i] + c.y[i + 1]) * (c.x[i + 1] - c.x[i]) *
+                           std::polar(1.0, -q * 0.5 * (c.x[i] + c.x[i + 1]));
                 };
                 sum += area(noisy) - area(truth);
             }
@@ -274,7 +282,8 @@ TEST(Levelled, RefusesWhatIsNoCurve) {
     EXPECT_THROW((void)levelled(curve_of({0, 1}, {0}), Reentrance::cut), InvalidArgument);
     EXPECT_THROW((void)levelled(curve_of({1}, {1}), Reentrance::cut), UndefinedDataError);
     EXPECT_THROW((void)levelled(curve_of({1, 1, 1}, {2, 2, 2}), Reentrance::envelope), UndefinedDataError);
-    EXPECT_THROW((void)levelled(curve_of({1, undefined, 1}, {2, 2, undefined}), Reentrance::envelope), UndefinedDataError);
+    EXPECT_THROW((void)levelled(curve_of({1, undefined, 1}, {2, 2, undefined}), Reentrance::envelope),
+                 UndefinedDataError);
 }
 
 TEST(ParametricStatistics, OfAStraightLineAreZero) {
@@ -312,7 +321,8 @@ TEST(ParametricStatistics, OfACircularArcAreClosedForms) {
     EXPECT_NEAR(statistics.tortuosity, opening / std::sin(opening), 1e-7);
     EXPECT_NEAR(statistics.rms_angle, opening / std::sqrt(3.0), 1e-6);
     EXPECT_NEAR(statistics.rms_curvature, 1.0 / radius, 1e-7);
-    const double mean = std::sin(opening) / opening, mean_square = 0.5 * (1.0 + std::sin(2.0 * opening) / (2.0 * opening));
+    const double mean = std::sin(opening) / opening,
+                 mean_square = 0.5 * (1.0 + std::sin(2.0 * opening) / (2.0 * opening));
     EXPECT_NEAR(statistics.rms_normal_distance, radius * std::sqrt(mean_square - mean * mean), 1e-6);
 }
 
@@ -331,7 +341,8 @@ TEST(ParametricStatistics, OfAClosedCircle) {
 }
 
 TEST(ParametricStatistics, CountHiddenStretches) {
-    EXPECT_NEAR(parametric_statistics(mushroom()).reentrant_share, levelled(mushroom(), Reentrance::envelope).reentrant_share, 0.0);
+    EXPECT_NEAR(parametric_statistics(mushroom()).reentrant_share,
+                levelled(mushroom(), Reentrance::envelope).reentrant_share, 0.0);
     EXPECT_GT(parametric_statistics(mushroom()).reentrant_share, 0.3);
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fit of one surface of examples/closure/standard.toml (five scans, seven maps, six contours), kernels already made, beside what
-// cannot be avoided: making one simulated patch and reading it with its tip.
+// The fit of one surface of examples/closure/standard.toml (five scans, seven maps, six contours), kernels already
+// made, beside what cannot be avoided: making one simulated patch and reading it with its tip.
 #include <filesystem>
 
 #include <benchmark/benchmark.h>
 
 #include "setae/core/constants.hpp"
+#include "setae/simulation/data_set.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/spectral_fit/tip_response.hpp"
-#include "setae/simulation/data_set.hpp"
+#include "setae/study/surface_analysis.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
-#include "setae/study/surface_analysis.hpp"
 
 namespace {
 
@@ -54,7 +54,12 @@ BENCHMARK(likelihood_of_one_surface)->Arg(1)->Arg(2)->Unit(benchmark::kMilliseco
 void one_patch_and_its_tip(benchmark::State& state) {
     const parallel::Threads threads{static_cast<int>(state.range(0))};
     const auto& surface = recipe().surfaces[0].surface;
-    const spectral_fit::TipSimulation simulation{.tip_radius = 5e-6, .step = 20e-9, .repetitions = 1, .radius_response = false, .correlation_length = 0.5e-6, .threads = threads};
+    const spectral_fit::TipSimulation simulation{.tip_radius = 5e-6,
+                                                 .step = 20e-9,
+                                                 .repetitions = 1,
+                                                 .radius_response = false,
+                                                 .correlation_length = 0.5e-6,
+                                                 .threads = threads};
     const auto before = spectral_fit::tip_response(surface.C_iso, simulation);
     for (auto _ : state) benchmark::DoNotOptimize(spectral_fit::tip_response(surface.C_iso, simulation, before));
 }

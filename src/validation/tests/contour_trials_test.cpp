@@ -8,10 +8,10 @@
 
 #include "contour_comparison.hpp"
 #include "curve_distance.hpp"
-#include "setae/validation/contour_summary.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
+#include "setae/validation/contour_summary.hpp"
 
 namespace setae::validation {
 namespace {
@@ -29,16 +29,24 @@ imaging::ContourTrace moved(const RenderedContour& rendered, const std::function
     std::vector<double> x, y;
     for (Index i = 4; i + 4 < curve.x.size(); i += 4) {
         if (curve.x[i] < 0.0 || curve.x[i] > static_cast<double>(rendered.width - 1)) continue;
-        const double along_x = curve.x[i + 1] - curve.x[i - 1], along_y = curve.y[i + 1] - curve.y[i - 1], length = std::hypot(along_x, along_y);
+        const double along_x = curve.x[i + 1] - curve.x[i - 1], along_y = curve.y[i + 1] - curve.y[i - 1],
+                     length = std::hypot(along_x, along_y);
         const double by = into_vacuum(i);
         x.push_back(curve.x[i] + by * along_y / length);
         y.push_back(curve.y[i] - by * along_x / length);
     }
-    return trace_of(Eigen::Map<const Array1D>(x.data(), static_cast<Index>(x.size())), Eigen::Map<const Array1D>(y.data(), static_cast<Index>(y.size())));
+    return trace_of(Eigen::Map<const Array1D>(x.data(), static_cast<Index>(x.size())),
+                    Eigen::Map<const Array1D>(y.data(), static_cast<Index>(y.size())));
 }
 
 RenderedContour contour(int bulges = 0, double rms_height = 16.0) {
-    return {simulation::rough_curve({.width = 800, .height = 800, .rms_height = rms_height, .rolloff_wavelength = 800.0, .bulges = bulges, .key = {11, 0}}), 800, 800, 10.0};
+    return {simulation::rough_curve({.width = 800,
+                                     .height = 800,
+                                     .rms_height = rms_height,
+                                     .rolloff_wavelength = 800.0,
+                                     .bulges = bulges,
+                                     .key = {11, 0}}),
+            800, 800, 10.0};
 }
 
 /// Places of the edge in columns of a picture without noise: how much of each column is vacuum.
@@ -52,7 +60,8 @@ TEST(CurveDistance, IsThatOfTheNearestSegmentHoweverFar) {
     const auto curve = contour(4).truth.curve;
     const CurveIndex index(curve);
     for (std::uint64_t i = 0; i < 40; ++i) {
-        const double x = 1000.0 * numerics::uniform_number({1, 1}, 2 * i) - 100.0, y = 1000.0 * numerics::uniform_number({1, 1}, 2 * i + 1) - 100.0;
+        const double x = 1000.0 * numerics::uniform_number({1, 1}, 2 * i) - 100.0,
+                     y = 1000.0 * numerics::uniform_number({1, 1}, 2 * i + 1) - 100.0;
         // points are at most 0.3 px apart
         const double of_points = std::sqrt(((curve.x - x).square() + (curve.y - y).square()).minCoeff());
         const auto found = index.nearest(x, y);
@@ -101,11 +110,11 @@ TEST(ContourComparison, FindsScatterAndItsDensity) {
     auto trace = moved(rendered, [&](Index i) { return 0.3 * noise[i]; });
     trace.segments.front().noise_density = 0.09;  // variance times the distance of points, about 1 px of the level line
     const auto trial = compared(trace, rendered);
-    EXPECT_NEAR(trial.rms_error, 0.3, 0.03);           // of 800 points: 2.5 %; nearest distances are a little less
+    EXPECT_NEAR(trial.rms_error, 0.3, 0.03);            // of 800 points: 2.5 %; nearest distances are a little less
     EXPECT_NEAR(trial.within_two_errors, 0.954, 0.03);  // 0.7 % of 800 points
-    EXPECT_NEAR(trial.floor_ratio, 1.0, 0.75);         // 12 modes, fewer behind a window: 3 · 0.35 of it at most; seen 1.1
+    EXPECT_NEAR(trial.floor_ratio, 1.0, 0.75);  // 12 modes, fewer behind a window: 3 · 0.35 of it at most; seen 1.1
     EXPECT_TRUE(std::isfinite(trial.spectrum_ratio[1]));
-    EXPECT_TRUE(std::isnan(trial.spectrum_ratio[4]));   // below the curve's shortest waves
+    EXPECT_TRUE(std::isnan(trial.spectrum_ratio[4]));  // below the curve's shortest waves
 }
 
 TEST(ContourComparison, FindsOverhangsAndMissesThoseCutOff) {
@@ -119,8 +128,11 @@ TEST(ContourComparison, FindsOverhangsAndMissesThoseCutOff) {
     const auto& curve = rendered.truth.curve;
     std::vector<double> x, y;
     for (Index i = 0; i < curve.x.size(); ++i)
-        if (curve.x[i] >= 0.0 && curve.x[i] <= 799.0 && (x.empty() || curve.x[i] > x.back() + 0.5)) x.push_back(curve.x[i]), y.push_back(curve.y[i]);
-    const auto cut = compared(trace_of(Eigen::Map<const Array1D>(x.data(), static_cast<Index>(x.size())), Eigen::Map<const Array1D>(y.data(), static_cast<Index>(y.size()))), rendered);
+        if (curve.x[i] >= 0.0 && curve.x[i] <= 799.0 && (x.empty() || curve.x[i] > x.back() + 0.5))
+            x.push_back(curve.x[i]), y.push_back(curve.y[i]);
+    const auto cut = compared(trace_of(Eigen::Map<const Array1D>(x.data(), static_cast<Index>(x.size())),
+                                       Eigen::Map<const Array1D>(y.data(), static_cast<Index>(y.size()))),
+                              rendered);
     EXPECT_EQ(cut.overhangs_found, 0);
     EXPECT_GT(cut.largest_error, 3.0);
 }
@@ -138,7 +150,9 @@ TEST(ContourComparison, CountsAMissingStretch) {
     EXPECT_GT(trial.largest_error, 300.0);
 }
 
-ContourTrialOptions small_trials() { return {.runs = 2, .size = 240, .kinds = {"clean", "SNR 2 + overhangs"}, .tracer = column_sums, .threads = {1}}; }
+ContourTrialOptions small_trials() {
+    return {.runs = 2, .size = 240, .kinds = {"clean", "SNR 2 + overhangs"}, .tracer = column_sums, .threads = {1}};
+}
 
 TEST(ContourTrials, OfColumnSumsFindTheEdgeOfCleanPictures) {
     const auto trials = contour_trials(small_trials());
@@ -146,7 +160,8 @@ TEST(ContourTrials, OfColumnSumsFindTheEdgeOfCleanPictures) {
     for (int run = 0; run < 2; ++run) {
         const auto& trial = trials[static_cast<std::size_t>(run)];
         EXPECT_EQ(trial.run, run);
-        // a column's mean is that of its pixel's width, blurred by 0.8 px: short of waves of 10 px by (2π/10)² (0.8² + 1/12)/2 = 14 %
+        // a column's mean is that of its pixel's width, blurred by 0.8 px: short of waves of 10 px by (2π/10)² (0.8² +
+        // 1/12)/2 = 14 %
         EXPECT_LT(trial.rms_error, 0.2);
         EXPECT_LT(std::abs(trial.offset), 0.02);
         EXPECT_NEAR(trial.rms_height_ratio, 1.0, 0.005);
@@ -199,7 +214,15 @@ TEST(ContourTrials, NeedRunsKindsAndATracer) {
 }
 
 TEST(ContourSummary, JudgesByTheWorstRunAndTheMeanSpectrum) {
-    ContourTrial good{.run = 0, .kind = "a", .segments = 1, .completeness = 1.0, .rms_error = 0.3, .largest_error = 1.0, .within_two_errors = 0.95, .rms_height_ratio = 1.01, .floor_ratio = 1.0};
+    ContourTrial good{.run = 0,
+                      .kind = "a",
+                      .segments = 1,
+                      .completeness = 1.0,
+                      .rms_error = 0.3,
+                      .largest_error = 1.0,
+                      .within_two_errors = 0.95,
+                      .rms_height_ratio = 1.01,
+                      .floor_ratio = 1.0};
     good.spectrum_ratio = {1.0, 1.05, undefined, undefined, undefined};
     auto bad = good;
     bad.run = 1;
@@ -213,7 +236,8 @@ TEST(ContourSummary, JudgesByTheWorstRunAndTheMeanSpectrum) {
     std::vector<std::string> failed;
     for (const auto& verdict : contour_verdicts(rows))
         if (!verdict.passed) failed.push_back(verdict.criterion);
-    EXPECT_EQ(failed, (std::vector<std::string>{"rms error below 0.5 px in every run", "C1D of waves of 1000 to 316 px within 10 % on average"}));
+    EXPECT_EQ(failed, (std::vector<std::string>{"rms error below 0.5 px in every run",
+                                                "C1D of waves of 1000 to 316 px within 10 % on average"}));
     EXPECT_NE(contour_table(rows).find("5 of 7 criteria met"), std::string::npos);
 }
 

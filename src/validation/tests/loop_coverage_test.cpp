@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "setae/validation/summary.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/validation/summary.hpp"
 
 namespace setae::validation {
 namespace {
@@ -16,7 +16,9 @@ constexpr int runs = 40;
 LoopCoverageOptions options() { return {.runs = runs, .signal_to_noise = {30.0}, .samples = 200}; }
 
 /// Whether a row is of a route that claims honest intervals.
-bool is_honest(const SummaryRow& row) { return row.method == "a(F) both" || row.method == "F-delta" || row.method == "joint"; }
+bool is_honest(const SummaryRow& row) {
+    return row.method == "a(F) both" || row.method == "F-delta" || row.method == "joint";
+}
 
 TEST(LoopCoverage, OfTheRoutesThatAllowForBothErrorsIsNinetyFivePerCent) {
     // 40 draws at 95 %: fewer than 32 hits has a probability of 2e-4

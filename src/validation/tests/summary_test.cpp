@@ -5,14 +5,17 @@
 
 #include <gtest/gtest.h>
 
-#include "setae/validation/report.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/validation/report.hpp"
 
 namespace setae::validation {
 namespace {
 
 Comparison comparison(int run, double found, double standard_error, const char* method = "average") {
-    return {run, "A", "rms_height", method, "m", Deviation::relative, 2e-9, {.value = found, .standard_error = standard_error}};
+    return {run,          "A",
+            "rms_height", method,
+            "m",          Deviation::relative,
+            2e-9,         {.value = found, .standard_error = standard_error}};
 }
 
 TEST(Comparison, MeasuresDeviationAndIntervalAgainstThePlantedValue) {
@@ -40,7 +43,8 @@ TEST(ShareInterval, IsWilsons) {
 }
 
 TEST(Summary, GivesBiasScatterWorstAndCoverageOfEachQuantityAndMethod) {
-    const auto rows = summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10), comparison(0, 1.0e-9, 1e-10, "paper"), comparison(2, 2.2e-9, 2e-10)});
+    const auto rows = summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10),
+                               comparison(0, 1.0e-9, 1e-10, "paper"), comparison(2, 2.2e-9, 2e-10)});
     ASSERT_EQ(rows.size(), 2u);
     const auto& row = rows[0];
     EXPECT_EQ(row.method, "average");
@@ -81,7 +85,8 @@ TEST(ComparisonsCsv, LeavesWhatIsUndefinedEmpty) {
 }
 
 TEST(ClosureFigure, HasALineAQuantityAndASeriesAMethod) {
-    const auto figure = closure_figure(summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10), comparison(0, 1.0e-9, 1e-10, "paper")}));
+    const auto figure = closure_figure(
+        summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10), comparison(0, 1.0e-9, 1e-10, "paper")}));
     ASSERT_EQ(figure.panels.size(), 2u);
     EXPECT_EQ(figure.panels[0].y.tick_labels, std::vector<std::string>{"rms height"});
     ASSERT_EQ(figure.panels[0].series.size(), 2u);

@@ -5,22 +5,23 @@
 #include <cmath>
 #include <filesystem>
 
-#include "setae/validation/causes.hpp"
-#include "setae/validation/summary.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/scan_kernel.hpp"
+#include "setae/validation/causes.hpp"
+#include "setae/validation/summary.hpp"
 
 namespace {
 
 using namespace setae;
 
-/// E[P_k]/C1D(q_k) of the first fourteen modes of n points for C_iso = q^−(2+2H), so that C1D ∝ q^−(1+2H); relative to the
-/// fourteenth, which reads the truth.
+/// E[P_k]/C1D(q_k) of the first fourteen modes of n points for C_iso = q^−(2+2H), so that C1D ∝ q^−(1+2H); relative to
+/// the fourteenth, which reads the truth.
 Array1D first_modes(Index points, int trend_degree, double hurst) {
     constexpr Index first = -180, last = 90;
     const auto kernel = spectral_fit::scan_kernel({points, trend_degree}, first, last, {1});
-    const Array1D nodes = (Array1D::LinSpaced(last - first + 1, double(first), double(last)) * spectral_fit::node_spacing).exp();
+    const Array1D nodes =
+        (Array1D::LinSpaced(last - first + 1, double(first), double(last)) * spectral_fit::node_spacing).exp();
     const Array1D expected = (kernel.response.matrix() * nodes.pow(-2.0 - 2.0 * hurst).matrix()).array();
     const Array1D modes = Array1D::LinSpaced(14, 1.0, 14.0);
     const Array1D ratio = expected.head(14) * modes.pow(1.0 + 2.0 * hurst);
@@ -44,7 +45,8 @@ TEST(TrendAndWindow, MisreadTheFirstModesAsRandomLinesDo) {
 // Each cause alone, on the first surfaces of the closure: signs and sizes of THEORY §4.2.
 TEST(Causes, DoAloneWhatTheoryMeasured) {
     const auto folder = (std::filesystem::temp_directory_path() / "setae_causes").string();
-    const auto rows = validation::summary(validation::readings_by_cause("tests/reference/closure/surfaces.toml", {.runs = 1, .folder = folder, .threads = {2}}));
+    const auto rows = validation::summary(validation::readings_by_cause("tests/reference/closure/surfaces.toml",
+                                                                        {.runs = 1, .folder = folder, .threads = {2}}));
     std::filesystem::remove_all(folder);
     const auto bias = [&](const char* quantity, const char* cause) {
         for (const auto& row : rows)

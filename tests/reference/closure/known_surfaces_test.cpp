@@ -8,9 +8,9 @@
 
 #include <unistd.h>
 
+#include "setae/core/errors.hpp"
 #include "setae/validation/closure.hpp"
 #include "setae/validation/report.hpp"
-#include "setae/core/errors.hpp"
 
 namespace {
 
@@ -19,7 +19,9 @@ using namespace setae::validation;
 
 Closure closure_with(ClosureOptions options, const std::string& name) {
     options.runs = 1;
-    options.folder = (std::filesystem::temp_directory_path() / ("setae_closure_" + name + "_" + std::to_string(::getpid()))).string();
+    options.folder =
+        (std::filesystem::temp_directory_path() / ("setae_closure_" + name + "_" + std::to_string(::getpid())))
+            .string();
     const auto found = run_closure("tests/reference/closure/surfaces.toml", options);
     std::filesystem::remove_all(options.folder);
     EXPECT_TRUE(found.failed.empty()) << found.failed.front().reason;
@@ -43,7 +45,9 @@ struct Misfit {
     double chi_squared = 0.0;
     int count = 0;
 };
-Misfit misfit(const std::vector<Comparison>& rows, const std::vector<std::string>& quantities = {"rms_height", "C1D 1e5", "C1D 1e6", "C1D 1e7", "C1D 1e8", "C1D 1e9"}) {
+Misfit misfit(const std::vector<Comparison>& rows,
+              const std::vector<std::string>& quantities = {"rms_height", "C1D 1e5", "C1D 1e6", "C1D 1e7", "C1D 1e8",
+                                                            "C1D 1e9"}) {
     Misfit found;
     for (const auto& c : rows) {
         if (std::find(quantities.begin(), quantities.end(), c.quantity) == quantities.end()) continue;
@@ -64,14 +68,16 @@ TEST(KnownSurfaces, AreHeldByTheIntervalsOfEveryQuantityAndDecade) {
     EXPECT_GE(held, static_cast<int>(0.85 * static_cast<double>(rows.size())));
 }
 
-// The cutoff of tip-based data and the simulated tip are what makes the decades right: without either they are many standard
-// deviations off.
+// The cutoff of tip-based data and the simulated tip are what makes the decades right: without either they are many
+// standard deviations off.
 TEST(KnownSurfaces, AreMissedWithoutTheCutoffAndTheTip) {
     const auto with = misfit(only(complete(), "likelihood"));
-    const auto without_both = misfit(only(closure_with({.tip_factor = false, .tip_band = false, .threads = {2}}, "without"), "likelihood"));
+    const auto without_both =
+        misfit(only(closure_with({.tip_factor = false, .tip_band = false, .threads = {2}}, "without"), "likelihood"));
     const std::vector<std::string> where_tips_end{"C1D 1e6", "C1D 1e8"};  // the stylus, the AFM
     const auto with_cutoff = misfit(only(complete(), "likelihood"), where_tips_end);
-    const auto without_cutoff = misfit(only(closure_with({.tip_band = false, .threads = {2}}, "without_cutoff"), "likelihood"), where_tips_end);
+    const auto without_cutoff =
+        misfit(only(closure_with({.tip_band = false, .threads = {2}}, "without_cutoff"), "likelihood"), where_tips_end);
     EXPECT_LT(with.chi_squared, 2.5 * with.count);
     EXPECT_GT(without_both.chi_squared, 20.0 * without_both.count);
     EXPECT_GT(without_cutoff.chi_squared, 3.0 * with_cutoff.chi_squared);
@@ -89,7 +95,8 @@ TEST(KnownSurfaces, AreMissedByThePapersRoute) {
 }
 
 TEST(KnownSurfaces, GiveTheSameBytesForAnyNumberOfThreads) {
-    EXPECT_EQ(comparisons_csv(closure_with({.threads = {2}}, "threads").comparisons), comparisons_csv(complete().comparisons));
+    EXPECT_EQ(comparisons_csv(closure_with({.threads = {2}}, "threads").comparisons),
+              comparisons_csv(complete().comparisons));
 }
 
 TEST(KnownSurfaces, RefuseWhatIsNoRun) {

@@ -62,16 +62,18 @@ TEST(Jkr, LosesTheTabulatedEnergyInItsJumps) {
 
 TEST(Jkr, HasUnitScalesInMaugisUnits) {
     const jkr::MaugisUnits scales = jkr::maugis_units(unit);
-    for (const double scale : {scales.length, scales.height, scales.force, scales.energy}) EXPECT_NEAR(scale, 1.0, tolerance);
+    for (const double scale : {scales.length, scales.height, scales.force, scales.energy})
+        EXPECT_NEAR(scale, 1.0, tolerance);
 }
 
 TEST(Jkr, GivesTheSameNumbersInMaugisUnitsOfAnyContact) {
     const jkr::Contact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.0396};
     const jkr::MaugisUnits scales = jkr::maugis_units(lens);
     EXPECT_NEAR(jkr::ideal_loop_loss(lens).total / scales.energy, 1.2749410291, tolerance);
-    EXPECT_NEAR(jkr::force_at_displacement(1.690598923241 * scales.height, lens) / scales.force, 1.071796769724, tolerance);
-    EXPECT_NEAR(jkr::contact_radius_at_force(-1.449489742783 * scales.force, lens, jkr::Branch::inner) / scales.length, 1.0,
+    EXPECT_NEAR(jkr::force_at_displacement(1.690598923241 * scales.height, lens) / scales.force, 1.071796769724,
                 tolerance);
+    EXPECT_NEAR(jkr::contact_radius_at_force(-1.449489742783 * scales.force, lens, jkr::Branch::inner) / scales.length,
+                1.0, tolerance);
 }
 
 TEST(ContactModulus, OfThePublishedRubbersOnDiamond) {

@@ -10,12 +10,13 @@
 
 namespace setae::reference {
 
-/// Gaussian self-affine surfaces without fault: H of 0.3, 0.5, 0.7, 0.9 in turn, roll-off at an eighth of the size, every other one
-/// sampled from a surface that has shorter waves than its points show.
-[[nodiscard]] topography::HeightMap faultless_map(int number);         ///< 128², 1 µm
-[[nodiscard]] topography::LineScan faultless_line(int number);         ///< 512 points, 4 µm
+/// Gaussian self-affine surfaces without fault: H of 0.3, 0.5, 0.7, 0.9 in turn, roll-off at an eighth of the size,
+/// every other one sampled from a surface that has shorter waves than its points show.
+[[nodiscard]] topography::HeightMap faultless_map(int number);  ///< 128², 1 µm
+[[nodiscard]] topography::LineScan faultless_line(int number);  ///< 512 points, 4 µm
 
-/// Points at least 5 apart (of lines 8), raised or lowered by ten times the rms of what a point departs from the median around it.
+/// Points at least 5 apart (of lines 8), raised or lowered by ten times the rms of what a point departs from the median
+/// around it.
 struct Planted {
     topography::Measurement measurement;
     topography::Mask mask;
@@ -26,8 +27,8 @@ struct Planted {
 /// What a survey of surfaces came to.
 struct Survey {
     int surfaces = 0;
-    int alarmed = 0;                     ///< surfaces with any finding
-    std::map<std::string, int> codes;    ///< of those findings
+    int alarmed = 0;                                              ///< surfaces with any finding
+    std::map<std::string, int> codes;                             ///< of those findings
     int spikes_planted = 0, spikes_found = 0, points_blamed = 0;  ///< blamed: found beside those planted
     [[nodiscard]] double alarm_share() const { return static_cast<double>(alarmed) / surfaces; }
     [[nodiscard]] double found_share() const { return static_cast<double>(spikes_found) / spikes_planted; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the tests of a measurement find faults in surfaces that have none, and how many planted spikes they find: the table of
-// docs/diagnostics.md.  diagnostics_survey [surfaces of each kind, default 100]
+// How often the tests of a measurement find faults in surfaces that have none, and how many planted spikes they find:
+// the table of docs/diagnostics.md.  diagnostics_survey [surfaces of each kind, default 100]
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,11 +14,14 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "expected a number of surfaces >= 1\n");
         return 2;
     }
-    fmt::print("| surfaces | alarmed | findings | spikes planted | found | other points blamed |\n|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| surfaces | alarmed | findings | spikes planted | found | other points blamed |\n|---|---|---|---|---|---|\n");
     const auto row = [&](const char* kind, const setae::reference::Survey& survey) {
         std::string codes;
-        for (const auto& [code, count] : survey.codes) codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", count, code);
-        fmt::print("| {} {} | {:.1f} % | {} | {} | {:.2f} % | {} |\n", survey.surfaces, kind, 100.0 * survey.alarm_share(), codes.empty() ? "none" : codes, survey.spikes_planted,
+        for (const auto& [code, count] : survey.codes)
+            codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", count, code);
+        fmt::print("| {} {} | {:.1f} % | {} | {} | {:.2f} % | {} |\n", survey.surfaces, kind,
+                   100.0 * survey.alarm_share(), codes.empty() ? "none" : codes, survey.spikes_planted,
                    100.0 * survey.found_share(), survey.points_blamed);
     };
     row("maps of 128 x 128 points", setae::reference::survey_maps(surfaces));

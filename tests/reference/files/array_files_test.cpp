@@ -35,15 +35,20 @@ TEST_P(ArrayFiles, HoldTheHeightsAnotherReaderFound) {
     const auto channel = open(path.string(), GetParam().given).at(GetParam().channel);
     EXPECT_EQ(channel.info.name, GetParam().channel_name);
     ASSERT_EQ(channel.info.size.size(), GetParam().size.size());
-    for (std::size_t k = 0; k < GetParam().size.size(); ++k) EXPECT_NEAR(channel.info.size[k], GetParam().size[k], 1e-12 * GetParam().size[k]);
+    for (std::size_t k = 0; k < GetParam().size.size(); ++k)
+        EXPECT_NEAR(channel.info.size[k], GetParam().size[k], 1e-12 * GetParam().size[k]);
     expect_heights_of(channel, entry, GetParam().unit);
 }
 
-INSTANTIATE_TEST_SUITE_P(Real, ArrayFiles,
-                         testing::Values(ArrayFile{"multiple_data_sets.h5", 0, "dataset1", {.size = {{1e-6, 2e-6}}, .unit = "um"}, units::um, {1e-6, 2e-6}},
-                                         ArrayFile{"multiple_data_sets.h5", 1, "dataset2", {.size = {{1e-6, 2e-6}}, .unit = "nm"}, units::nm, {1e-6, 2e-6}},
-                                         ArrayFile{"nc-1.nc", 0, "heights", {}, units::nm, {5e-9, 10e-9}},
-                                         ArrayFile{"example-2d.npy", 0, "heights", {.size = {{1e-6, 2e-6}}, .unit = "m"}, 1.0, {1e-6, 2e-6}}));
+INSTANTIATE_TEST_SUITE_P(
+    Real, ArrayFiles,
+    testing::Values(
+        ArrayFile{
+            "multiple_data_sets.h5", 0, "dataset1", {.size = {{1e-6, 2e-6}}, .unit = "um"}, units::um, {1e-6, 2e-6}},
+        ArrayFile{
+            "multiple_data_sets.h5", 1, "dataset2", {.size = {{1e-6, 2e-6}}, .unit = "nm"}, units::nm, {1e-6, 2e-6}},
+        ArrayFile{"nc-1.nc", 0, "heights", {}, units::nm, {5e-9, 10e-9}},
+        ArrayFile{"example-2d.npy", 0, "heights", {.size = {{1e-6, 2e-6}}, .unit = "m"}, 1.0, {1e-6, 2e-6}}));
 
 TEST(ArrayFilesOfContainers, TellTheInstrumentOfTheirAttributes) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
@@ -72,7 +77,8 @@ TEST(WrongNpy, IsRefusedByItsFirstBytes) {
         (void)open(path.string());
         FAIL() << "opened";
     } catch (const FormatError& error) {
-        EXPECT_NE(std::string(error.what()).find("at byte 0: begins with '\\xef\\xbf\\xbdNUMPY"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("at byte 0: begins with '\\xef\\xbf\\xbdNUMPY"), std::string::npos)
+            << error.what();
     }
 }
 

@@ -23,7 +23,8 @@ TEST(Wsxm, IntegersSpanTheAmplitudeOfTheHeader) {
     expect_entry_of(channels[0], expected_entry("topography/surfacetopography/top-1.top"), units::nm);
     EXPECT_NEAR(map.heights.maxCoeff() - map.heights.minCoeff(), 18.8851 * units::nm, 1e-15);
     // the instrument's own calibration: 21.2 nm at gain 3 for a DSP range of 20 V and 16 bits
-    EXPECT_NEAR((map.heights.maxCoeff() - map.heights.minCoeff()) / 973.0, 21.2 * units::nm * 3.0 * 20.0 / 65536.0, 1e-5 * 0.0194 * units::nm);
+    EXPECT_NEAR((map.heights.maxCoeff() - map.heights.minCoeff()) / 973.0, 21.2 * units::nm * 3.0 * 20.0 / 65536.0,
+                1e-5 * 0.0194 * units::nm);
     EXPECT_EQ(channels[0].info.metadata.acquisition_time, "03/11/2011, 20:23:46.484");
     EXPECT_EQ(channels[0].info.unit, "nm");
 }
@@ -35,7 +36,8 @@ TEST(Wsxm, DoublesAreHeightsAsTheyStand) {
     EXPECT_NEAR(map.heights.sum() / units::nm, -15070620.440757688, 1e-11 * 15070620.0);
     EXPECT_NEAR(map.pixel_size()[0] / units::nm, 0.9765625, 1e-12);
     EXPECT_NEAR(map.pixel_size()[1] / units::nm, 0.9765625, 1e-12);
-    EXPECT_NEAR((map.heights.maxCoeff() - map.heights.minCoeff()) / units::nm, 59.7449, 1e-6) << "the Z amplitude of the header";
+    EXPECT_NEAR((map.heights.maxCoeff() - map.heights.minCoeff()) / units::nm, 59.7449, 1e-6)
+        << "the Z amplitude of the header";
 }
 
 TEST(Sensofar, TopographyWithItsTime) {
@@ -56,7 +58,8 @@ TEST(Alicona, DepthImage) {
 }
 
 TEST(NtMdt, ForceCurvesAsTextAreNoTopography) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
+    SETAE_REQUIRE_REFERENCE_DATA(path,
+                                 "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
     EXPECT_THROW((void)read(path.string()), Error) << "neither size nor unit stands in the file";
 }
 

@@ -26,7 +26,8 @@ std::vector<std::string> codes(const std::vector<Alert>& alerts) {
 
 /// A path that goes away with the test.
 struct TemporaryPath {
-    std::string path = (std::filesystem::temp_directory_path() / fmt::format("setae_container_files_{}.zip", getpid())).string();
+    std::string path =
+        (std::filesystem::temp_directory_path() / fmt::format("setae_container_files_{}.zip", getpid())).string();
     ~TemporaryPath() { std::filesystem::remove(path); }
 };
 
@@ -48,7 +49,8 @@ TEST(UncdContainer, IndexIsUnderstoodWhole) {
 TEST(UncdContainer, CheckFindsTheScaleThatIsThereTwice) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
     const auto report = check_container(bytes::file_source(path.string()));
-    EXPECT_EQ(codes(report.alerts), (std::vector<std::string>{"NOT_IN_SCHEMA", "SCALE_TWICE"}));  // its surface has no name
+    EXPECT_EQ(codes(report.alerts),
+              (std::vector<std::string>{"NOT_IN_SCHEMA", "SCALE_TWICE"}));  // its surface has no name
     EXPECT_TRUE(report.differences.empty());
 }
 
@@ -61,14 +63,18 @@ TEST(UncdContainer, UpgradedHasTheSameHeightsAndItsFilesByteForByte) {
     write_container(written.path, draft.container, draft.members);
     const auto before = open(path.string()), after = open(written.path);
     ASSERT_EQ(after.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE((topography::all_heights(before[i].read()) == topography::all_heights(after[i].read())).all()) << i;
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_TRUE((topography::all_heights(before[i].read()) == topography::all_heights(after[i].read())).all()) << i;
     const auto& topographies = draft.container.surfaces[0].topographies;
     EXPECT_EQ(topographies[1].height_scale, std::nullopt);
     for (const auto& topography : topographies)
-        EXPECT_EQ(container_member(bytes::file_source(written.path), topography.datafile.original).all(), container_member(source, topography.datafile.original).all());
-    EXPECT_EQ(codes(check_container(bytes::file_source(written.path)).alerts), std::vector<std::string>{"NOT_IN_SCHEMA"});
+        EXPECT_EQ(container_member(bytes::file_source(written.path), topography.datafile.original).all(),
+                  container_member(source, topography.datafile.original).all());
+    EXPECT_EQ(codes(check_container(bytes::file_source(written.path)).alerts),
+              std::vector<std::string>{"NOT_IN_SCHEMA"});
     // the copy that programs without a reader of the original take: 4.68792 nm with the scale applied once
-    const auto copy = open(container_member(bytes::file_source(written.path), topographies[1].datafile.squeezed), {}).at(0).read();
+    const auto copy =
+        open(container_member(bytes::file_source(written.path), topographies[1].datafile.squeezed), {}).at(0).read();
     EXPECT_NEAR(std::sqrt(topography::all_heights(copy).square().mean()) / units::nm, 4.68792, 1e-4 * 4.68792);
 }
 

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "reference_data.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::formats {
 namespace {
@@ -66,7 +66,8 @@ void expect_consistent(const Channel& channel) {
     const auto measurement = channel.read();
     EXPECT_NO_THROW(topography::validate(measurement));
     const auto [nx, ny] = topography::shape(measurement);
-    EXPECT_EQ(info.shape, (std::holds_alternative<topography::HeightMap>(measurement) ? std::vector<Index>{nx, ny} : std::vector<Index>{nx}));
+    EXPECT_EQ(info.shape, (std::holds_alternative<topography::HeightMap>(measurement) ? std::vector<Index>{nx, ny}
+                                                                                      : std::vector<Index>{nx}));
     EXPECT_FALSE(info.unit.empty());
     const auto& metadata = topography::metadata(measurement);
     EXPECT_EQ(metadata.unit, info.unit);
@@ -85,10 +86,8 @@ TEST(EveryFile, OpensOrIsRefusedForItsReason) {
             EXPECT_FALSE(channels.empty());
             for (const auto& channel : channels) expect_consistent(channel);
         } catch (const Error& error) {
-            if (reason == refused().end())
-                ADD_FAILURE() << error.what();
-            else
-                EXPECT_NE(std::string(error.what()).find(reason->second), std::string::npos) << error.what();
+            if (reason == refused().end()) ADD_FAILURE() << error.what();
+            else EXPECT_NE(std::string(error.what()).find(reason->second), std::string::npos) << error.what();
         }
     }
 }
@@ -109,7 +108,8 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
     for (const auto& path : all_files()) {
         const bool text = path.extension() == ".txt" || path.extension() == ".csv";
         const bool compressed = path.extension() == ".mnt";  // what its objects are stands in the stream of their data
-        if (fs::file_size(path) < 2'000'000 || text || compressed || refused().contains(path.filename().string())) continue;
+        if (fs::file_size(path) < 2'000'000 || text || compressed || refused().contains(path.filename().string()))
+            continue;
         SCOPED_TRACE(path.string());
         const auto before = bytes_read();
         (void)open(path.string(), {.unit = "nm"});
@@ -138,7 +138,8 @@ TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
     for (const auto& path : all_files()) {
         if (refused().contains(path.filename().string())) continue;
         const auto content = bytes::read_file(path.string());
-        if (looks_like_text_file(content) || path.extension() == ".csv") continue;  // a shorter text, also in UTF-16, is a whole one, too
+        if (looks_like_text_file(content) || path.extension() == ".csv")
+            continue;  // a shorter text, also in UTF-16, is a whole one, too
         const auto footer = footers.find(path.filename().string());
         const auto announced = content.size() - (footer == footers.end() ? 0 : footer->second);
         SCOPED_TRACE(path.string());

@@ -38,7 +38,8 @@ TEST(X3p2, AgreesWithSurfaceTopography) {
     EXPECT_EQ(map.heights.isNaN().count(), 0);
     EXPECT_NEAR(standard_deviation(map.heights), 7.728033273597876e-08, 1e-6 * 7.7e-8);
     EXPECT_NEAR(map.heights.mean(), -2.491824169305575e-09, 1e-17);
-    expect_corners(map, {6.579781341223288e-08, 9.597611341223287e-08, -4.133318658776711e-08, -3.276918658776711e-08}, 1e-20);
+    expect_corners(map, {6.579781341223288e-08, 9.597611341223287e-08, -4.133318658776711e-08, -3.276918658776711e-08},
+                   1e-20);
 }
 
 TEST(X3p2, PlaceholdersOfItsProgramAreNoMetadata) {

@@ -17,7 +17,9 @@ TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
     const auto guess = tables::guess_columns(path.string());
     EXPECT_EQ(guess.columns.size(), 6u);
     EXPECT_EQ(guess.file.decimal_point, ',');
-    EXPECT_TRUE(holds(tables::describe(guess), "displacement: undecided between column 1 'Piezo position' [nm] and column 2 'MEMS displ.' [nm]")) << tables::describe(guess);
+    EXPECT_TRUE(holds(tables::describe(guess),
+                      "displacement: undecided between column 1 'Piezo position' [nm] and column 2 'MEMS displ.' [nm]"))
+        << tables::describe(guess);
     EXPECT_TRUE(holds(tables::describe(guess), "time: column 3 'Time' [ms]"));
     EXPECT_THROW((void)tables::mapping_from(guess), FormatError);
 }
@@ -68,7 +70,8 @@ TEST(RealForceCurves, AfmWorkshopAgreesWithAfmformats) {
 }
 
 TEST(RealForceCurves, NtMdtAgreesWithAfmformats) {
-    SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
+    SETAE_REQUIRE_REFERENCE_DATA(path,
+                                 "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
     const auto table = tables::read_force_curve(path.string(), {.spring_constant = 0.04, .sensitivity = 60.0});
     ASSERT_EQ(table.rows(), 1644);
     EXPECT_NEAR(table.at("force")[0], -2.6479199999999997e-09, 1e-22);

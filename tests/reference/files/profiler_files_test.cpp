@@ -6,12 +6,13 @@
 
 #include "expected_file.hpp"
 #include "reference_data.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/bytes/source.hpp"
 #include "setae/tables/table_file.hpp"
 
-// Files of stylus and optical profilers against another reader, a text export and what is known of the objects measured.
+// Files of stylus and optical profilers against another reader, a text export and what is known of the objects
+// measured.
 namespace setae::formats {
 namespace {
 
@@ -35,7 +36,9 @@ TEST(OpdFile, ExtentsOfItsTreeGoFromTheFirstPointToTheLast) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opd-1.opd"));
     const auto channels = open(path.string());
     EXPECT_EQ(channels[2].info.name, "Modulation");
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(channels[2].info.size[i] / channels[0].info.size[i], 1.0, 1e-8) << "the same pixels by extent and by pixel size";
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(channels[2].info.size[i] / channels[0].info.size[i], 1.0, 1e-8)
+            << "the same pixels by extent and by pixel size";
 }
 
 TEST(OpdxFile, AgreesWithItsExport) {
@@ -61,7 +64,8 @@ TEST(OpdxFile, TellsStylusAndInstrument) {
     EXPECT_EQ(metadata.instrument.type, "stylus");
     EXPECT_NEAR(metadata.instrument.tip_radius.value(), 2e-6, 1e-18);
     EXPECT_EQ(metadata.acquisition_time, "2/11/2021 11:39:13 PM");
-    EXPECT_EQ(metadata.attributes.at("time_stamp"), "2021-11-02 15:39:13 UTC") << "2 November, as its name Reference-2021.11.02 says, not 11 February";
+    EXPECT_EQ(metadata.attributes.at("time_stamp"), "2021-11-02 15:39:13 UTC")
+        << "2 November, as its name Reference-2021.11.02 says, not 11 February";
     EXPECT_EQ(metadata.attributes.at("data_set"), "Reference-2021.11.02_50um.OPDx");
 }
 
@@ -81,15 +85,18 @@ TEST(BcrFile, HeightsAreThoseOfAnotherReader) {
     expect_heights_of(open(path.string()).at(0), expected_entry(in_folder("bcrf-1.bcrf")), units::nm);
 }
 
-/// mnt-1.mnt holds the same measurement, with the distance from point to point: xlength goes from the first to the last.
+/// mnt-1.mnt holds the same measurement, with the distance from point to point: xlength goes from the first to the
+/// last.
 TEST(BcrFile, SizeAndHeightsAreThoseOfTheSameMeasurementInAnotherFormat) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("bcrf-1.bcrf"));
     const auto channel = open(path.string()).at(0);
     const auto map = std::get<HeightMap>(channel.read());
     const auto entry = expected_entry(in_folder("mnt-1.mnt"));
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(map.size[i] / units::um / entry.at("physical_sizes").at(i).get<double>(), 1.0, 1e-8) << i;
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(map.size[i] / units::um / entry.at("physical_sizes").at(i).get<double>(), 1.0, 1e-8) << i;
     const auto& corners = entry.at("peer_computed").at("corners_00_0m1_m10_m1m1");
-    EXPECT_NEAR(map.heights(0, 0) / units::nm, corners.at(0).get<double>() * 1e3, 1e-4);  // heights in steps of 0.1 pm and 4 pm
+    EXPECT_NEAR(map.heights(0, 0) / units::nm, corners.at(0).get<double>() * 1e3,
+                1e-4);  // heights in steps of 0.1 pm and 4 pm
     EXPECT_NEAR(map.heights(959, 599) / units::nm, corners.at(3).get<double>() * 1e3, 1e-4);
     EXPECT_EQ(channel.info.alerts.at(0).code, "SIZE_BETWEEN_POINTS");
 }
@@ -139,7 +146,8 @@ TEST(TrueMapFile, UnitAssumedMakesTheCoinAsLargeAsItIs) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("tmd-1.tmd"));
     const auto map = std::get<HeightMap>(read(path.string()));
     const Array1D middle = map.heights.col(150);
-    const double across_rim = static_cast<double>(highest(middle, 250, 300) - highest(middle, 10, 60)) * map.pixel_size()[0];
+    const double across_rim =
+        static_cast<double>(highest(middle, 250, 300) - highest(middle, 10, 60)) * map.pixel_size()[0];
     EXPECT_NEAR(across_rim / units::mm, 17.4, 0.6) << "from middle to middle of a rim of some 0.5 mm";
 }
 

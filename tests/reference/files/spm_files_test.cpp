@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "reference_data.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/bytes/source.hpp"
 #include "setae/topography/detrend.hpp"
 
 namespace setae::formats {
@@ -28,7 +28,8 @@ std::array<double, 4> corners(const HeightMap& map, double unit) {
 
 void expect_corners(const HeightMap& map, double unit, const std::array<double, 4>& expected) {
     const auto found = corners(map, unit);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found[k], expected[k], 1e-9 * std::abs(expected[k])) << "corner " << k;
+    for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(found[k], expected[k], 1e-9 * std::abs(expected[k])) << "corner " << k;
 }
 
 const Channel& named(const std::vector<Channel>& channels, const std::string& name) {
@@ -38,7 +39,9 @@ const Channel& named(const std::vector<Channel>& channels, const std::string& na
 }
 
 /// Pearson's correlation of two maps.
-double correlation(const Array2D& a, const Array2D& b) { return ((a - a.mean()) * (b - b.mean())).mean() / (spread(a) * spread(b)); }
+double correlation(const Array2D& a, const Array2D& b) {
+    return ((a - a.mean()) * (b - b.mean())).mean() / (spread(a) * spread(b));
+}
 
 TEST(JpkFile, SumOfTheHeightIsTheOnePublished) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.jpk");
@@ -65,8 +68,12 @@ TEST(JpkFile, ListsEveryChannelWithItsUnit) {
 TEST(JpkFile, MeasuredHeightFollowsTheHeightOfThePiezo) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.jpk");
     const auto channels = open(path.string());
-    EXPECT_GT(correlation(map_of(named(channels, "Height (trace)")).heights, map_of(named(channels, "Height (measured, trace)")).heights), 0.9);
-    EXPECT_GT(correlation(map_of(named(channels, "Height (trace)")).heights, map_of(named(channels, "Height (retrace)")).heights), 0.9);
+    EXPECT_GT(correlation(map_of(named(channels, "Height (trace)")).heights,
+                          map_of(named(channels, "Height (measured, trace)")).heights),
+              0.9);
+    EXPECT_GT(correlation(map_of(named(channels, "Height (trace)")).heights,
+                          map_of(named(channels, "Height (retrace)")).heights),
+              0.9);
 }
 
 TEST(JpkQiFile, SumOfTheHeightIsTheOnePublished) {
@@ -91,7 +98,8 @@ TEST(ParkFile, HasShapeSizeAndHeightsOfAnotherReader) {
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{512, 512}));
     EXPECT_NEAR(map.size[0], 1e-6, 1e-18);
     EXPECT_NEAR(spread(map.heights) / units::um, 0.003933333733759224, 1e-6 * 0.0039333);
-    expect_corners(map, units::um, {-0.002019951078814785, 0.0038381673206220246, 0.0008950688309749014, 0.0020836386214921217});
+    expect_corners(map, units::um,
+                   {-0.002019951078814785, 0.0038381673206220246, 0.0008950688309749014, 0.0020836386214921217});
     EXPECT_EQ(map.metadata.attributes.at("cantilever"), "NCHR");
     EXPECT_EQ(map.metadata.acquisition_time, "2022:10:15 17:07:06");
 }
@@ -99,7 +107,8 @@ TEST(ParkFile, HasShapeSizeAndHeightsOfAnotherReader) {
 TEST(ParkFile, OrientationIsThatOfThePictureInTheSameFile) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/example_ps.tiff");
     const auto map = map_of(open(path.string()).at(0));
-    const auto bytes = bytes::file_source(path.string()).bytes(1051403, 256 * 256);  // the only page: 8 bits, strips side by side
+    const auto bytes =
+        bytes::file_source(path.string()).bytes(1051403, 256 * 256);  // the only page: 8 bits, strips side by side
     Array2D heights(256, 256), picture(256, 256);
     for (Index i = 0; i < 256; ++i)
         for (Index j = 0; j < 256; ++j) {
@@ -119,15 +128,17 @@ TEST(IbwFile, HeightsAreThoseOfAnotherReader) {
     const auto trace = map_of(named(channels, "HeightTrace")), retrace = map_of(named(channels, "HeightRetrace"));
     EXPECT_EQ(trace.shape(), (std::array<Index, 2>{256, 256}));
     EXPECT_NEAR(spread(trace.heights), 8.945481491256412e-08, 1e-6 * 8.945e-8);
-    expect_corners(trace, 1.0, {-3.9969469867173757e-07, -3.3123345133390103e-07, -7.045921961434942e-07, -6.817558642069343e-07});
+    expect_corners(trace, 1.0,
+                   {-3.9969469867173757e-07, -3.3123345133390103e-07, -7.045921961434942e-07, -6.817558642069343e-07});
     EXPECT_NEAR(spread(retrace.heights), 1.1028457213263467e-07, 1e-6 * 1.1e-7);
-    expect_corners(retrace, 1.0, {-3.0985046350906487e-07, -2.915543859671743e-07, -6.877208988953498e-07, -6.616979817408719e-07});
+    expect_corners(retrace, 1.0,
+                   {-3.0985046350906487e-07, -2.915543859671743e-07, -6.877208988953498e-07, -6.616979817408719e-07});
     EXPECT_EQ(trace.metadata.instrument.name, "Cypher");
     EXPECT_EQ(trace.metadata.acquisition_time, "2019-10-24 12:14:13 PM");
 }
 
-/// Igor's point k lies at k · sfA, and Asylum sets sfA to scan size over n − 1: from the first point to the last are 20 µm, and the
-/// map of 256 pixels is 256 sfA wide.
+/// Igor's point k lies at k · sfA, and Asylum sets sfA to scan size over n − 1: from the first point to the last are 20
+/// µm, and the map of 256 pixels is 256 sfA wide.
 TEST(IbwFile, ScanSizeLiesBetweenFirstAndLastPoint) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
     const auto map = map_of(open(path.string()).at(0));
@@ -141,7 +152,10 @@ TEST(IbwFile, ScanSizeLiesBetweenFirstAndLastPoint) {
 TEST(IbwFile, PotentialIsNoLength) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
     const auto channels = open(path.string());
-    for (const auto& [name, unit] : {std::pair{"NapPotentialTrace", "V"}, {"NapPotentialRetrace", "V"}, {"PhaseTrace", "deg"}, {"AmplitudeRetrace", "m"}}) {
+    for (const auto& [name, unit] : {std::pair{"NapPotentialTrace", "V"},
+                                     {"NapPotentialRetrace", "V"},
+                                     {"PhaseTrace", "deg"},
+                                     {"AmplitudeRetrace", "m"}}) {
         EXPECT_EQ(named(channels, name).info.unit, unit) << name;
         EXPECT_FALSE(named(channels, name).info.is_height) << name;
     }
@@ -168,7 +182,8 @@ TEST(MiFile, HeightsAreThoseOfAnotherReader) {
     EXPECT_NEAR(map.size[0], 20e-6, 1e-17);
     EXPECT_NEAR(map.size[1], 20e-6, 1e-17);
     EXPECT_NEAR(spread(map.heights) / units::um, 0.033215426493512654, 1e-6 * 0.0332);
-    expect_corners(map, units::um, {-0.49869003295898445, -0.5122423553466797, -0.5981623077392578, -0.6289871978759767});
+    expect_corners(map, units::um,
+                   {-0.49869003295898445, -0.5122423553466797, -0.5981623077392578, -0.6289871978759767});
     EXPECT_EQ(map.metadata.acquisition_time, "Tue Feb 18 15:00:51 2014");
     EXPECT_EQ(channels[3].info.name, "Friction (retrace)");
     for (std::size_t k = 1; k < 4; ++k) {
@@ -177,7 +192,8 @@ TEST(MiFile, HeightsAreThoseOfAnotherReader) {
     }
 }
 
-/// The rms that its manufacturer's package publishes for this file, after the best straight line of each line of the scan is removed.
+/// The rms that its manufacturer's package publishes for this file, after the best straight line of each line of the
+/// scan is removed.
 TEST(NanosurfFile, RmsAfterFlatteningIsTheOnePublished) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanosurf/sapphire.nid");
     const auto channels = open(path.string());
@@ -194,7 +210,8 @@ TEST(NanosurfFile, ListsForwardAndBackwardChannels) {
     const auto channels = open(path.string());
     EXPECT_EQ(named(channels, "Phase (Scan backward)").info.unit, "deg");
     EXPECT_EQ(named(channels, "Amplitude (Scan forward)").info.unit, "V");
-    const auto forward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan forward)")), 1).heights, backward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan backward)")), 1).heights;
+    const auto forward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan forward)")), 1).heights,
+               backward = topography::flattened_lines(map_of(named(channels, "Z-Axis (Scan backward)")), 1).heights;
     EXPECT_GT(correlation(forward, backward), correlation(forward, backward.colwise().reverse()));
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* mapping_path = "examples/mappings/eoh.toml";
 
-/// Points, F_max and F_po [nN] as the files' MEMS columns give them: extremes above the median of the first 5 % of points.
+/// Points, F_max and F_po [nN] as the files' MEMS columns give them: extremes above the median of the first 5 % of
+/// points.
 struct Loop {
     const char* file;
     Index points;
@@ -50,8 +51,10 @@ TEST_P(MemsLoop, IsReadThroughTheMapping) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, MemsLoop,
-                         testing::Values(Loop{"pdms_a.txt", 1534, 1432, -2115.1}, Loop{"pdms_b.txt", 1734, 2075, -2094.0},
-                                         Loop{"pdms_c.txt", 2068, 3171, -2119.1}, Loop{"pdms_10-1_d.txt", 3101, 949, -2797.0}));
+                         testing::Values(Loop{"pdms_a.txt", 1534, 1432, -2115.1},
+                                         Loop{"pdms_b.txt", 1734, 2075, -2094.0},
+                                         Loop{"pdms_c.txt", 2068, 3171, -2119.1},
+                                         Loop{"pdms_10-1_d.txt", 3101, 949, -2797.0}));
 
 TEST(MemsTable, OfDriftOnlyIsRefusedForItsMissingColumn) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/drift_only.txt");

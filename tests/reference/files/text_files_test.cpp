@@ -6,11 +6,11 @@
 
 #include "expected_file.hpp"
 #include "reference_data.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/topography/detrend.hpp"
 
 namespace setae::formats {
@@ -22,7 +22,8 @@ using topography::Profile;
 
 std::string in_folder(const char* name) { return std::string("topography/surfacetopography/") + name; }
 
-/// A file of expected/topography_files.json; its numbers are in `unit`, which is given where the file states none, as is the size.
+/// A file of expected/topography_files.json; its numbers are in `unit`, which is given where the file states none, as
+/// is the size.
 struct TextFile {
     const char* name;
     double unit;
@@ -48,13 +49,20 @@ const ReadOptions microns{{}, "um"};
 
 INSTANTIATE_TEST_SUITE_P(
     All, TextFiles,
-    testing::Values(TextFile{"csv-1.csv", units::um}, TextFile{"csv-2.csv", units::um}, TextFile{"csv-3.csv", units::um}, TextFile{"dektak-1.csv", units::um}, TextFile{"hfm-1.hfm", units::mm},
-                    TextFile{"gwyddion-export-english.txt", units::m}, TextFile{"gwyddion-export-german.txt", units::m}, TextFile{"matrix-4.txt", units::m}, TextFile{"matrix-4.txt.gz", units::m},
-                    TextFile{"matrix-5.txt", units::nm, {{{10e-9, 10e-9}}, "nm"}}, TextFile{"matrix-6.txt", units::m}, TextFile{"txt_example.txt", units::m},
-                    TextFile{"single_column.txt", units::um, {{{9e-6}}, "um"}}, TextFile{"not-yet-working-1.txt", units::um, {{{9e-6}}, "um"}}, TextFile{"nonuniform.asc", units::nm, {{}, "nm"}},
-                    TextFile{"opdx-3.txt", units::m, {{}, "m"}}, TextFile{"xy-1.txt", units::um, microns}, TextFile{"xy-2.txt", units::um}, TextFile{"xy-3.txt", units::um, microns},
-                    TextFile{"xy-4.txt", units::um, microns}, TextFile{"xy-5.txt", units::um, microns}, TextFile{"xyz-1.txt", units::um, microns},
-                    TextFile{"xyz-1-different-order.txt", units::um, microns}, TextFile{"xyz-2.txt", units::um, microns}, TextFile{"mitutoyo_mock.xlsx", units::um},
+    testing::Values(TextFile{"csv-1.csv", units::um}, TextFile{"csv-2.csv", units::um},
+                    TextFile{"csv-3.csv", units::um}, TextFile{"dektak-1.csv", units::um},
+                    TextFile{"hfm-1.hfm", units::mm}, TextFile{"gwyddion-export-english.txt", units::m},
+                    TextFile{"gwyddion-export-german.txt", units::m}, TextFile{"matrix-4.txt", units::m},
+                    TextFile{"matrix-4.txt.gz", units::m},
+                    TextFile{"matrix-5.txt", units::nm, {{{10e-9, 10e-9}}, "nm"}}, TextFile{"matrix-6.txt", units::m},
+                    TextFile{"txt_example.txt", units::m}, TextFile{"single_column.txt", units::um, {{{9e-6}}, "um"}},
+                    TextFile{"not-yet-working-1.txt", units::um, {{{9e-6}}, "um"}},
+                    TextFile{"nonuniform.asc", units::nm, {{}, "nm"}}, TextFile{"opdx-3.txt", units::m, {{}, "m"}},
+                    TextFile{"xy-1.txt", units::um, microns}, TextFile{"xy-2.txt", units::um},
+                    TextFile{"xy-3.txt", units::um, microns}, TextFile{"xy-4.txt", units::um, microns},
+                    TextFile{"xy-5.txt", units::um, microns}, TextFile{"xyz-1.txt", units::um, microns},
+                    TextFile{"xyz-1-different-order.txt", units::um, microns},
+                    TextFile{"xyz-2.txt", units::um, microns}, TextFile{"mitutoyo_mock.xlsx", units::um},
                     TextFile{"mitutoyo_2_mock.xlsx", units::um}, TextFile{"mitutoyo_nonuniform_mock.xlsx", units::um}),
     [](const auto& instance) {
         std::string name = instance.param.name;
@@ -68,13 +76,13 @@ TEST(TextFile, ProfileWithAnUndefinedPointHasTheOthersHeights) {
     const auto profile = std::get<Profile>(read(path.string(), 0, microns));
     EXPECT_EQ(profile.positions.size(), 4);
     EXPECT_EQ(profile.heights.isNaN().count(), 1);  // the other reader has nan for all statistics
-    for (const double height : profile.heights)
-        EXPECT_TRUE(std::isnan(height) || height == 1.0 * units::um) << height;
+    for (const double height : profile.heights) EXPECT_TRUE(std::isnan(height) || height == 1.0 * units::um) << height;
 }
 
 TEST(TextFile, PackedTwinIsTheSameToTheBit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("matrix-4.txt"));
-    const auto plain = std::get<HeightMap>(read(path.string())), packed = std::get<HeightMap>(read(path.string() + ".gz"));
+    const auto plain = std::get<HeightMap>(read(path.string())),
+               packed = std::get<HeightMap>(read(path.string() + ".gz"));
     EXPECT_TRUE((plain.heights == packed.heights).all());
     EXPECT_EQ(plain.size, packed.size);
 }
@@ -111,11 +119,15 @@ TEST(Dektak, KeepsItsResults) {
 TEST(Mitutoyo, KeepsTheInstrumentsOwnParameters) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("mitutoyo_2_mock.xlsx"));
     const auto metadata = topography::metadata(read(path.string()));
-    for (const auto& [name, value] : {std::pair{"Ra", "3.308 µm"}, {"Rq", "3.959 µm"}, {"Rz", "18.485 µm"}, {"Rp", "8.244 µm"}, {"Rv", "10.240 µm"}, {"Rsk", "-0.144"}, {"Rku", "2.463"},
-                                      {"Rc", "13.306 µm"}, {"RSm", "419.9 µm"}, {"RDq", "0.157"}, {"Rmr", "0.030 %"}, {"Rmr(c)1", "2.911 %"}, {"Rmr(c)2", "5.822 %"}, {"Rdc", "1.828 µm"},
-                                      {"Rt", "22.233 µm"}, {"Rz1max", "22.062 µm"}, {"Rk", "11.440 µm"}, {"Rpk", "2.912 µm"}, {"Rvk", "3.980 µm"}, {"Mr1", "5.822 %"}, {"Mr2", "92.617 %"},
-                                      {"A1", "8.48"}, {"A2", "14.69"}})
-        EXPECT_TRUE(metadata.attributes.contains(name) && metadata.attributes.at(name).starts_with(value)) << name << ": " << (metadata.attributes.contains(name) ? metadata.attributes.at(name) : "");
+    for (const auto& [name, value] :
+         {std::pair{"Ra", "3.308 µm"}, {"Rq", "3.959 µm"},  {"Rz", "18.485 µm"}, {"Rp", "8.244 µm"},
+          {"Rv", "10.240 µm"},         {"Rsk", "-0.144"},   {"Rku", "2.463"},    {"Rc", "13.306 µm"},
+          {"RSm", "419.9 µm"},         {"RDq", "0.157"},    {"Rmr", "0.030 %"},  {"Rmr(c)1", "2.911 %"},
+          {"Rmr(c)2", "5.822 %"},      {"Rdc", "1.828 µm"}, {"Rt", "22.233 µm"}, {"Rz1max", "22.062 µm"},
+          {"Rk", "11.440 µm"},         {"Rpk", "2.912 µm"}, {"Rvk", "3.980 µm"}, {"Mr1", "5.822 %"},
+          {"Mr2", "92.617 %"},         {"A1", "8.48"},      {"A2", "14.69"}})
+        EXPECT_TRUE(metadata.attributes.contains(name) && metadata.attributes.at(name).starts_with(value))
+            << name << ": " << (metadata.attributes.contains(name) ? metadata.attributes.at(name) : "");
     EXPECT_EQ(metadata.attributes.at("Cut-Off"), "2.5mm");
     EXPECT_EQ(metadata.acquisition_time, "20- Jun -2023");
     EXPECT_EQ(metadata.instrument.name, "Mitutoyo SurfTest");
@@ -134,7 +146,8 @@ double rms_without_parabola(const topography::Measurement& measurement) {
 }
 
 TEST(Dabam, GivesThePublishedRmsHeights) {
-    for (const auto& mirror : {Mirror{"dabam-010", 3.048414e-9, 2e-6}, Mirror{"dabam-011", 3.23343e-9, 2e-6}, Mirror{"dabam-014", 15.372782e-9, 1e-2}, Mirror{"dabam-041", 10.854e-9, 1e-3},
+    for (const auto& mirror : {Mirror{"dabam-010", 3.048414e-9, 2e-6}, Mirror{"dabam-011", 3.23343e-9, 2e-6},
+                               Mirror{"dabam-014", 15.372782e-9, 1e-2}, Mirror{"dabam-041", 10.854e-9, 1e-3},
                                Mirror{"dabam-045", 62e-9, 1e-2}}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, std::string("topography/profiles/") + mirror.file + ".dat");
         const auto channel = open(path.string()).at(0);

@@ -6,12 +6,12 @@
 
 #include "expected_file.hpp"
 #include "reference_data.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/topography/detrend.hpp"
 
 namespace setae::formats {
@@ -39,7 +39,8 @@ double polyline_rms(const Profile& profile) {
 double polyline_slope(const Profile& profile) {
     double sum = 0.0;
     for (Index i = 1; i < profile.positions.size(); ++i)
-        sum += std::pow(profile.heights[i] - profile.heights[i - 1], 2) / (profile.positions[i] - profile.positions[i - 1]);
+        sum += std::pow(profile.heights[i] - profile.heights[i - 1], 2) /
+               (profile.positions[i] - profile.positions[i - 1]);
     return std::sqrt(sum / profile.size());
 }
 
@@ -68,7 +69,8 @@ TEST(UncdContainer, GivesThreeMeasurementsScaledOnce) {
     const Array2D profiles = afm.heights.rowwise() - afm.heights.colwise().mean();
     const double rq = std::sqrt(profiles.square().mean());
     EXPECT_NEAR(rq / units::nm, 4.35959, 1e-4 * 4.35959);
-    EXPECT_GT(std::abs(rq / units::nm - 0.489), 3.0) << "the index repeats the scale of the file: applied twice it gives 0.489";
+    EXPECT_GT(std::abs(rq / units::nm - 0.489), 3.0)
+        << "the index repeats the scale of the file: applied twice it gives 0.489";
 
     const auto stylus = leveled<LineScan>(channels[2]);
     EXPECT_EQ(stylus.heights.size(), 3001);
@@ -86,17 +88,22 @@ TEST(IndexJsonContainer, HoldsItsClosedForms) {
     EXPECT_NEAR(map.size[1], 4.8e-6, 1e-18);
     for (Index i = 0; i < 64; ++i)
         for (Index j = 0; j < 48; ++j) {
-            const double x = 2.0 * pi * 3.0 * static_cast<double>(i) / 64.0, y = 2.0 * pi * 5.0 * static_cast<double>(j) / 48.0;
-            ASSERT_NEAR(map.heights(i, j) / units::um, 0.01 * std::cos(x) + 0.002 * std::sin(y), 1e-12) << i << ' ' << j;
+            const double x = 2.0 * pi * 3.0 * static_cast<double>(i) / 64.0,
+                         y = 2.0 * pi * 5.0 * static_cast<double>(j) / 48.0;
+            ASSERT_NEAR(map.heights(i, j) / units::um, 0.01 * std::cos(x) + 0.002 * std::sin(y), 1e-12)
+                << i << ' ' << j;
         }
     const auto line = std::get<LineScan>(channels[1].read());
     ASSERT_EQ(line.heights.size(), 200);
     for (Index i = 0; i < 200; ++i)
-        ASSERT_NEAR(line.heights[i] / units::um, 0.05 * std::sin(2.0 * pi * 4.0 * static_cast<double>(i) / 200.0), 1e-12) << i;
+        ASSERT_NEAR(line.heights[i] / units::um, 0.05 * std::sin(2.0 * pi * 4.0 * static_cast<double>(i) / 200.0),
+                    1e-12)
+            << i;
     EXPECT_EQ(channels[1].info.recommended_trend, topography::Trend::mean);
 }
 
-/// A file of expected/topography_files.json with the factor from its unit to metres; `unit` is given where it states none.
+/// A file of expected/topography_files.json with the factor from its unit to metres; `unit` is given where it states
+/// none.
 struct Expectation {
     std::string file;
     std::size_t channel;
@@ -104,7 +111,9 @@ struct Expectation {
     std::optional<std::string> unit;
 };
 
-void PrintTo(const Expectation& expectation, std::ostream* stream) { *stream << expectation.file << " channel " << expectation.channel; }
+void PrintTo(const Expectation& expectation, std::ostream* stream) {
+    *stream << expectation.file << " channel " << expectation.channel;
+}
 
 class ExpectedFile : public testing::TestWithParam<Expectation> {};
 
@@ -116,16 +125,17 @@ TEST_P(ExpectedFile, HasShapeSizeAndHeightsOfAnotherReader) {
 
 std::string in_folder(const char* name) { return std::string("topography/surfacetopography/") + name; }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files, ExpectedFile,
-    testing::Values(Expectation{in_folder("di-1.di"), 0, units::nm, {}}, Expectation{in_folder("di-1.di"), 1, units::nm, {}},
-                    Expectation{in_folder("x3p-2.x3p"), 0, units::m, {}}),
-    [](const auto& instance) {
-        std::string name = std::filesystem::path(instance.param.file).filename().string() + "_" + std::to_string(instance.param.channel);
-        for (auto& c : name)
-            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Files, ExpectedFile,
+                         testing::Values(Expectation{in_folder("di-1.di"), 0, units::nm, {}},
+                                         Expectation{in_folder("di-1.di"), 1, units::nm, {}},
+                                         Expectation{in_folder("x3p-2.x3p"), 0, units::m, {}}),
+                         [](const auto& instance) {
+                             std::string name = std::filesystem::path(instance.param.file).filename().string() + "_" +
+                                                std::to_string(instance.param.channel);
+                             for (auto& c : name)
+                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                             return name;
+                         });
 
 TEST(Nanoscope, TruncatedFileIsRefusedAtOpen) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/di_corrupted.di");
@@ -168,7 +178,8 @@ TEST(Nanoscope, FlatteningOfFirstOrderReproducesTheExport) {
     const auto exported = tables::read_raw_table(bytes::file_source(export_path.string()));
     const double step = 438.6572 * 12.95302 / 65536.0;  // nm, from the file's header
     EXPECT_LE(worst_difference(topography::flattened_lines(map, 1), exported, step), 1.0);
-    for (const int other : {0, 2, 3}) EXPECT_GT(worst_difference(topography::flattened_lines(map, other), exported, step), 50.0) << other;
+    for (const int other : {0, 2, 3})
+        EXPECT_GT(worst_difference(topography::flattened_lines(map, other), exported, step), 50.0) << other;
     const Array2D heights = topography::flattened_lines(map, 1).heights / units::nm;
     EXPECT_NEAR(std::sqrt(heights.square().mean()), 4.325, 5e-4);
     EXPECT_NEAR(heights.abs().mean(), 3.433, 5e-4);
@@ -179,7 +190,8 @@ TEST(X3p, BinaryAndListedTwinsAgree) {
         SETAE_REQUIRE_REFERENCE_DATA(binary_path, std::string(name) + "_bin.x3p");
         const auto binary = std::get<HeightMap>(read(binary_path.string()));
         for (const auto* twin : {".xml", ".x3p"}) {
-            const auto listed = std::get<HeightMap>(read((tests::reference_data_folder() / (std::string(name) + twin)).string()));
+            const auto listed =
+                std::get<HeightMap>(read((tests::reference_data_folder() / (std::string(name) + twin)).string()));
             EXPECT_EQ(binary.size, listed.size);
             EXPECT_TRUE((binary.heights.isNaN() == listed.heights.isNaN()).all());
             EXPECT_TRUE((binary.heights.isNaN() || (binary.heights - listed.heights).abs() < 1e-12).all());

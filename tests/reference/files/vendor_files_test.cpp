@@ -32,7 +32,8 @@ TEST_P(VendorFiles, HaveShapeSizeCornersAndHeightsOfAnotherReader) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, VendorFiles,
-                         testing::Values(VendorFile{"topography/surfacetopography/sur-2.sur", units::mm}, VendorFile{"topography/surfacetopography/mnt-1.mnt", units::um}),
+                         testing::Values(VendorFile{"topography/surfacetopography/sur-2.sur", units::mm},
+                                         VendorFile{"topography/surfacetopography/mnt-1.mnt", units::um}),
                          [](const auto& instance) { return instance.param.file.ends_with("mnt") ? "mnt_1" : "sur_2"; });
 
 TEST(Sur, SpecialPointsOfARealFileAreUndefined) {
@@ -48,7 +49,8 @@ TEST(Sur, SpecialPointsOfARealFileAreUndefined) {
 TEST(Mnt, IsTheSameSurfaceInAnotherFormat) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mnt-1.mnt");
     SETAE_REQUIRE_REFERENCE_DATA(twin, "topography/surfacetopography/bcrf-1.bcrf");
-    const auto map = std::get<topography::HeightMap>(read(path.string())), other = std::get<topography::HeightMap>(read(twin.string()));
+    const auto map = std::get<topography::HeightMap>(read(path.string())),
+               other = std::get<topography::HeightMap>(read(twin.string()));
     ASSERT_EQ(map.shape(), other.shape());
     EXPECT_LE((map.heights - other.heights).abs().maxCoeff() / units::nm, 5e-5);  // half a count of 0.1 pm
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(map.size[i] / other.size[i], 1.0, 1e-7);

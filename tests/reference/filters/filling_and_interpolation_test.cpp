@@ -21,7 +21,8 @@ using topography::HeightMap;
 TEST_F(AnalysisCases, FilledMapsAgreeOnSquarePixels) {
     HeightMap map = masked_map();
     const Array2D expected = matrix(cases["map_masked"]["imputed"]);
-    // the case's pixels are 0.25 x 0.2; the package weighs both directions alike whatever the pixels, which is right for square ones
+    // the case's pixels are 0.25 x 0.2; the package weighs both directions alike whatever the pixels, which is right
+    // for square ones
     map.size = {24.0, 16.0};
     EXPECT_LT((filled(map).heights - expected).abs().maxCoeff(), 1e-14);
     map.size = {6.0, 3.2};
@@ -45,8 +46,10 @@ TEST_F(AnalysisCases, BicubicInterpolationAgrees) {
     const HeightMap map = height_map("map_periodic");
     const BicubicInterpolator height(map);
     const json &points = cases["map_periodic"]["bicubic_points"], &values = cases["map_periodic"]["bicubic_values"];
-    // the third point alone asks slopes along y, which with an even number of points there hold a share of the Nyquist mode in the package: README.md
-    for (const std::size_t k : {0u, 1u, 3u}) EXPECT_NEAR(height(points[k][0], points[k][1]), values[k].get<double>(), 1e-14) << k;
+    // the third point alone asks slopes along y, which with an even number of points there hold a share of the Nyquist
+    // mode in the package: README.md
+    for (const std::size_t k : {0u, 1u, 3u})
+        EXPECT_NEAR(height(points[k][0], points[k][1]), values[k].get<double>(), 1e-14) << k;
     EXPECT_GT(std::abs(height(points[2][0], points[2][1]) - values[2].get<double>()), 1e-3);
 }
 
@@ -70,7 +73,8 @@ TEST_F(AnalysisCases, BicubicInterpolationAgreesWithoutANyquistMode) {
 }
 
 TEST_F(AnalysisCases, SlopesDoNotDependOnWhichDirectionIsCalledX) {
-    // the package's Fourier derivative along y of a map with even ny holds the Nyquist mode, the one along x does not: transposing changes slopes by 0.15
+    // the package's Fourier derivative along y of a map with even ny holds the Nyquist mode, the one along x does not:
+    // transposing changes slopes by 0.15
     const HeightMap map = height_map("map_periodic");
     const HeightMap turned{map.heights.transpose(), {map.size[1], map.size[0]}, true, {}};
     const SurfacePoint a = BicubicInterpolator(map).at(5.9, 3.1), b = BicubicInterpolator(turned).at(3.1, 5.9);

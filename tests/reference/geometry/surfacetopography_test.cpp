@@ -12,7 +12,9 @@ namespace setae::geometry {
 namespace {
 
 topography::Mask mask_below(Index threshold) {
-    return topography::Mask::NullaryExpr(48, 37, [threshold](Index i, Index j) { return static_cast<std::uint8_t>((7 * i * i + 5 * j * j + 3 * i * j) % 97 < threshold); });
+    return topography::Mask::NullaryExpr(48, 37, [threshold](Index i, Index j) {
+        return static_cast<std::uint8_t>((7 * i * i + 5 * j * j + 3 * i * j) % 97 < threshold);
+    });
 }
 
 struct Expected {
@@ -23,12 +25,15 @@ struct Expected {
 };
 
 TEST(GeometryOfSurfaceTopography, NumbersPatchesAlike) {
-    for (const auto& expected : {Expected{Neighbours::edges, false, 245, 589794}, Expected{Neighbours::edges, true, 237, 557182},
-                                 Expected{Neighbours::edges_and_corners, false, 50, 96202}, Expected{Neighbours::edges_and_corners, true, 32, 49592}}) {
+    for (const auto& expected :
+         {Expected{Neighbours::edges, false, 245, 589794}, Expected{Neighbours::edges, true, 237, 557182},
+          Expected{Neighbours::edges_and_corners, false, 50, 96202},
+          Expected{Neighbours::edges_and_corners, true, 32, 49592}}) {
         const auto found = patches(mask_below(37), expected.neighbours, expected.periodic);
         EXPECT_EQ(found.count, expected.count);
         long long sum = 0;
-        for (Index k = 0; k < found.numbers.size(); ++k) sum += static_cast<long long>(found.numbers.data()[k]) * (k % 13 + 1);
+        for (Index k = 0; k < found.numbers.size(); ++k)
+            sum += static_cast<long long>(found.numbers.data()[k]) * (k % 13 + 1);
         EXPECT_EQ(sum, expected.weighted_numbers);
     }
 }
@@ -36,7 +41,8 @@ TEST(GeometryOfSurfaceTopography, NumbersPatchesAlike) {
 TEST(GeometryOfSurfaceTopography, FindsTheSamePerimeters) {
     const auto mask = mask_below(37);
     EXPECT_EQ(mask.cast<int>().sum(), 673);
-    for (const auto& [neighbours, inner, outer] : {std::tuple{Neighbours::edges, 572, 935}, std::tuple{Neighbours::edges_and_corners, 593, 1030}}) {
+    for (const auto& [neighbours, inner, outer] :
+         {std::tuple{Neighbours::edges, 572, 935}, std::tuple{Neighbours::edges_and_corners, 593, 1030}}) {
         EXPECT_EQ(inner_perimeter(mask, neighbours).block(1, 1, 46, 35).cast<int>().sum(), inner);
         EXPECT_EQ(outer_perimeter(mask, neighbours).cast<int>().sum(), outer);
     }
@@ -47,7 +53,8 @@ TEST(GeometryOfSurfaceTopography, FindsTheSamePerimeters) {
 }
 
 TEST(GeometryOfSurfaceTopography, MeasuresTheSameDistancesWhichWrap) {
-    const auto dense = distance_map(mask_below(37), {{1.0, 1.0}, true}), sparse = distance_map(mask_below(2), {{1.0, 1.0}, true});
+    const auto dense = distance_map(mask_below(37), {{1.0, 1.0}, true}),
+               sparse = distance_map(mask_below(2), {{1.0, 1.0}, true});
     EXPECT_NEAR(dense.sum(), 1208.6323755685376, 1e-9);
     EXPECT_NEAR(dense.maxCoeff(), 2.8284271247461903, 1e-14);
     EXPECT_NEAR(sparse.sum(), 7313.693654509387, 1e-9);

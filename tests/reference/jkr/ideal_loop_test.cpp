@@ -16,8 +16,8 @@ constexpr double loss = 1.2749410291;
 
 enum class Steps { even_in_radius, even_in_displacement };
 
-/// Approach, jump at δ = 0, loading to a = 2, retraction to the fixed-grip pull-off, jump; n steps each way, both ends of
-/// each jump sampled.
+/// Approach, jump at δ = 0, loading to a = 2, retraction to the fixed-grip pull-off, jump; n steps each way, both ends
+/// of each jump sampled.
 Loop sampled(Index n, Steps steps) {
     const contact::jkr::State in = contact::jkr::jump_in_at_fixed_grips(unit);
     const contact::jkr::State out = contact::jkr::pull_off_at_fixed_grips(unit);

@@ -34,7 +34,8 @@ LoopAnalysis analysed(const std::filesystem::path& path) {
 }
 
 /// One baseline, ordinary least squares in depth, the whole of the retraction.
-const AnalysisOptions as_the_independent_program{.effective_variance = false, .force_drift = false, .leave_pinned_out = false};
+const AnalysisOptions as_the_independent_program{
+    .effective_variance = false, .force_drift = false, .leave_pinned_out = false};
 
 bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
     return std::any_of(analysis.alerts.begin(), analysis.alerts.end(),
@@ -63,8 +64,8 @@ class RealLoop : public testing::TestWithParam<Expected> {};
 TEST_P(RealLoop, GivesTheIndependentNumbers) {
     const Expected& expected = GetParam();
     SETAE_REQUIRE_REFERENCE_DATA(path, expected.file);
-    const LoopAnalysis analysis = analyse(read_loop(path), glass_sphere_on_rubber(), as_the_independent_program,
-                                          path.filename().string());
+    const LoopAnalysis analysis =
+        analyse(read_loop(path), glass_sphere_on_rubber(), as_the_independent_program, path.filename().string());
     EXPECT_NEAR(analysis.loading.range.force_last / units::nN, expected.largest_force, 0.5);
     EXPECT_NEAR(analysis.pull_off->force.value / units::nN, expected.pull_off_force, 0.05);
     EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work, 0.05);
@@ -96,7 +97,8 @@ TEST_P(RealLoop, RetractsWithAnEdgeThatIsPinnedAtFirst) {
     const IndexRange& pinned = *analysis.pinned;
     const double slope = (loop.force[pinned.last] - loop.force[pinned.first]) /
                          (loop.displacement[pinned.last] - loop.displacement[pinned.first]);
-    const double punch = 2.0 * analysis.loading.primary().contact_modulus.value * analysis.context.largest_contact_radius;
+    const double punch =
+        2.0 * analysis.loading.primary().contact_modulus.value * analysis.context.largest_contact_radius;
     EXPECT_NEAR(slope / punch, 1.0, 0.1);
     EXPECT_EQ(analysis.unloading->range.n + pinned.count(), whole.unloading->range.n);
 }
@@ -130,7 +132,8 @@ TEST(RealLoops, SayHowTheFitRangeDecides) {
     const LoopAnalysis sensitive = analyse(read_loop(first), glass_sphere_on_rubber(), as_the_independent_program);
     expect_sensitivity(sensitive, {35.4, 38.9, 46.3, 69.4});
     EXPECT_TRUE(has_alert(sensitive, "RANGE_SENSITIVE"));
-    expect_sensitivity(analyse(read_loop(third), glass_sphere_on_rubber(), as_the_independent_program), {39.6, 41.0, 43.4, 46.5});
+    expect_sensitivity(analyse(read_loop(third), glass_sphere_on_rubber(), as_the_independent_program),
+                       {39.6, 41.0, 43.4, 46.5});
 }
 
 TEST(RealLoops, FlagAPoorFit) {
@@ -150,15 +153,19 @@ TEST(RealLoops, MeasureTheMachineOnSapphire) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/sapphire_control.txt");
     // the stage's own position: the spring of the sensor, 3.01 N/m, is what gives way
     const std::filesystem::path by_stage = std::filesystem::path(testing::TempDir()) / "stage.toml";
-    std::ofstream(by_stage) << "[file]\nencoding = \"latin-1\"\nseparator = \"tab\"\ndecimal = \"comma\"\nheader_end = \"eoh\"\n"
-                               "[constants]\nspring_constant = \"3.01 N/m\"\n"
-                               "[columns.piezo]\nheader = \"Piezo position\"\nunit = \"um\"\n[columns.mems]\nheader = \"MEMS displ.\"\n"
-                               "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"piezo\"\n";
-    const Loop loop = loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_stage.string())));
+    std::ofstream(by_stage)
+        << "[file]\nencoding = \"latin-1\"\nseparator = \"tab\"\ndecimal = \"comma\"\nheader_end = \"eoh\"\n"
+           "[constants]\nspring_constant = \"3.01 N/m\"\n"
+           "[columns.piezo]\nheader = \"Piezo position\"\nunit = \"um\"\n[columns.mems]\nheader = \"MEMS displ.\"\n"
+           "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"piezo\"\n";
+    const Loop loop =
+        loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_stage.string())));
     const MachineStiffness found = machine_stiffness_from_rigid_contact(loop);
-    // sensor and contact give way in series: 1/k = 1/(3.01 N/m) + 1/k_contact, whose force against piezo − mems is far less straight
+    // sensor and contact give way in series: 1/k = 1/(3.01 N/m) + 1/k_contact, whose force against piezo − mems is far
+    // less straight
     const Loop contact = read_loop(path);
-    const MachineStiffness rest = machine_stiffness_from_rigid_contact(contact, find_segments(contact), 0, {.largest_nonlinearity = 10.0});
+    const MachineStiffness rest =
+        machine_stiffness_from_rigid_contact(contact, find_segments(contact), 0, {.largest_nonlinearity = 10.0});
     expect_within(1.0 / found.stiffness.value, 1.0 / 3.01 + 1.0 / rest.stiffness.value, 0.01);
     EXPECT_LT(found.stiffness.value, 3.01);
     EXPECT_GT(rest.stiffness.value, 10.0 * 3.01);
@@ -166,7 +173,8 @@ TEST(RealLoops, MeasureTheMachineOnSapphire) {
     EXPECT_LT(std::abs(found.nonlinearity), 0.05);
     // rubber in its place gives way itself
     SETAE_REQUIRE_REFERENCE_DATA(soft, "jkr/pdms_c.txt");
-    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop_from_table(tables::read_mapped_table(soft.string(), tables::read_mapping(mapping_file)))),
+    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(
+                     loop_from_table(tables::read_mapped_table(soft.string(), tables::read_mapping(mapping_file)))),
                  UndefinedDataError);
 }
 
@@ -176,7 +184,8 @@ TEST(RealLoops, HaveFiveContactPointsOrMore) {
         const LoopAnalysis analysis = analysed(path);
         ASSERT_TRUE(analysis.contact_points) << analysis.contact_points.reason;
         const auto& estimates = analysis.contact_points->estimates;
-        const auto found = std::count_if(estimates.begin(), estimates.end(), [](const ContactPointEstimate& e) { return bool(e.contact_point); });
+        const auto found = std::count_if(estimates.begin(), estimates.end(),
+                                         [](const ContactPointEstimate& e) { return bool(e.contact_point); });
         EXPECT_GE(found, 5) << expected.file;
         for (const ContactPointEstimate& e : estimates)
             if (e.contact_point) EXPECT_TRUE(e.fit) << contact_point_name(e.method) << e.fit.reason;
@@ -208,10 +217,12 @@ TEST(RealLoops, RefuseADriftWithoutContact) {
                                   "[constants]\nspring_constant = \"3.01 N/m\"\n"
                                   "[columns.mems]\nposition = 1\nunit = \"nm\"\n"
                                   "[table]\nforce = \"spring_constant * mems\"\ndisplacement = \"-mems\"\n";
-    const Loop loop = loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_position.string())));
+    const Loop loop =
+        loop_from_table(tables::read_mapped_table(path.string(), tables::read_mapping(by_position.string())));
     EXPECT_THROW((void)analyse(loop, glass_sphere_on_rubber()), UndefinedDataError);
     // nor where the drifting start is not looked at
-    EXPECT_THROW((void)analyse(loop, glass_sphere_on_rubber(), {.segments = {.force_baseline = 0.0}}), UndefinedDataError);
+    EXPECT_THROW((void)analyse(loop, glass_sphere_on_rubber(), {.segments = {.force_baseline = 0.0}}),
+                 UndefinedDataError);
 }
 
 }  // namespace

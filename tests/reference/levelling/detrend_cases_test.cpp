@@ -43,14 +43,21 @@ void expect_same(const A& ours, const A& theirs, const char* what) {
     EXPECT_LT(difference.abs().maxCoeff(), 1e-10 * defined.abs().maxCoeff()) << what;
 }
 
-const std::vector<std::pair<const char*, const char*>> detrends{{"detrend_center", "level_mean"},         {"detrend_height", "level_plane"},           {"detrend_rms-tilt", "level_plane"},
-                                                                {"detrend_curvature", "level_polynomial"}, {"detrend_rms-curvature", "level_polynomial"}};
+const std::vector<std::pair<const char*, const char*>> detrends{{"detrend_center", "level_mean"},
+                                                                {"detrend_height", "level_plane"},
+                                                                {"detrend_rms-tilt", "level_plane"},
+                                                                {"detrend_curvature", "level_polynomial"},
+                                                                {"detrend_rms-curvature", "level_polynomial"}};
 
 TEST_F(DetrendCases, OfALineAgreeWithThePeer) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
         const auto& expected = cases[name];
-        const LineScan scan{series(expected["input"]["heights"]), expected["input"]["physical_size"], expected["input"]["periodic"], {}};
-        for (const auto& [theirs, ours] : detrends) expect_same(after({ours}, scan).heights, series(expected[theirs]), theirs);
+        const LineScan scan{series(expected["input"]["heights"]),
+                            expected["input"]["physical_size"],
+                            expected["input"]["periodic"],
+                            {}};
+        for (const auto& [theirs, ours] : detrends)
+            expect_same(after({ours}, scan).heights, series(expected[theirs]), theirs);
     }
 }
 
@@ -66,16 +73,19 @@ template <class Polynomial>
 double mean_square(const Profile& profile, const Polynomial& p) {
     double sum = 0.0;
     for (Index i = 0; i + 1 < profile.positions.size(); ++i)
-        for (const auto& [node, weight] : {std::pair{-std::sqrt(0.6), 5.0 / 18.0}, std::pair{0.0, 8.0 / 18.0}, std::pair{std::sqrt(0.6), 5.0 / 18.0}}) {
+        for (const auto& [node, weight] : {std::pair{-std::sqrt(0.6), 5.0 / 18.0}, std::pair{0.0, 8.0 / 18.0},
+                                           std::pair{std::sqrt(0.6), 5.0 / 18.0}}) {
             const double share = 0.5 * (1.0 + node), length = profile.positions[i + 1] - profile.positions[i];
-            const double x = profile.positions[i] + share * length, h = profile.heights[i] + share * (profile.heights[i + 1] - profile.heights[i]);
+            const double x = profile.positions[i] + share * length,
+                         h = profile.heights[i] + share * (profile.heights[i + 1] - profile.heights[i]);
             sum += weight * length * std::pow(h - p(x), 2);
         }
     return sum;
 }
 
 TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserToItThanThePeers) {
-    // the peer minimises the rms of the polyline through the residuals at the points, which changes where collinear points are added
+    // the peer minimises the rms of the polyline through the residuals at the points, which changes where collinear
+    // points are added
     const auto& expected = cases["nonuniform"];
     const Profile profile{series(expected["input"]["x"]), series(expected["input"]["h"]), {}};
     const auto ours = fitted_polynomial(profile, {.total = 2});
@@ -94,7 +104,8 @@ TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserToItThanThePeers) {
         return value;
     };
     EXPECT_NEAR(parabola(profile.positions[3]), theirs[3], 1e-12);
-    const double our_square = mean_square(profile, [&](double x) { return ours.value(x); }), their_square = mean_square(profile, parabola);
+    const double our_square = mean_square(profile, [&](double x) { return ours.value(x); }),
+                 their_square = mean_square(profile, parabola);
     EXPECT_LT(our_square, their_square);
     EXPECT_NEAR(our_square / their_square, 1.0, 1e-6);
 }
@@ -117,13 +128,16 @@ TEST_F(DetrendCases, OfAMapAgreeWithThePeerInHeightsAndCoefficients) {
     EXPECT_NEAR(paraboloid.value(input.size[0], input.size[1]), c.sum(), 1e-10);
 }
 
-TEST_F(DetrendCases, OfAMaskedMapAgreeWithThePeer) { expect_same(after({"level_plane"}, masked_map()).heights, matrix(cases["map_masked"]["detrend_height"]), "masked"); }
+TEST_F(DetrendCases, OfAMaskedMapAgreeWithThePeer) {
+    expect_same(after({"level_plane"}, masked_map()).heights, matrix(cases["map_masked"]["detrend_height"]), "masked");
+}
 
 TEST_F(DetrendCases, AlignmentOfScanLinesIsThePeersUpToAConstant) {
     const auto input = height_map("map_nonperiodic");
     for (const std::string direction : {"x", "y"}) {
         const auto level = "level_lines direction=" + direction, align = "align_rows direction=" + direction;
-        Array2D ours = after({level.c_str(), align.c_str()}, input).heights, theirs = matrix(cases["map_nonperiodic"]["scan_line_align_" + direction + "_median_deg1"]);
+        Array2D ours = after({level.c_str(), align.c_str()}, input).heights,
+                theirs = matrix(cases["map_nonperiodic"]["scan_line_align_" + direction + "_median_deg1"]);
         ours -= ours.mean();
         theirs -= theirs.mean();
         expect_same(ours, theirs, direction.c_str());

@@ -35,7 +35,8 @@ TEST(ScaleBars, OfSootIsThatOfItsAuthors) {
     Micrograph micrograph;
     micrograph.pixels = pixels;
     const auto calibration = calibrate(micrograph, {.scale_bar_length = 5e-9});
-    EXPECT_NEAR(calibration.pixel_size.x, 1e-9 / 18.0194, 3 * calibration.relative_standard_error * calibration.pixel_size.x);
+    EXPECT_NEAR(calibration.pixel_size.x, 1e-9 / 18.0194,
+                3 * calibration.relative_standard_error * calibration.pixel_size.x);
     EXPECT_LT(calibration.relative_standard_error, 0.01);
     EXPECT_EQ(annotations(pixels).size(), 1U);
 }

@@ -39,11 +39,13 @@ void expect_function(const FunctionOfScale& found, const json& expected) {
 }
 
 TEST_F(AnalysisCases, AutocorrelationsOfLineScansAgree) {
-    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) expect_function(autocorrelation(line_scan(name)), cases[name]["acf_raw"]);
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"})
+        expect_function(autocorrelation(line_scan(name)), cases[name]["acf_raw"]);
 }
 
 TEST_F(AnalysisCases, AutocorrelationsOfLinesOfMapsAgree) {
-    for (const char* name : {"map_nonperiodic", "map_periodic"}) expect_function(autocorrelation_of_lines(height_map(name)), cases[name]["acf_profile_raw"]);
+    for (const char* name : {"map_nonperiodic", "map_periodic"})
+        expect_function(autocorrelation_of_lines(height_map(name)), cases[name]["acf_profile_raw"]);
     expect_function(autocorrelation_of_lines(masked_map()), cases["map_masked"]["acf_profile_raw"]);
 }
 
@@ -64,7 +66,8 @@ TEST_F(AnalysisCases, AutocorrelationMapsAgreeInTheQuadrantTheyGive) {
             }
         EXPECT_GT(compared, 100);
     };
-    for (const char* name : {"map_nonperiodic", "map_periodic"}) expect_quadrant(height_map(name), cases[name]["acf_area_map"]);
+    for (const char* name : {"map_nonperiodic", "map_periodic"})
+        expect_quadrant(height_map(name), cases[name]["acf_area_map"]);
     expect_quadrant(masked_map(), cases["map_masked"]["acf_area_map"]);
 }
 
@@ -74,7 +77,8 @@ TEST_F(AnalysisCases, AutocorrelationsOfPolylinesAgree) {
 }
 
 TEST_F(AnalysisCases, VariableBandwidthsAgree) {
-    for (const char* name : {"profile_nonperiodic", "profile_periodic"}) expect_function(variable_bandwidth(line_scan(name)), cases[name]["vbw"]);
+    for (const char* name : {"profile_nonperiodic", "profile_periodic"})
+        expect_function(variable_bandwidth(line_scan(name)), cases[name]["vbw"]);
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
         expect_function(variable_bandwidth_of_lines(height_map(name)), cases[name]["vbw_profile"]);
         expect_function(variable_bandwidth_of_area(height_map(name)), cases[name]["vbw_area"]);
@@ -102,8 +106,11 @@ TEST_F(AnalysisCases, DifferencesOfLineScansAgree) {
         const auto scan = line_scan(name);
         const auto& first = cases[name]["sdrp_var_dx_n1"];
         const auto& second = cases[name]["sdrp_rms_n2"];
-        expect_function(function_of(difference_statistics(scan, {.distances = series(first[0])}), Statistic::variance), first);
-        expect_function(function_of(difference_statistics(scan, {.order = 2, .distances = series(second[0])}), Statistic::rms), second);
+        expect_function(function_of(difference_statistics(scan, {.distances = series(first[0])}), Statistic::variance),
+                        first);
+        expect_function(
+            function_of(difference_statistics(scan, {.order = 2, .distances = series(second[0])}), Statistic::rms),
+            second);
     }
 }
 
@@ -117,7 +124,8 @@ TEST_F(AnalysisCases, DerivativesOfLineScansAgreePointByPoint) {
                 for_each_row_of_differences(scan, std::stod(factor) * order * scan.pixel_size(), {.order = order},
                                             [&](Index, Index, const ArrayView1D& values) { found = values; });
                 ASSERT_EQ(found.size(), expected.size()) << name << ' ' << order << ' ' << factor;
-                EXPECT_LT((found - expected).abs().maxCoeff(), 1e-10 * expected.abs().maxCoeff()) << name << ' ' << order << ' ' << factor;
+                EXPECT_LT((found - expected).abs().maxCoeff(), 1e-10 * expected.abs().maxCoeff())
+                    << name << ' ' << order << ' ' << factor;
             }
     }
 }
@@ -125,14 +133,17 @@ TEST_F(AnalysisCases, DerivativesOfLineScansAgreePointByPoint) {
 TEST_F(AnalysisCases, GradientsOfMapsAgree) {
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
         const auto& expected = cases[name]["sdrp_rms_gradient"];
-        const auto found = difference_statistics(height_map(name), {.along = Along::both, .distances = series(expected[0])});
+        const auto found =
+            difference_statistics(height_map(name), {.along = Along::both, .distances = series(expected[0])});
         expect_function(function_of(found, Statistic::rms), expected);
     }
 }
 
 TEST_F(AnalysisCases, SlopesAlongXAgreeOnThePointsThePackageKeeps) {
     const auto& periodic = cases["map_periodic"]["sdrp_var_hx"];
-    expect_function(function_of(difference_statistics(height_map("map_periodic"), {.distances = series(periodic[0])}), Statistic::variance), periodic);
+    expect_function(function_of(difference_statistics(height_map("map_periodic"), {.distances = series(periodic[0])}),
+                                Statistic::variance),
+                    periodic);
     // of non-periodic maps it leaves out the last lines too, where only differences along y are missing
     const auto& expected = cases["map_nonperiodic"]["sdrp_var_hx"];
     const auto map = height_map("map_nonperiodic");
@@ -141,7 +152,9 @@ TEST_F(AnalysisCases, SlopesAlongXAgreeOnThePointsThePackageKeeps) {
         const auto lost = static_cast<Index>(std::ceil(distances[k] / map.pixel_size()[1] - 1e-9));
         const Index kept = map.heights.cols() - lost;
         const HeightMap part{map.heights.leftCols(kept), {map.size[0], static_cast<double>(kept)}, false, {}};
-        EXPECT_NEAR(difference_statistics(part, {.distances = Array1D(distances.segment(k, 1))}).variance[0] / values[k], 1.0, 1e-10);
+        EXPECT_NEAR(
+            difference_statistics(part, {.distances = Array1D(distances.segment(k, 1))}).variance[0] / values[k], 1.0,
+            1e-10);
     }
 }
 
@@ -153,12 +166,14 @@ TEST_F(AnalysisCases, DifferencesOfMaskedMapsUseEveryDefinedPair) {
     const auto pairs = [&](Index k, Index l) {
         double count = 0.0;
         for (Index i = 0; i + k < map.heights.rows(); ++i)
-            for (Index j = 0; j + l < map.heights.cols(); ++j) count += std::isnan(map.heights(i + k, j + l) - map.heights(i, j)) ? 0.0 : 1.0;
+            for (Index j = 0; j + l < map.heights.cols(); ++j)
+                count += std::isnan(map.heights(i + k, j + l) - map.heights(i, j)) ? 0.0 : 1.0;
         return count;
     };
     EXPECT_EQ(x.count[0], pairs(1, 0));
     EXPECT_EQ(y.count[0], pairs(0, 1));
-    // the package has 319 along x in the 23 x 15 places it keeps, where there are 330, and 0.2906 for the rms gradient in place of 0.2874
+    // the package has 319 along x in the 23 x 15 places it keeps, where there are 330, and 0.2906 for the rms gradient
+    // in place of 0.2874
     const HeightMap part{map.heights.leftCols(15), {map.size[0], 3.0}, false, {}};
     EXPECT_EQ(difference_statistics(part, {.distances = Array1D::Constant(1, dx)}).count[0], 330.0);
     EXPECT_NEAR(cases["map_masked"]["rms_gradient"].get<double>(), 0.2906, 1e-4);

@@ -7,8 +7,8 @@
 
 namespace setae::tests {
 
-/// A polyline sampled as SurfaceTopography does before it takes differences: equal steps, a whole number of which make the stencil's step,
-/// none longer than the polyline's mean step.
+/// A polyline sampled as SurfaceTopography does before it takes differences: equal steps, a whole number of which make
+/// the stencil's step, none longer than the polyline's mean step.
 inline topography::LineScan sampled_for_differences(const topography::Profile& profile, int order, double distance) {
     const Index points = profile.positions.size();
     const double mean_step = profile.size() / static_cast<double>(points - 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random self-affine surfaces with their exponents: A ∝ d^2H, bandwidth ∝ ℓ^H, slope ∝ d^(H−1), curvature ∝ d^(H−2), over seeds.
+// Random self-affine surfaces with their exponents: A ∝ d^2H, bandwidth ∝ ℓ^H, slope ∝ d^(H−1), curvature ∝ d^(H−2),
+// over seeds.
 #include <cmath>
 #include <vector>
 
@@ -51,7 +52,8 @@ TEST(SelfAffineSurfaces, HaveTheirExponentsInEveryFunctionOfScale) {
             bandwidth.push_back(variable_bandwidth_of_lines(map));
             bandwidth_area.push_back(variable_bandwidth_of_area(map));
             slope.push_back(function_of(difference_statistics(map), Statistic::rms));
-            curvature.push_back(function_of(difference_statistics(map, {.order = 2, .along = Along::both}), Statistic::rms));
+            curvature.push_back(
+                function_of(difference_statistics(map, {.order = 2, .along = Along::both}), Statistic::rms));
         }
         // finite size bends the autocorrelation down where d nears the roll-off; the short end sees the pixels
         EXPECT_NEAR(exponent(lines, 4.0, 25.0), 2.0 * hurst, 0.1);

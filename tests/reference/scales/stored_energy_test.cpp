@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The variance of the half derivative by three ways: sums over modes here, integrals of roughness/spectral_moments, autocorrelation.
+// The variance of the half derivative by three ways: sums over modes here, integrals of roughness/spectral_moments,
+// autocorrelation.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/half_derivative.hpp"
 #include "setae/spectra/power_spectrum.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace {
 
@@ -32,7 +33,8 @@ TEST(StoredEnergy, OfALineIsThatOfItsModes) {
     options.window = spectra::Window::none;
     const auto spectrum = spectra::power_spectrum(line, options);
     const double half_step = pi / static_cast<double>(points);
-    const roughness::SpectrumCurve curve{spectrum.wavevector, spectrum.C1D, {half_step, pi}, roughness::Density::C1D, roughness::Nodes::modes};
+    const roughness::SpectrumCurve curve{
+        spectrum.wavevector, spectrum.C1D, {half_step, pi}, roughness::Density::C1D, roughness::Nodes::modes};
     const double per_modulus = roughness::spectral_parameters(curve).elastic_energy_per_modulus;
     EXPECT_NEAR(half_derivative_variance(line, SurfaceKind::isotropic).energy_per_area(1.0) / per_modulus, 1.0, 1e-4);
 }
@@ -45,9 +47,15 @@ TEST(StoredEnergy, OfRandomSurfacesIsThatOfTheirModelEveryWay) {
         const double rms = std::sqrt(map.heights.square().mean());
         of_map += half_derivative_variance(map).variance / seeds;
         for (Index j = 0; j < points; j += 16)
-            of_lines += half_derivative_variance({map.heights.col(j), points, true, {}}, SurfaceKind::isotropic).variance / (seeds * points / 16.0);
-        from_area += half_derivative_from_autocorrelation(autocorrelation_of_area(map), rms, SurfaceKind::isotropic).variance / seeds;
-        from_lines += half_derivative_from_autocorrelation(autocorrelation_of_lines(map), rms, SurfaceKind::isotropic).variance / seeds;
+            of_lines +=
+                half_derivative_variance({map.heights.col(j), points, true, {}}, SurfaceKind::isotropic).variance /
+                (seeds * points / 16.0);
+        from_area +=
+            half_derivative_from_autocorrelation(autocorrelation_of_area(map), rms, SurfaceKind::isotropic).variance /
+            seeds;
+        from_lines +=
+            half_derivative_from_autocorrelation(autocorrelation_of_lines(map), rms, SurfaceKind::isotropic).variance /
+            seeds;
     }
     // a surface has some 50 independent wavevectors about its roll-off: a few per cent of scatter, the same in all four
     EXPECT_NEAR(of_map / model_variance(), 1.0, 0.05);

@@ -6,18 +6,22 @@
 #include <vector>
 
 #include "setae/core/constants.hpp"
-#include "setae/synthesis/multiscale.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/spectral_density.hpp"
+#include "setae/synthesis/multiscale.hpp"
 
 namespace setae::reference {
 namespace {
 
-double C_iso_at(const spectra::SelfAffine& model, double q) { return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent); }
+double C_iso_at(const spectra::SelfAffine& model, double q) {
+    return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent);
+}
 
 void tally(FitSurvey& survey, const spectra::SelfAffineFit& fit, const spectra::SelfAffine& truth) {
     const double error = fit.hurst_exponent.estimate.value - truth.hurst_exponent;
-    const auto holds = [](const Quantity& q, double value) { return q.estimate.interval && q.estimate.interval->lower <= value && value <= q.estimate.interval->upper; };
+    const auto holds = [](const Quantity& q, double value) {
+        return q.estimate.interval && q.estimate.interval->lower <= value && value <= q.estimate.interval->upper;
+    };
     ++survey.fits;
     const double n = survey.fits;
     survey.mean_error += (error - survey.mean_error) / n;
@@ -36,7 +40,9 @@ Twin twin(int number) {
     Twin result;
     result.truth = {1e-26, 2.0 * pi / (10.0 * um), 0.5 + 0.1 * (number % 5), 2.0 * pi / 4e-9};
     const synthesis::MultiscaleSurface surface(spectra::density(result.truth),
-                                               {.key = numerics::substream({77, 0}, static_cast<std::uint64_t>(number)), .longest_wavelength = 1000.0 * um, .shortest_wavelength = 4e-9});
+                                               {.key = numerics::substream({77, 0}, static_cast<std::uint64_t>(number)),
+                                                .longest_wavelength = 1000.0 * um,
+                                                .shortest_wavelength = 4e-9});
     std::vector<spectra::PowerSpectrum1D> spectra;
     spectra::SpectrumOptions options;
     options.trend = topography::Trend::tilt;
@@ -46,7 +52,8 @@ Twin twin(int number) {
         line.metadata.instrument.type = "stylus";
         spectra.push_back(spectra::undistorted(spectra::power_spectrum(line, options)));
         for (const double size : {20.0 * um, 2.0 * um}) {
-            auto map = surface.window({.x = place, .y = place + 100.0 * um, .nx = 128, .ny = 128, .pixel_size = size / 128.0});
+            auto map =
+                surface.window({.x = place, .y = place + 100.0 * um, .nx = 128, .ny = 128, .pixel_size = size / 128.0});
             map.metadata.instrument.type = size > 10.0 * um ? "optical" : "afm";
             auto spectrum = spectra::power_spectrum(map, options);
             spectra.push_back(spectra::undistorted(spectrum));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far fits of self-affine surfaces are from what the surfaces are, and how often their intervals hold it: the table of
-// docs/self-affine-fit.md.  self_affine_survey [twins, default 100]
+// How far fits of self-affine surfaces are from what the surfaces are, and how often their intervals hold it: the table
+// of docs/self-affine-fit.md.  self_affine_survey [twins, default 100]
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,10 +14,12 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "expected a number of twins >= 1\n");
         return 2;
     }
-    fmt::print("| fits | mean error of H | rms error | largest | mean standard error | H held | λ_r held | amplitude held |\n|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| fits | mean error of H | rms error | largest | mean standard error | H held | λ_r held | amplitude held |\n|---|---|---|---|---|---|---|---|\n");
     const auto row = [](const char* kind, const setae::reference::FitSurvey& s) {
-        fmt::print("| {} {} | {:+.4f} | {:.4f} | {:.3f} | {:.4f} | {} | {} | {} |\n", s.fits, kind, s.mean_error, s.rms_error, s.largest_error, s.mean_standard_error, s.hurst_covered,
-                   s.rolloff_covered, s.amplitude_covered);
+        fmt::print("| {} {} | {:+.4f} | {:.4f} | {:.3f} | {:.4f} | {} | {} | {} |\n", s.fits, kind, s.mean_error,
+                   s.rms_error, s.largest_error, s.mean_standard_error, s.hurst_covered, s.rolloff_covered,
+                   s.amplitude_covered);
     };
     row("twins of twelve measurements, combined", setae::reference::survey_twins(count));
     row("maps of 128², modes up to a quarter", setae::reference::survey_maps(count, false));

@@ -76,7 +76,8 @@ TEST_F(AnalysisCases, PolylineSpectraWithWindowedPointsAgree) {
     auto profile = polyline();
     const Array1D phase = (profile.positions - profile.positions[0]) * (2.0 * std::acos(-1.0) / profile.size());
     profile.heights *= std::sqrt(2.0 / 3.0) * (1.0 - phase.cos());
-    const Array1D q = series(cases["nonuniform"]["psd_brute_hann"][0]), expected = series(cases["nonuniform"]["psd_brute_hann"][1]);
+    const Array1D q = series(cases["nonuniform"]["psd_brute_hann"][0]),
+                  expected = series(cases["nonuniform"]["psd_brute_hann"][1]);
     EXPECT_LT((polyline_power_spectrum(profile, q, Window::none) / expected - 1.0).abs().maxCoeff(), 1e-10);
 }
 
@@ -97,15 +98,16 @@ double sharpest(const HeightMap& map, double length, double margin = 0.0) {
             const auto y = static_cast<double>(j);
             if (y < reach_y || y + reach_y > static_cast<double>(map.heights.cols() - 1)) continue;
             if (!map.periodic && (x - reach < 0.0 || x + reach > static_cast<double>(n - 1))) continue;
-            least = std::min(least, (height(x - reach, j) - 2.0 * height(x, j) + height(x + reach, j)) / (0.25 * length * length));
+            least = std::min(
+                least, (height(x - reach, j) - 2.0 * height(x, j) + height(x + reach, j)) / (0.25 * length * length));
         }
     return least;
 }
 
 /// The package finds some root of the criterion, setae the largest; of non-periodic maps the package leaves out lines
 /// closer than half a stencil to an end in y, which setae uses: its value is a root without them, setae's with them.
-void expect_cutoff(const topography::Measurement& measurement, const HeightMap& map, double radius, double nothing_reliable,
-                   const json& expected) {
+void expect_cutoff(const topography::Measurement& measurement, const HeightMap& map, double radius,
+                   double nothing_reliable, const json& expected) {
     const auto cutoff = tip_cutoff(measurement, radius);
     if (expected.is_null()) {
         EXPECT_EQ(cutoff.status, CutoffStatus::all_reliable) << "R = " << radius;
@@ -126,12 +128,14 @@ TEST_F(AnalysisCases, TipCutoffsAgree) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
         const auto scan = line_scan(name);
         for (const std::string radius : {"0.5", "1.0", "2.0", "5.0", "20.0"})
-            expect_cutoff(scan, {scan.heights, {scan.size, 1.0}, scan.periodic, {}}, std::stod(radius), scan.size, cases[name]["tip_cutoff_R" + radius]);
+            expect_cutoff(scan, {scan.heights, {scan.size, 1.0}, scan.periodic, {}}, std::stod(radius), scan.size,
+                          cases[name]["tip_cutoff_R" + radius]);
     }
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
         const auto map = height_map(name);
         for (const std::string radius : {"1.0", "5.0", "20.0"})
-            expect_cutoff(map, map, std::stod(radius), 0.5 * (map.size[0] + map.size[1]), cases[name]["tip_cutoff_R" + radius]);
+            expect_cutoff(map, map, std::stod(radius), 0.5 * (map.size[0] + map.size[1]),
+                          cases[name]["tip_cutoff_R" + radius]);
     }
 }
 

@@ -34,7 +34,8 @@ Profile random_line(std::mt19937_64& engine, Index points) {
     const Array1D amplitude = q.unaryExpr([&](double p) { return std::sqrt(true_spectrum(p) * spacing / pi); });
     const Array1D a = amplitude.unaryExpr([&](double scale) { return scale * number(engine); });
     const Array1D b = amplitude.unaryExpr([&](double scale) { return scale * number(engine); });
-    line.heights = fourier::nonuniform_transform(q, a, line.positions).real() - fourier::nonuniform_transform(q, b, line.positions).imag();
+    line.heights = fourier::nonuniform_transform(q, a, line.positions).real() -
+                   fourier::nonuniform_transform(q, b, line.positions).imag();
     return line;
 }
 

@@ -19,10 +19,11 @@ struct Surface {
     double hurst_at_4_angstrom, energy_at_4_angstrom;  // at q_s = 2π/4 Å
 };
 
-constexpr std::array<Surface, 4> surfaces{{{"polished UNCD", 4.6e-9, 0.39, 1.13e9, 0.883, 0.287e-6, 0.177e-9, 0.874, 0.173e-9},
-                                           {"UNCD", 23.4e-9, 1.46, 3.37e9, 0.977, 0.282e-6, 4.16e-9, 0.971, 4.10e-9},
-                                           {"NCD", 121.7e-9, 1.15, 3.19e9, 0.879, 3.76e-6, 9.57e-9, 0.872, 9.24e-9},
-                                           {"MCD", 126.6e-9, 1.07, 2.83e9, 0.896, 3.81e-6, 9.97e-9, 0.890, 9.66e-9}}};
+constexpr std::array<Surface, 4> surfaces{
+    {{"polished UNCD", 4.6e-9, 0.39, 1.13e9, 0.883, 0.287e-6, 0.177e-9, 0.874, 0.173e-9},
+     {"UNCD", 23.4e-9, 1.46, 3.37e9, 0.977, 0.282e-6, 4.16e-9, 0.971, 4.10e-9},
+     {"NCD", 121.7e-9, 1.15, 3.19e9, 0.879, 3.76e-6, 9.57e-9, 0.872, 9.24e-9},
+     {"MCD", 126.6e-9, 1.07, 2.83e9, 0.896, 3.81e-6, 9.97e-9, 0.890, 9.66e-9}}};
 
 /// U_el/(A E*) = (1/8π) ∫ q² C_iso dq.
 double energy(const SelfAffine& model) { return moment(model, 1.0) / (8.0 * pi); }
@@ -38,7 +39,8 @@ TEST(SelfAffineNanodiamond, FollowsFromThePublishedMoments) {
 
 TEST(SelfAffineNanodiamond, FollowsFromThePublishedMomentsUpToFourAngstrom) {
     for (const auto& surface : surfaces) {
-        const auto model = self_affine_with_moments(surface.height, surface.slope, surface.curvature, 2.0 * pi / (4.0 * units::angstrom));
+        const auto model = self_affine_with_moments(surface.height, surface.slope, surface.curvature,
+                                                    2.0 * pi / (4.0 * units::angstrom));
         EXPECT_NEAR(model.hurst_exponent, surface.hurst_at_4_angstrom, 0.0006) << surface.name;
         EXPECT_NEAR(energy(model) / surface.energy_at_4_angstrom, 1.0, 0.003) << surface.name;
     }

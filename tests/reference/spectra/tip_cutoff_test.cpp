@@ -46,7 +46,8 @@ TEST(TipCutoffOfRealFiles, LineScanIs126Point519Nanometres) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/xy-4.txt");
     const auto profile = points_as_written(path);
     const Index n = profile.positions.size();
-    const LineScan scan{profile.heights, profile.size() * static_cast<double>(n) / static_cast<double>(n - 1), false, {}};
+    const LineScan scan{
+        profile.heights, profile.size() * static_cast<double>(n) / static_cast<double>(n - 1), false, {}};
     EXPECT_NEAR(tip_cutoff(scan, 40 * units::nm).value / units::um, 0.126519, 1e-6);
     // as a polyline 0.126527 at the positions the package samples; the minimum over all x is a little sharper
     EXPECT_NEAR(tip_cutoff(profile, 40 * units::nm).value / units::um, 0.12653, 5e-6);

@@ -34,7 +34,9 @@ double worst_deviation(Index points, double hurst, std::initializer_list<double>
 
 class TrueAreaOfSelfAffineMaps : public testing::TestWithParam<double> {};
 
-TEST_P(TrueAreaOfSelfAffineMaps, IsThatOfGaussianSlopes) { EXPECT_LT(worst_deviation(1024, GetParam(), {0.01, 0.3, 1.0, 3.0, 10.0}), 0.01); }
+TEST_P(TrueAreaOfSelfAffineMaps, IsThatOfGaussianSlopes) {
+    EXPECT_LT(worst_deviation(1024, GetParam(), {0.01, 0.3, 1.0, 3.0, 10.0}), 0.01);
+}
 
 TEST_P(TrueAreaOfSelfAffineMaps, DISABLED_Of4096PointsIsThatOfGaussianSlopes) {
     EXPECT_LT(worst_deviation(4096, GetParam(), {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}), 0.01);

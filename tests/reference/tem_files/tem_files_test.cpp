@@ -34,19 +34,26 @@ constexpr Expected pictures[] = {
     {"test-11.dm4", "dm4", 2, 2, 2.5, 1, 4, 0.7, 0.6},
     {"test-2.dm3", "dm3", 2, 2, 2.5, 1, 4, 0.7, 0.6},
     {"test-7.dm4", "dm4", 2, 2, 2.5, 1, 4, 0.7, 0.6},
-    {"test_STEM_image.dm3", "dm3", 68, 68, 32655.396842560553, 33121, 32683, 33.48105699422091, 33.52560591059961, 0.24853801727294922e-9, 0.24853801727294922e-9},
+    {"test_STEM_image.dm3", "dm3", 68, 68, 32655.396842560553, 33121, 32683, 33.48105699422091, 33.52560591059961,
+     0.24853801727294922e-9, 0.24853801727294922e-9},
     {"20180529_A9_003.TIF", "tiff", 2240, 1952, 21.919602834089577, 0, 0, 809.5035159835575, 1260.6708597730508},
     {"Case4_D8_007.TIF", "tiff", 2240, 1952, 22.402661647394613, 0, 0, 770.1726879402714, 974.0373355408733},
     {"ExampleImage.tif", "tiff", 512, 512, 121.1115983543396, 113, 86, 260.9417520112135, 243.5191623906804},
-    {"olympus_SIS.tif", "tiff", 112, 101, 7999.082213578501, 7046, 7400, 49.66046676058509, 55.002174610776265, 2.392791775876109e-11, 2.3927917758761087e-11},
-    {"test_loading_image_saved_with_DM.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319, 33.42797015852473, 33.45973164458144, 0.16867469251155853e-6, 0.16867469251155853e-6},
-    {"test_loading_image_saved_with_imageJ.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319, 33.42797015852473, 33.45973164458144, 0.16867471098853332e-6, 0.16867471098853332e-6},
-    {"test_loading_image_saved_with_imageJ_no_scale.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319, 33.42797015852473, 33.45973164458144}};
+    {"olympus_SIS.tif", "tiff", 112, 101, 7999.082213578501, 7046, 7400, 49.66046676058509, 55.002174610776265,
+     2.392791775876109e-11, 2.3927917758761087e-11},
+    {"test_loading_image_saved_with_DM.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319, 33.42797015852473,
+     33.45973164458144, 0.16867469251155853e-6, 0.16867469251155853e-6},
+    {"test_loading_image_saved_with_imageJ.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319, 33.42797015852473,
+     33.45973164458144, 0.16867471098853332e-6, 0.16867471098853332e-6},
+    {"test_loading_image_saved_with_imageJ_no_scale.tif", "tiff", 68, 68, 3335.3871107266436, 3465, 3319,
+     33.42797015852473, 33.45973164458144}};
 
 /// Of members of tiff_FEI_Helios.zip.
 constexpr Expected zipped_pictures[] = {
-    {"FEI-Helios-Ebeam-16bits.tif", "tiff", 512, 471, 785.0849256900212, 0, 64512, 455.4763734703536, 258.9410844432425, 3.3724e-6, 3.3724e-6},
-    {"FEI-Helios-Ebeam-8bits.tif", "tiff", 512, 471, 3.0667379909766455, 0, 252, 455.4763734703536, 258.9410844432425, 3.3724e-6, 3.3724e-6},
+    {"FEI-Helios-Ebeam-16bits.tif", "tiff", 512, 471, 785.0849256900212, 0, 64512, 455.4763734703536, 258.9410844432425,
+     3.3724e-6, 3.3724e-6},
+    {"FEI-Helios-Ebeam-8bits.tif", "tiff", 512, 471, 3.0667379909766455, 0, 252, 455.4763734703536, 258.9410844432425,
+     3.3724e-6, 3.3724e-6},
     {"FEI-Helios-navcam.tif", "tiff", 768, 551, 0, 0, 0, NAN, NAN, 0.202732 / 768, 0.135155 / 512},
     {"FEI-Helios-navcam-with-no-IRBeam.tif", "tiff", 768, 551, 0, 0, 0, NAN, NAN},
     {"FEI-Helios-navcam-with-no-IRBeam-bad-floats.tif", "tiff", 768, 551, 0, 0, 0, NAN, NAN}};
@@ -87,19 +94,24 @@ std::string content_of(const fs::path& path) {
 
 std::string member_of(const fs::path& archive, const char* name) {
     int code = 0;
-    const std::unique_ptr<zip_t, decltype(&zip_discard)> zip(zip_open(archive.c_str(), ZIP_RDONLY, &code), &zip_discard);
+    const std::unique_ptr<zip_t, decltype(&zip_discard)> zip(zip_open(archive.c_str(), ZIP_RDONLY, &code),
+                                                             &zip_discard);
     zip_stat_t status;
     if (!zip || zip_stat(zip.get(), name, 0, &status) != 0) return {};
     const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(zip_fopen(zip.get(), name, 0), &zip_fclose);
     std::string content(status.size, '\0');
-    return file && zip_fread(file.get(), content.data(), content.size()) == static_cast<zip_int64_t>(content.size()) ? content : std::string();
+    return file && zip_fread(file.get(), content.data(), content.size()) == static_cast<zip_int64_t>(content.size())
+               ? content
+               : std::string();
 }
 
 /// A file of a test's own, removed with it.
 class Copy {
 public:
     Copy(const std::string& name, const std::string& content)
-        : folder_(fs::temp_directory_path() / (std::string("setae_tem_") + testing::UnitTest::GetInstance()->current_test_info()->name())), path_(folder_ / name) {
+        : folder_(fs::temp_directory_path() /
+                  (std::string("setae_tem_") + testing::UnitTest::GetInstance()->current_test_info()->name())),
+          path_(folder_ / name) {
         fs::create_directories(folder_);
         std::ofstream(path_, std::ios::binary) << content;
     }
@@ -163,7 +175,8 @@ TEST(TemFiles, CutAnywhereAreRefusedUnlessOnlyUnusedTagsAreLost) {
             const Copy copy(expected.file, content.substr(0, length));
             try {
                 expect_as(read_micrograph(copy.path()), expected);
-                EXPECT_EQ(std::string(expected.file), "olympus_SIS.tif") << "cut to " << length;  // blocks of its program follow the image
+                EXPECT_EQ(std::string(expected.file), "olympus_SIS.tif")
+                    << "cut to " << length;  // blocks of its program follow the image
             } catch (const FormatError& error) {
                 EXPECT_NE(std::string(error.what()).find("at byte"), std::string::npos) << error.what();
             }

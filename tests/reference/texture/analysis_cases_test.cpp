@@ -22,7 +22,8 @@ using topography::Profile;
 
 class TextureCases : public tests::AnalysisCases {
 protected:
-    /// Bearing areas at the recorded heights; median and half-width, which the package finds by bisection to 1e-6 of the height range.
+    /// Bearing areas at the recorded heights; median and half-width, which the package finds by bisection to 1e-6 of
+    /// the height range.
     void expect_curve(const MeasurementView& measurement, const char* name) const {
         const auto& expected = cases[name];
         const Array1D heights = series(expected["bearing_heights"]), areas = series(expected["bearing_area"]);
@@ -64,8 +65,10 @@ TEST_F(TextureCases, HeightsAndGradientsOfMapsAgree) {
         EXPECT_NEAR(heights.Sq / cases[name]["Sq"].get<double>(), 1.0, 1e-10);
         EXPECT_NEAR(heights.mean / cases[name]["mean"].get<double>(), 1.0, 1e-10);
     }
-    // differences that do not wrap are averaged over different numbers of points along x and y by the package; periodic ones agree
-    EXPECT_NEAR(hybrid_parameters(height_map("map_periodic")).Sdq / cases["map_periodic"]["rms_gradient"].get<double>(), 1.0, 1e-10);
+    // differences that do not wrap are averaged over different numbers of points along x and y by the package; periodic
+    // ones agree
+    EXPECT_NEAR(hybrid_parameters(height_map("map_periodic")).Sdq / cases["map_periodic"]["rms_gradient"].get<double>(),
+                1.0, 1e-10);
 }
 
 TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
@@ -79,8 +82,10 @@ TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
     const auto [dx, dy] = holed.pixel_size();
     for (Index i = 0; i < holed.heights.rows(); ++i)
         for (Index j = 0; j < holed.heights.cols(); ++j) {
-            const double hx = i + 1 < holed.heights.rows() ? (holed.heights(i + 1, j) - holed.heights(i, j)) / dx : undefined;
-            const double hy = j + 1 < holed.heights.cols() ? (holed.heights(i, j + 1) - holed.heights(i, j)) / dy : undefined;
+            const double hx =
+                i + 1 < holed.heights.rows() ? (holed.heights(i + 1, j) - holed.heights(i, j)) / dx : undefined;
+            const double hy =
+                j + 1 < holed.heights.cols() ? (holed.heights(i, j + 1) - holed.heights(i, j)) / dy : undefined;
             x2 += hx == hx ? hx * hx : 0.0;
             y2 += hy == hy ? hy * hy : 0.0;
             x += hx == hx ? 1 : 0;

@@ -37,7 +37,8 @@ protected:
         SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mitutoyo_2_mock.xlsx");
         line = formats::read(path.string());
         // N 4, cut-off 2.5 mm, ISO 1997: four sections of the filtered profile, parameters of each averaged
-        const auto rows = profile_parameters(line, {.section_length = 2.5e-3, .averages = Averages::sections, .mean_line = MeanLine::zero});
+        const auto rows = profile_parameters(
+            line, {.section_length = 2.5e-3, .averages = Averages::sections, .mean_line = MeanLine::zero});
         for (const auto& row : rows) values[row.quantity.symbol] = row.quantity.estimate.value;
     }
     topography::Measurement line;
@@ -45,8 +46,9 @@ protected:
 };
 
 TEST_F(SurfTest, ParametersAgreeWithTheInstrumentsToItsLastDigit) {
-    const std::map<std::string, std::string> names{{"Ra", "Ra"}, {"Rq", "Rq"}, {"Rsk", "Rsk"}, {"Rku", "Rku"}, {"Rp", "Rp"}, {"Rv", "Rv"}, {"Rz", "Rz"},
-                                                   {"Rt", "Rt"}, {"Rzx", "Rz1max"}, {"Rc", "Rc"}, {"RSm", "RSm"}, {"Rdq", "RDq"}};
+    const std::map<std::string, std::string> names{{"Ra", "Ra"},      {"Rq", "Rq"}, {"Rsk", "Rsk"}, {"Rku", "Rku"},
+                                                   {"Rp", "Rp"},      {"Rv", "Rv"}, {"Rz", "Rz"},   {"Rt", "Rt"},
+                                                   {"Rzx", "Rz1max"}, {"Rc", "Rc"}, {"RSm", "RSm"}, {"Rdq", "RDq"}};
     for (const auto& [ours, theirs] : names) {
         const auto expected = printed(line, theirs);
         EXPECT_NEAR(values.at(ours), expected.value, expected.rounding) << ours;
@@ -56,16 +58,20 @@ TEST_F(SurfTest, ParametersAgreeWithTheInstrumentsToItsLastDigit) {
 TEST_F(SurfTest, CoreParametersOfTheStoredProfileAreNearTheInstruments) {
     // presumably the instrument takes them behind the filter of ISO 13565-1, of a profile the file does not hold
     const std::map<std::string, std::string> names{{"Rk", "Rk"}, {"Rpk", "Rpk"}, {"Rvk", "Rvk"}, {"Rmrk2", "Mr2"}};
-    for (const auto& [ours, theirs] : names) EXPECT_NEAR(values.at(ours) / printed(line, theirs).value, 1.0, 0.08) << ours;
+    for (const auto& [ours, theirs] : names)
+        EXPECT_NEAR(values.at(ours) / printed(line, theirs).value, 1.0, 0.08) << ours;
     // its A1 and A2 are the triangles of its other numbers, as ours are
     EXPECT_NEAR(printed(line, "A1").value, 50.0 * printed(line, "Rpk").value * 1e6 * printed(line, "Mr1").value, 0.01);
     EXPECT_NEAR(values.at("Rak1"), 0.5 * values.at("Rpk") * values.at("Rmrk1"), 1e-12);
 }
 
 TEST(Mirrors, RmsHeightsOfDabamAgreeWithThePublishedOnes) {
-    for (const auto& [name, rms, tolerance] : {std::tuple{"dabam-010", 3.048414e-9, 2e-6}, {"dabam-011", 3.23343e-9, 2e-6}, {"dabam-014", 15.372782e-9, 1e-2}}) {
+    for (const auto& [name, rms, tolerance] : {std::tuple{"dabam-010", 3.048414e-9, 2e-6},
+                                               {"dabam-011", 3.23343e-9, 2e-6},
+                                               {"dabam-014", 15.372782e-9, 1e-2}}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, std::string("topography/profiles/") + name + ".dat");
-        const auto heights = height_parameters(topography::detrended(formats::read(path.string()), topography::Trend::parabola));
+        const auto heights =
+            height_parameters(topography::detrended(formats::read(path.string()), topography::Trend::parabola));
         const auto n = static_cast<double>(heights.defined);
         EXPECT_NEAR(heights.Sq * std::sqrt(n / (n - 1.0)) / rms, 1.0, tolerance) << name;  // published with n − 1
     }

@@ -6,9 +6,9 @@
 
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/output/json.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/self_affine.hpp"
-#include "setae/output/json.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae {
@@ -30,26 +30,34 @@ struct Expected {
     double hurst, rolloff_um, energy_nm;
 };
 
-void expect_reconstructions(const study::StudyResult& result, double wavevector, const std::vector<Expected>& expected, double energy_digit) {
+void expect_reconstructions(const study::StudyResult& result, double wavevector, const std::vector<Expected>& expected,
+                            double energy_digit) {
     for (const auto& e : expected) {
         const auto& moments = *result.study.surface(e.surface)->moments;
-        const auto model = spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value, moments.rms_curvature.value, wavevector);
+        const auto model = spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value,
+                                                             moments.rms_curvature.value, wavevector);
         EXPECT_NEAR(model.hurst_exponent, e.hurst, 5e-4) << e.surface;
         if (e.rolloff_um > 0.0) {
             EXPECT_NEAR(2e6 * pi / model.rolloff_wavevector, e.rolloff_um, 5e-3) << e.surface;
         }
-        EXPECT_NEAR(1e9 * result.surface(e.surface).used().parameters.elastic_energy_per_modulus, e.energy_nm, energy_digit) << e.surface;
+        EXPECT_NEAR(1e9 * result.surface(e.surface).used().parameters.elastic_energy_per_modulus, e.energy_nm,
+                    energy_digit)
+            << e.surface;
     }
 }
 
 TEST(PublishedTables, ContactModuliAgainstDiamond) {
-    const std::vector<std::pair<double, double>> expected{{0.69e6, 0.91999923e6}, {1.03e6, 1.37333162e6}, {1.91e6, 2.54666079e6}, {10.03e6, 13.37317133e6}};
-    for (const auto& [E, contact_modulus] : expected) EXPECT_NEAR(contact::contact_modulus({E, 0.5}, {1100e9, 0.06}), contact_modulus, 0.005) << E;
+    const std::vector<std::pair<double, double>> expected{
+        {0.69e6, 0.91999923e6}, {1.03e6, 1.37333162e6}, {1.91e6, 2.54666079e6}, {10.03e6, 13.37317133e6}};
+    for (const auto& [E, contact_modulus] : expected)
+        EXPECT_NEAR(contact::contact_modulus({E, 0.5}, {1100e9, 0.06}), contact_modulus, 0.005) << E;
 }
 
 TEST(PublishedTables, TrueAreaRatios) {
-    const std::map<std::string, double> expected{{"PUNCD", 1.07125}, {"UNCD", 1.68822}, {"NCD", 1.47496}, {"MCD", 1.42306}};
-    for (const auto& [surface, ratio] : expected) EXPECT_NEAR(published().surface(surface).area_ratio(), ratio, 5e-6) << surface;
+    const std::map<std::string, double> expected{
+        {"PUNCD", 1.07125}, {"UNCD", 1.68822}, {"NCD", 1.47496}, {"MCD", 1.42306}};
+    for (const auto& [surface, ratio] : expected)
+        EXPECT_NEAR(published().surface(surface).area_ratio(), ratio, 5e-6) << surface;
 }
 
 TEST(PublishedTables, SurfacesKeepTheirThreeMoments) {
@@ -62,14 +70,24 @@ TEST(PublishedTables, SurfacesKeepTheirThreeMoments) {
 }
 
 TEST(PublishedTables, ReconstructionWithThePapersCutoff) {
-    expect_reconstructions(published(), 1.6e10, {{"PUNCD", 0.883, 0.287, 0.177}, {"UNCD", 0.977, 0.282, 4.16}, {"NCD", 0.879, 3.76, 9.57}, {"MCD", 0.896, 3.81, 9.97}}, 5.1e-3);
+    expect_reconstructions(published(), 1.6e10,
+                           {{"PUNCD", 0.883, 0.287, 0.177},
+                            {"UNCD", 0.977, 0.282, 4.16},
+                            {"NCD", 0.879, 3.76, 9.57},
+                            {"MCD", 0.896, 3.81, 9.97}},
+                           5.1e-3);
     EXPECT_NEAR(1e9 * published().surface("PUNCD").used().parameters.elastic_energy_per_modulus, 0.177, 5e-4);
 }
 
 TEST(PublishedTables, ReconstructionWithFourAngstrom) {
     const double wavevector = 2.0 * pi / 4e-10;
     const auto result = published_with_short_wavevector(wavevector);
-    expect_reconstructions(result, wavevector, {{"PUNCD", 0.874, 0.0, 0.173}, {"UNCD", 0.971, 0.0, 4.10}, {"NCD", 0.872, 0.0, 9.24}, {"MCD", 0.890, 0.0, 9.66}}, 5.1e-3);
+    expect_reconstructions(result, wavevector,
+                           {{"PUNCD", 0.874, 0.0, 0.173},
+                            {"UNCD", 0.971, 0.0, 4.10},
+                            {"NCD", 0.872, 0.0, 9.24},
+                            {"MCD", 0.890, 0.0, 9.66}},
+                           5.1e-3);
     EXPECT_NEAR(1e3 * result.modified->work_of_adhesion.value, 36.9, 0.05);
     EXPECT_NEAR(result.modified->r_squared, 0.503, 5e-4);
     EXPECT_NEAR(1e3 * result.persson_tosatti->work_of_adhesion.value, 25.6, 0.05);
@@ -86,7 +104,9 @@ TEST(PublishedTables, FitOfTheModifiedBalance) {
     EXPECT_GT(fit.likelihood->interval->upper, 0.037);
 }
 
-TEST(PublishedTables, FitOfPerssonTosatti) { EXPECT_NEAR(1e3 * published().persson_tosatti->work_of_adhesion.value, 25.75, 5e-3); }
+TEST(PublishedTables, FitOfPerssonTosatti) {
+    EXPECT_NEAR(1e3 * published().persson_tosatti->work_of_adhesion.value, 25.75, 5e-3);
+}
 
 TEST(PublishedTables, NoSpectrumCanDoBetterThanFreeEnergies) {
     EXPECT_NEAR(1e3 * published().free_energies->work_of_adhesion, 37.67, 5e-3);
@@ -107,7 +127,8 @@ TEST(PublishedTables, TheReconstructionFloorsThreePairsAtTenMegapascal) {
 TEST(PublishedTables, LossOfTheSmoothSphere) {
     const std::map<std::string, double> expected{{"E0.7", 0.46}, {"E1.0", 0.31}, {"E1.9", 0.23}, {"E10", 0.12}};
     ASSERT_EQ(published().references.size(), 4u);
-    for (const auto& reference : published().references) EXPECT_NEAR(1e9 * *reference.ideal_loss, expected.at(reference.elastomer), 5e-3) << reference.elastomer;
+    for (const auto& reference : published().references)
+        EXPECT_NEAR(1e9 * *reference.ideal_loss, expected.at(reference.elastomer), 5e-3) << reference.elastomer;
 }
 
 TEST(PublishedTables, LoopFitIsNullWithAReason) {
@@ -120,7 +141,8 @@ TEST(PublishedTables, LoopFitIsNullWithAReason) {
 }
 
 TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
-    // THEORY §2: U_el 1.3·10⁻⁵, h_rms 0.04 %, which is MCD reconstructed up to 2π/4 Å (up to 1.6·10¹⁰: 1.15·10⁻⁵, 0.034 %)
+    // THEORY §2: U_el 1.3·10⁻⁵, h_rms 0.04 %, which is MCD reconstructed up to 2π/4 Å (up to 1.6·10¹⁰: 1.15·10⁻⁵, 0.034
+    // %)
     const auto whole = published_with_short_wavevector(2.0 * pi / 4e-10);
     auto study = whole.study;
     study.analysis.limits.longest = 100e-6;
@@ -132,7 +154,8 @@ TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
 
 TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
     const auto study = study::read_study("examples/nanodiamond/published.toml");
-    EXPECT_EQ(output::to_json(study::run_study(study, {1})).dump(), output::to_json(study::run_study(study, {3})).dump());
+    EXPECT_EQ(output::to_json(study::run_study(study, {1})).dump(),
+              output::to_json(study::run_study(study, {3})).dump());
 }
 
 TEST(LaterNcdModel, HasItsPublishedMoments) {

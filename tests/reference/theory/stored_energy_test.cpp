@@ -16,16 +16,18 @@ using roughness::SpectrumCurve;
 SpectrumCurve from_lines(const topography::HeightMap& map) {
     const auto s = spectra::power_spectrum(map);
     const double half_step = 0.5 * s.wavevector[0];
-    return {s.wavevector, s.C1D, {s.wavevector[0] - half_step, s.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
+    return {
+        s.wavevector, s.C1D, {s.wavevector[0] - half_step, s.q_max}, roughness::Density::C1D, roughness::Nodes::modes};
 }
 
 TEST(StoredEnergy, OfAMapIsTheSameByEveryRoute) {
-    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D knows one direction of
-    // one realisation only, which leaves a per cent; the other two share their data and differ by rounding and bins.
+    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D knows one direction
+    // of one realisation only, which leaves a per cent; the other two share their data and differ by rounding and bins.
     auto map = tests::self_affine_map(0.6, 256, 16, 60, 9);
     const double by_modes = adhesion::stored_energy(1e6, map);
     const auto iso = spectra::isotropic_power_spectrum(map, {}, spectra::LogGrid{100});
-    const double by_iso = adhesion::stored_energy(1e6, SpectrumCurve{iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso});
+    const double by_iso = adhesion::stored_energy(
+        1e6, SpectrumCurve{iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso});
     EXPECT_NEAR(adhesion::stored_energy(1e6, from_lines(map)) / by_modes, 1.0, 0.02);
     EXPECT_NEAR(by_iso / by_modes, 1.0, 0.02);
     // measured as an open map, levelled and windowed, it stays the same surface
@@ -37,7 +39,8 @@ TEST(StoredEnergy, OfAMapIsTheSameByEveryRoute) {
 TEST(StoredEnergy, OfAGratingShowsWhatIsotropyAssumes) {
     // a grating along x taken for an isotropic surface by its lines: π/2 times too large, THEORY §4.1 turned round
     topography::HeightMap map{Array2D(128, 64), {1.0, 0.5}, true};
-    for (Index i = 0; i < 128; ++i) map.heights.row(i).setConstant(std::cos(2.0 * pi * 8.0 * static_cast<double>(i) / 128.0));
+    for (Index i = 0; i < 128; ++i)
+        map.heights.row(i).setConstant(std::cos(2.0 * pi * 8.0 * static_cast<double>(i) / 128.0));
     EXPECT_NEAR(adhesion::stored_energy(1e6, from_lines(map)) / adhesion::stored_energy(1e6, map), 0.5 * pi, 1e-9);
 }
 

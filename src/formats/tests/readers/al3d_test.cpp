@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "error_message.hpp"
-#include "format_samples.hpp"
 #include "al3d_samples.hpp"
 #include "counted_source.hpp"
+#include "error_message.hpp"
+#include "format_samples.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/formats/format.hpp"
 
@@ -16,7 +16,8 @@ namespace setae::formats::tests {
 namespace {
 
 Array1D heights_of(const Array2D& stored, const std::string& marker) {
-    return topography::all_heights(open(bytes::memory_source("a.al3d", al3d_file(stored, {{"InvalidPixelValue", marker}})), {}).at(0).read());
+    return topography::all_heights(
+        open(bytes::memory_source("a.al3d", al3d_file(stored, {{"InvalidPixelValue", marker}})), {}).at(0).read());
 }
 
 std::string refusal(const std::string& content) {
@@ -59,7 +60,11 @@ TEST(Al3d, ReadsTheImageOnceAndNotMore) {
 }
 
 TEST(Al3d, KeepsItsCommentAndApplication) {
-    const auto info = open(bytes::memory_source("a.al3d", al3d_file(lopsided_heights(3, 2, 1e-6), {{"CreatingApplication", "MeasureSuite 5.3.6"}})), {}).at(0).info;
+    const auto info = open(bytes::memory_source("a.al3d", al3d_file(lopsided_heights(3, 2, 1e-6),
+                                                                    {{"CreatingApplication", "MeasureSuite 5.3.6"}})),
+                           {})
+                          .at(0)
+                          .info;
     EXPECT_EQ(info.metadata.attributes.at("comment"), "polished");
     EXPECT_EQ(info.metadata.attributes.at("software_version"), "MeasureSuite 5.3.6");
     EXPECT_EQ(info.unit, "m");
@@ -69,7 +74,9 @@ TEST(Al3d, DamagedTagsAreRefusedWithTheirPlace) {
     const auto content = al3d_file(lopsided_heights(3, 2, 1e-6), {});
     auto damaged = content;
     damaged[17 + 52 + 50] = 'x';
-    EXPECT_NE(refusal(damaged).find("at byte 69: Alicona: the tag 'TagCount' does not end with CR LF"), std::string::npos) << refusal(damaged);
+    EXPECT_NE(refusal(damaged).find("at byte 69: Alicona: the tag 'TagCount' does not end with CR LF"),
+              std::string::npos)
+        << refusal(damaged);
     damaged = content;
     damaged.replace(damaged.find("Cols"), 4, "Colt");
     EXPECT_NE(refusal(damaged).find("the tag 'Cols' is missing"), std::string::npos) << refusal(damaged);

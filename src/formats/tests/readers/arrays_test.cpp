@@ -31,7 +31,9 @@ FormatSample named(const std::vector<FormatSample>& samples, const std::string& 
     throw InvalidArgument("no sample " + name);
 }
 
-std::vector<Channel> channels_of(const FormatSample& sample, const ReadOptions& options = {}) { return open(bytes::memory_source("sample", sample.content), options); }
+std::vector<Channel> channels_of(const FormatSample& sample, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("sample", sample.content), options);
+}
 
 constexpr std::uint64_t gigabyte = std::uint64_t{1} << 30, megabyte = 1 << 20;
 
@@ -53,7 +55,8 @@ TEST(NetCdf, UnequalStepsBecomeAProfile) {
     EXPECT_DOUBLE_EQ(profile.heights[3], 5e-9);
 }
 
-TEST(NetCdf, AxesKeepTheirOwnUnit) {  // SurfaceTopography refuses a file whose heights are in another unit than its axes
+TEST(NetCdf,
+     AxesKeepTheirOwnUnit) {  // SurfaceTopography refuses a file whose heights are in another unit than its axes
     const auto channel = channels_of(named(netcdf_samples(), "records")).at(0);
     EXPECT_DOUBLE_EQ(channel.info.size[0], 5e-6);
     EXPECT_EQ(channel.info.unit, "nm");
@@ -69,7 +72,8 @@ TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
     Hdf5Builder file;
     file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).attribute("/heights", "unit", std::string("nm"));
     file.attribute("/", "_NCProperties", std::string("version=2"));
-    file.dataset("/x", H5T_IEEE_F32BE, {3}, {}).attribute("/x", "NAME", std::string("This is a netCDF dimension but not a netCDF variable.         3"));
+    file.dataset("/x", H5T_IEEE_F32BE, {3}, {})
+        .attribute("/x", "NAME", std::string("This is a netCDF dimension but not a netCDF variable.         3"));
     const auto channel = open(bytes::memory_source("sample", file.bytes()), {.size = {{6e-6}}, .unit = {}}).at(0);
     EXPECT_EQ(channel.info.format, "nc");
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channel.read()).size, 6e-6);
@@ -77,16 +81,20 @@ TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
 
 TEST(NetCdf, WhatTheLibraryFillsInIsUndefined) {
     Hdf5Builder file;
-    file.dataset("/heights", H5T_IEEE_F64LE, {2, 2}, {1.0, 2.0, 9.9692099683868690e+36, 4.0}).attribute("/heights", "unit", std::string("nm"));
+    file.dataset("/heights", H5T_IEEE_F64LE, {2, 2}, {1.0, 2.0, 9.9692099683868690e+36, 4.0})
+        .attribute("/heights", "unit", std::string("nm"));
     file.attribute("/", "_NCProperties", std::string("version=2"));
-    const auto map = std::get<HeightMap>(open(bytes::memory_source("sample", file.bytes()), {.size = {{1e-6, 1e-6}}, .unit = {}}).at(0).read());
+    const auto map = std::get<HeightMap>(
+        open(bytes::memory_source("sample", file.bytes()), {.size = {{1e-6, 1e-6}}, .unit = {}}).at(0).read());
     EXPECT_TRUE(std::isnan(map.heights(1, 0)));
     EXPECT_EQ(map.heights.isNaN().count(), 1);
 }
 
 TEST(NetCdf, HeightsWithoutUnitHaveThatOfTheirPositions) {  // as SurfaceTopography writes unequal steps
     Hdf5Builder file;
-    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).dataset("/x", H5T_IEEE_F64LE, {3}, {0.0, 1.0, 3.0}).attribute("/x", "unit", std::string("um"));
+    file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0})
+        .dataset("/x", H5T_IEEE_F64LE, {3}, {0.0, 1.0, 3.0})
+        .attribute("/x", "unit", std::string("um"));
     const auto profile = std::get<Profile>(open(bytes::memory_source("sample", file.bytes()), {}).at(0).read());
     EXPECT_DOUBLE_EQ(profile.heights[2], 4e-6);
     EXPECT_DOUBLE_EQ(profile.positions[2], 3e-6);
@@ -113,16 +121,32 @@ TEST(NetCdf, WithoutUnitItIsListedAndAsksForIt) {
 TEST(NetCdf, RecordsNeverCountedAreRefused) {
     auto sample = named(netcdf_samples(), "records");
     sample.content.replace(4, 4, "\xff\xff\xff\xff");
-    EXPECT_NE(message_of([&] { (void)channels_of(sample); }).find("number of records was never written"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)channels_of(sample); }).find("number of records was never written"),
+              std::string::npos);
 }
 
 TEST(NetCdf, OpeningReadsTheHeaderAlone) {
     constexpr Index n = 11'000;
     ByteBuilder header(std::endian::big);
-    header.text("CDF").number(std::uint8_t{2}).number(std::uint32_t{0}).number(std::uint32_t{10}).number(std::uint32_t{2});
-    for (const char* name : {"x", "y"}) header.number(std::uint32_t{1}).text(name, 4).number(static_cast<std::uint32_t>(n));
-    header.number(std::uint64_t{0}).number(std::uint32_t{11}).number(std::uint32_t{1}).number(std::uint32_t{7}).text("heights", 8);
-    header.number(std::uint32_t{2}).number(std::uint32_t{0}).number(std::uint32_t{1}).number(std::uint64_t{0}).number(std::uint32_t{6}).number(std::uint32_t{0}).number(std::uint64_t{256});
+    header.text("CDF")
+        .number(std::uint8_t{2})
+        .number(std::uint32_t{0})
+        .number(std::uint32_t{10})
+        .number(std::uint32_t{2});
+    for (const char* name : {"x", "y"})
+        header.number(std::uint32_t{1}).text(name, 4).number(static_cast<std::uint32_t>(n));
+    header.number(std::uint64_t{0})
+        .number(std::uint32_t{11})
+        .number(std::uint32_t{1})
+        .number(std::uint32_t{7})
+        .text("heights", 8);
+    header.number(std::uint32_t{2})
+        .number(std::uint32_t{0})
+        .number(std::uint32_t{1})
+        .number(std::uint64_t{0})
+        .number(std::uint32_t{6})
+        .number(std::uint32_t{0})
+        .number(std::uint64_t{256});
     const CountedSource large(header.content(), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{n, n}));
     EXPECT_LT(large.bytes(), megabyte);
@@ -133,21 +157,30 @@ TEST(NetCdf, OpeningReadsTheHeaderAlone) {
 std::string npy_of(const std::string& type, const std::string& shape, const std::string& values) {
     ByteBuilder file;
     const auto dictionary = "{'descr': " + type + ", 'fortran_order': False, 'shape': " + shape + ", }\n";
-    file.text("\x93NUMPY").number(std::uint8_t{1}).number(std::uint8_t{0}).number(static_cast<std::uint16_t>(dictionary.size())).text(dictionary).text(values);
+    file.text("\x93NUMPY")
+        .number(std::uint8_t{1})
+        .number(std::uint8_t{0})
+        .number(static_cast<std::uint16_t>(dictionary.size()))
+        .text(dictionary)
+        .text(values);
     return file.content();
 }
 
 TEST(Npy, RecordsAndForeignNumbersAreRefused) {
-    const auto message = [](const std::string& content) { return message_of([&] { (void)open(bytes::memory_source("a.npy", content), {}); }); };
+    const auto message = [](const std::string& content) {
+        return message_of([&] { (void)open(bytes::memory_source("a.npy", content), {}); });
+    };
     EXPECT_NE(message(npy_of("[('x', '<f8')]", "(2,)", std::string(16, '\0'))).find("records"), std::string::npos);
-    for (const char* type : {"'<f2'", "'<c16'", "'|O'", "'<U3'", "'|b1'", "'<f16'"}) 
-        EXPECT_NE(message(npy_of(type, "(2, 2)", std::string(64, '\0'))).find("expected floats"), std::string::npos) << type;
+    for (const char* type : {"'<f2'", "'<c16'", "'|O'", "'<U3'", "'|b1'", "'<f16'"})
+        EXPECT_NE(message(npy_of(type, "(2, 2)", std::string(64, '\0'))).find("expected floats"), std::string::npos)
+            << type;
     EXPECT_NE(message(npy_of("'<f8'", "(2, 2, 2)", std::string(64, '\0'))).find("3 dimensions"), std::string::npos);
     EXPECT_NE(message(npy_of("'<f8'", "()", std::string(8, '\0'))).find("0 dimensions"), std::string::npos);
 }
 
 TEST(Npy, ArraysOfOneDimensionAreLines) {  // SurfaceTopography reads two dimensions alone
-    const auto line = std::get<LineScan>(channels_of(named(npy_samples(), "line of uint64"), {.size = {{2e-6}}, .unit = "nm"}).at(0).read());
+    const auto line = std::get<LineScan>(
+        channels_of(named(npy_samples(), "line of uint64"), {.size = {{2e-6}}, .unit = "nm"}).at(0).read());
     EXPECT_DOUBLE_EQ(line.heights[4], 7e-9);
 }
 
@@ -172,7 +205,8 @@ TEST(Npz, ListsArraysAndPassesOverTheRest) {
 }
 
 TEST(Npz, ArchivesWithOtherMembersAreNone) {
-    const auto archive = zip_archive({{"a.npy", npy_of("'<f8'", "(2, 2)", std::string(32, '\0'))}, {"readme.txt", "words"}});
+    const auto archive =
+        zip_archive({{"a.npy", npy_of("'<f8'", "(2, 2)", std::string(32, '\0'))}, {"readme.txt", "words"}});
     EXPECT_THROW((void)open(bytes::memory_source("a.zip", archive), {}), FormatError);
 }
 
@@ -229,15 +263,34 @@ TEST(Mat, StructsAloneAreRefusedPolitely) {
 TEST(Mat, CompressedMatrixThatPromisesTooMuchIsRefused) {
     constexpr std::uint32_t side = 20000, values = 8 * side * side;
     ByteBuilder header;  // of a matrix of 3 GB
-    header.number(std::uint32_t{14}).number(values + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{6}).number(std::uint32_t{0});
-    header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(side).number(side).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{9}).number(values);
+    header.number(std::uint32_t{14})
+        .number(values + 48u)
+        .number(std::uint32_t{6})
+        .number(std::uint32_t{8})
+        .number(std::uint32_t{6})
+        .number(std::uint32_t{0});
+    header.number(std::uint32_t{5})
+        .number(std::uint32_t{8})
+        .number(side)
+        .number(side)
+        .number(std::uint32_t{1 << 16 | 1})
+        .text("h", 4)
+        .number(std::uint32_t{9})
+        .number(values);
     const auto length = static_cast<std::uint16_t>(header.size());
     ByteBuilder packed;  // a zlib stream with one block that is stored, not deflated
-    packed.number(std::uint8_t{0x78}).number(std::uint8_t{0x01}).number(std::uint8_t{1}).number(length).number(static_cast<std::uint16_t>(~length)).text(header.content()).number(std::uint32_t{0});
+    packed.number(std::uint8_t{0x78})
+        .number(std::uint8_t{0x01})
+        .number(std::uint8_t{1})
+        .number(length)
+        .number(static_cast<std::uint16_t>(~length))
+        .text(header.content())
+        .number(std::uint32_t{0});
     ByteBuilder file;
     file.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM");
     file.number(std::uint32_t{15}).number(static_cast<std::uint32_t>(packed.size())).text(packed.content());
-    const auto channel = open(bytes::memory_source("a.mat", file.content()), {.size = {{1e-6, 1e-6}}, .unit = "nm"}).at(0);
+    const auto channel =
+        open(bytes::memory_source("a.mat", file.content()), {.size = {{1e-6, 1e-6}}, .unit = "nm"}).at(0);
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNREADABLE_ARRAY");
     EXPECT_NE(message_of([&] { (void)channel.read(); }).find("is to become"), std::string::npos);
 }
@@ -246,8 +299,20 @@ TEST(Mat, OpeningReadsHeadersAlone) {
     ByteBuilder header;
     header.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM");
     constexpr std::uint32_t rows = 16000, columns = 16384, bytes = 4 * rows * columns;
-    header.number(std::uint32_t{14}).number(bytes + 48u).number(std::uint32_t{6}).number(std::uint32_t{8}).number(std::uint32_t{7}).number(std::uint32_t{0});
-    header.number(std::uint32_t{5}).number(std::uint32_t{8}).number(rows).number(columns).number(std::uint32_t{1 << 16 | 1}).text("h", 4).number(std::uint32_t{7}).number(bytes);
+    header.number(std::uint32_t{14})
+        .number(bytes + 48u)
+        .number(std::uint32_t{6})
+        .number(std::uint32_t{8})
+        .number(std::uint32_t{7})
+        .number(std::uint32_t{0});
+    header.number(std::uint32_t{5})
+        .number(std::uint32_t{8})
+        .number(rows)
+        .number(columns)
+        .number(std::uint32_t{1 << 16 | 1})
+        .text("h", 4)
+        .number(std::uint32_t{7})
+        .number(bytes);
     const CountedSource large(header.content(), header.size() + bytes);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{columns, rows}));
     EXPECT_LT(large.bytes(), megabyte);

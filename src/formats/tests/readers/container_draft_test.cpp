@@ -3,13 +3,13 @@
 
 #include "container_samples.hpp"
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/container_draft.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/formats/npy.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -80,7 +80,8 @@ TEST(ContainerDraft, UndefinedPointsAreCountedAndStayUndefined) {
     EXPECT_EQ(topography.has_undefined_data, true);
     EXPECT_DOUBLE_EQ(topography.undefined_data_fraction.value(), 0.05);
     EXPECT_EQ(topography.is_periodic, true);
-    const auto copy = std::get<HeightMap>(open(container_member(container, topography.datafile.squeezed), {}).at(0).read());
+    const auto copy =
+        std::get<HeightMap>(open(container_member(container, topography.datafile.squeezed), {}).at(0).read());
     EXPECT_TRUE((copy.heights.isNaN() == heights.isNaN()).all());
 }
 
@@ -88,7 +89,9 @@ TEST(ContainerDraft, SaysWhatTheFileLeavesOpen) {
     const TemporaryFolder folder;
     write_npy(folder.path("m.npy"), Array2D(Array2D::Random(5, 4)));
     EXPECT_THROW((void)one_file(folder, {.path = folder.path("m.npy")}), InvalidArgument);
-    const auto container = one_file(folder, {.path = folder.path("m.npy"), .options = {{{2e-3, 1e-3}}, "um"}, .instrument = {.type = "stylus", .tip_radius = 2e-6}});
+    const auto container = one_file(folder, {.path = folder.path("m.npy"),
+                                             .options = {{{2e-3, 1e-3}}, "um"},
+                                             .instrument = {.type = "stylus", .tip_radius = 2e-6}});
     const auto file = read_container(container);
     const auto& topography = file.container.surfaces.at(0).topographies.at(0);
     EXPECT_EQ(topography.unit, "µm");
@@ -99,13 +102,18 @@ TEST(ContainerDraft, SaysWhatTheFileLeavesOpen) {
     EXPECT_EQ(channel.info.unit, "µm");
     const auto alone = std::get<HeightMap>(read(folder.path("m.npy"), 0, {{{2e-3, 1e-3}}, "um"}));
     EXPECT_TRUE((std::get<HeightMap>(channel.read()).heights == alone.heights).all());
-    EXPECT_THROW((void)one_file(folder, {.path = folder.path("m.npy"), .options = {{{2e-3, 1e-3}}, "cm"}}), InvalidArgument);
+    EXPECT_THROW((void)one_file(folder, {.path = folder.path("m.npy"), .options = {{{2e-3, 1e-3}}, "cm"}}),
+                 InvalidArgument);
 }
 
 TEST(ContainerDraft, DatesAreTakenWhereTheyLeaveNoDoubt) {
     const TemporaryFolder folder;
-    const std::pair<const char*, const char*> dates[] = {{"09:57:48 AM Tue Jan 12 2016", "2016-01-12"}, {"2016-02-15T10:00:00", "2016-02-15"}, {"15.02.2016", "2016-02-15"},
-                                                         {"Fri Mar 04 23:01:02 2011", "2011-03-04"},    {"02/03/2016", ""},                     {"yesterday", ""}};
+    const std::pair<const char*, const char*> dates[] = {{"09:57:48 AM Tue Jan 12 2016", "2016-01-12"},
+                                                         {"2016-02-15T10:00:00", "2016-02-15"},
+                                                         {"15.02.2016", "2016-02-15"},
+                                                         {"Fri Mar 04 23:01:02 2011", "2011-03-04"},
+                                                         {"02/03/2016", ""},
+                                                         {"yesterday", ""}};
     for (const auto& [time, expected] : dates) {
         auto bytes = nanoscope_file(4, 3, 2);
         const std::string old = "09:57:48 AM Tue Jan 12 2016";
@@ -130,9 +138,13 @@ TEST(ContainerDraft, UpgradeTakesARepeatedScaleOut) {
     const auto channels = open(written(folder, draft), {});
     ASSERT_EQ(channels.size(), 3u);
     for (const std::size_t i : {0, 2}) {
-        EXPECT_TRUE((topography::all_heights(channels[i].read()) == topography::all_heights(old_channels[i].read())).all());
-        const auto copy = open(container_member(bytes::file_source(folder.path("out.zip")), topographies[i].datafile.squeezed), {}).at(0);
-        const auto levelled = topography::detrended(old_channels[i].read(), old_channels[i].info.recommended_trend.value());
+        EXPECT_TRUE(
+            (topography::all_heights(channels[i].read()) == topography::all_heights(old_channels[i].read())).all());
+        const auto copy =
+            open(container_member(bytes::file_source(folder.path("out.zip")), topographies[i].datafile.squeezed), {})
+                .at(0);
+        const auto levelled =
+            topography::detrended(old_channels[i].read(), old_channels[i].info.recommended_trend.value());
         EXPECT_LT((topography::all_heights(copy.read()) - topography::all_heights(levelled)).abs().maxCoeff(), 1e-20);
     }
 }
@@ -152,7 +164,11 @@ TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
     const auto old = folder.write("old.zip", container_file());
     ContainerDraft draft;
     ContainerSurface surface{.name = "s"};
-    add_measurements_of(draft, surface, {.path = old, .channel = 2, .trend = topography::Trend::parabola, .instrument = {.type = "afm", .tip_radius = 1e-8}});
+    add_measurements_of(draft, surface,
+                        {.path = old,
+                         .channel = 2,
+                         .trend = topography::Trend::parabola,
+                         .instrument = {.type = "afm", .tip_radius = 1e-8}});
     ASSERT_EQ(surface.topographies.size(), 1u);
     EXPECT_EQ(surface.topographies[0].name, "image");
     EXPECT_EQ(surface.topographies[0].detrend_mode, "curvature");
@@ -163,7 +179,8 @@ TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
 
 TEST(ContainerCheck, FindsNothingInWhatWasWritten) {
     const TemporaryFolder folder;
-    const auto report = check_container(one_file(folder, {.path = folder.write("l.csv", two_lines), .trend = topography::Trend::tilt}));
+    const auto report =
+        check_container(one_file(folder, {.path = folder.write("l.csv", two_lines), .trend = topography::Trend::tilt}));
     EXPECT_TRUE(report.alerts.empty()) << report.alerts.at(0).message;
     EXPECT_TRUE(report.differences.empty());
     EXPECT_EQ(report.channels.size(), 1u);
@@ -173,8 +190,14 @@ TEST(ContainerCheck, TellsACopyThatIsNotItsOriginal) {
     const auto container = [](double factor) {
         const Array1D heights = factor * Array1D{{-2e-6, 0.0, -1e-6, 3e-6}};
         const auto copy = netcdf_content(LineScan{heights, 4e-6, false, {}}, "um");
-        return bytes::memory_source("c.zip", zip_archive({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", "unit": "um", "size": [4], "detrend_mode":
-"center", "datafile": {"original": "l.txt", "squeezed-netcdf": "l.nc"}}]}]})"}, {"l.txt", "0 1\n1 3\n2 2\n3 6\n"}, {"l.nc", copy}}));
+        return bytes::memory_source(
+            "c.zip",
+            zip_archive(
+                {{"index.json",
+                  R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", "unit": "um", "size": [4], "detrend_mode":
+"center", "datafile": {"original": "l.txt", "squeezed-netcdf": "l.nc"}}]}]})"},
+                 {"l.txt", "0 1\n1 3\n2 2\n3 6\n"},
+                 {"l.nc", copy}}));
     };
     EXPECT_FALSE(has_code(check_container(container(1.0)).alerts, "COPY_DIFFERS"));
     EXPECT_TRUE(has_code(check_container(container(0.112)).alerts, "COPY_DIFFERS"));
@@ -185,7 +208,8 @@ TEST(ContainerCheck, NamesRepeatedScalesBadMembersAndUnknownFields) {
     EXPECT_TRUE(has_code(report.alerts, "SCALE_TWICE"));
     EXPECT_TRUE(has_code(report.alerts, "UNREADABLE_MEMBER"));
     EXPECT_TRUE(report.differences.empty());
-    const auto newest = check_container(bytes::memory_source("c.zip", zip_archive({{"index.json", json_index_text()}})));
+    const auto newest =
+        check_container(bytes::memory_source("c.zip", zip_archive({{"index.json", json_index_text()}})));
     EXPECT_TRUE(has_code(newest.alerts, "UNKNOWN_FIELD"));
     EXPECT_TRUE(newest.differences.empty()) << newest.differences.at(0);
 }

@@ -18,13 +18,17 @@ using nlohmann::json;
 
 std::string any_text() {
     const auto pieces = *rc::gen::container<std::vector<std::string>>(
-        rc::gen::element<std::string>("a", "Z", "0", " ", "-", ":", "#", "\"", "'", "\\", "\n", "\t", "\x7f", "µ", "–", "😀", "\xc2\x85", "null", "1e-9", "!!", "&a", "*a"));
+        rc::gen::element<std::string>("a", "Z", "0", " ", "-", ":", "#", "\"", "'", "\\", "\n", "\t", "\x7f", "µ", "–",
+                                      "😀", "\xc2\x85", "null", "1e-9", "!!", "&a", "*a"));
     std::string text = "t";
     for (const auto& piece : pieces) text += piece;
     return text;
 }
 
-double any_number() { return *rc::gen::oneOf(rc::gen::map(rc::gen::inRange(-100000, 100000), [](int n) { return n / 8.0; }), rc::gen::element(1e-9, 2.5e300, -1e-7, 0.0)); }
+double any_number() {
+    return *rc::gen::oneOf(rc::gen::map(rc::gen::inRange(-100000, 100000), [](int n) { return n / 8.0; }),
+                           rc::gen::element(1e-9, 2.5e300, -1e-7, 0.0));
+}
 
 bool often() { return *rc::gen::inRange(0, 4) > 0; }
 
@@ -40,7 +44,9 @@ json any_texts() {
     return list;
 }
 
-json any_unknown() { return {{"value", any_number()}, {"list", json::array({any_text(), nullptr, true, json::object()})}}; }
+json any_unknown() {
+    return {{"value", any_number()}, {"list", json::array({any_text(), nullptr, true, json::object()})}};
+}
 
 json any_instrument() {
     json instrument{{"name", any_text()}, {"type", "contact-based"}};
@@ -76,8 +82,16 @@ json any_surface() {
     if (often()) surface["created_by"] = any_author();
     if (often()) surface["tags"] = any_texts();
     if (often()) surface["is_published"] = often();
-    if (often()) surface["properties"] = {{{"name", any_text()}, {"value", any_number()}, {"unit", "GPa"}}, {{"name", any_text()}, {"value", any_text()}}, {{"name", any_text()}}};
-    if (often()) surface["publication"] = {{"url", any_text()}, {"license", "cc0-1.0"}, {"authors", any_text()}, {"version", 3}, {"date", "2024-05-06"}};
+    if (often())
+        surface["properties"] = {{{"name", any_text()}, {"value", any_number()}, {"unit", "GPa"}},
+                                 {{"name", any_text()}, {"value", any_text()}},
+                                 {{"name", any_text()}}};
+    if (often())
+        surface["publication"] = {{"url", any_text()},
+                                  {"license", "cc0-1.0"},
+                                  {"authors", any_text()},
+                                  {"version", 3},
+                                  {"date", "2024-05-06"}};
     for (int left = *rc::gen::inRange(0, 4); left > 0; --left) surface["topographies"].push_back(any_topography());
     return surface;
 }
@@ -106,21 +120,26 @@ json with_old_keys(json index) {
 
 json as_skeleton(json index) {
     for (auto& surface : index["surfaces"])
-        for (auto& topography : surface["topographies"]) topography = {{"name", topography["name"]}, {"datafile", {{"squeezed-netcdf", "a.nc"}}}, {"size", topography["size"]}};
+        for (auto& topography : surface["topographies"])
+            topography = {{"name", topography["name"]},
+                          {"datafile", {{"squeezed-netcdf", "a.nc"}}},
+                          {"size", topography["size"]}};
     return index;
 }
 
 /// The index as YAML in flow style, which JSON is; sizes are tuples as Python writes them.
 std::string as_old_yaml(const json& index) {
     auto text = index.dump(-1, ' ', true);
-    for (auto at = text.find("\"size\":["); at != std::string::npos; at = text.find("\"size\":[", at + 8)) text.insert(at + 7, " !!python/tuple ");
+    for (auto at = text.find("\"size\":["); at != std::string::npos; at = text.find("\"size\":[", at + 8))
+        text.insert(at + 7, " !!python/tuple ");
     return text;
 }
 
 /// Characters beyond the first plane stand as pairs in ASCII JSON, which YAML takes for two: there they are left out.
 json without_pairs(const json& index) {
     auto text = index.dump();
-    for (auto at = text.find("😀"); at != std::string::npos; at = text.find("😀")) text.erase(at, std::string("😀").size());
+    for (auto at = text.find("😀"); at != std::string::npos; at = text.find("😀"))
+        text.erase(at, std::string("😀").size());
     return json::parse(text);
 }
 
@@ -133,23 +152,28 @@ void require_the_same_again(const bytes::Source& source, const json& index) {
     RC_ASSERT(read_container(written).container == before.container);
     RC_ASSERT(container_differences(source, written).empty());
     const auto yaml = container_member(written, "meta.yml").all();
-    RC_ASSERT(read_container(bytes::memory_source("y.zip", zip_archive({{"meta.yml", yaml}}))).container == before.container);
+    RC_ASSERT(read_container(bytes::memory_source("y.zip", zip_archive({{"meta.yml", yaml}}))).container ==
+              before.container);
 }
 
 RC_GTEST_PROP(Container, OfAnyGenerationIsTheSameAfterWritingAndReading, ()) {
     const auto index = without_pairs(any_index());
     const auto skeleton = as_skeleton(index);
     const Members generation_a{{"meta.yml", as_old_yaml(with_old_keys(index))}};
-    const Members generation_b{{"index.json", with_old_keys(index).dump()}, {"meta.yml", as_old_yaml(with_old_keys(index))}};
+    const Members generation_b{{"index.json", with_old_keys(index).dump()},
+                               {"meta.yml", as_old_yaml(with_old_keys(index))}};
     const Members generation_c{{"index.json", index.dump()}};
     const Members skeletons{{"index.json", skeleton.dump()}, {"meta.yml", as_old_yaml(skeleton)}};
-    for (const auto& [members, said] : {std::pair{generation_a, index}, {generation_b, index}, {generation_c, index}, {skeletons, skeleton}})
+    for (const auto& [members, said] :
+         {std::pair{generation_a, index}, {generation_b, index}, {generation_c, index}, {skeletons, skeleton}})
         require_the_same_again(bytes::memory_source("c.zip", zip_archive(members)), said);
 }
 
 RC_GTEST_PROP(Container, SaysTheSameInEveryGeneration, ()) {
     const auto index = without_pairs(any_index());
-    const auto read = [](const Members& members) { return read_container(bytes::memory_source("c.zip", zip_archive(members))).container; };
+    const auto read = [](const Members& members) {
+        return read_container(bytes::memory_source("c.zip", zip_archive(members))).container;
+    };
     const auto newest = read({{"index.json", index.dump()}});
     RC_ASSERT(read({{"index.json", with_old_keys(index).dump()}}) == newest);
     RC_ASSERT(read({{"meta.yml", as_old_yaml(with_old_keys(index))}}) == newest);

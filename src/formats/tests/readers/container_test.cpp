@@ -6,13 +6,13 @@
 
 #include "container_samples.hpp"
 #include "sample_files.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/container.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/formats/npy.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 using namespace setae::tests;
 
@@ -27,7 +27,9 @@ bytes::Source container(const Members& members) { return bytes::memory_source("c
 const std::string line_text = "0 1\n1 3\n2 2\n3 5\n";
 
 bytes::Source one_line(const std::string& index_fields) {
-    return container({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", )" + index_fields + "}]}]}"}, {"line.txt", line_text}});
+    return container(
+        {{"index.json", R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", )" + index_fields + "}]}]}"},
+         {"line.txt", line_text}});
 }
 
 /// The members of a container as they stand in it.
@@ -40,9 +42,12 @@ std::vector<ContainerMember> members_of(const bytes::Source& source) {
 
 TEST(ContainerIndex, GenerationsAreTold) {
     EXPECT_EQ(read_container(container({{"meta.yml", old_yaml_index()}})).generation, ContainerGeneration::yaml);
-    EXPECT_EQ(read_container(container({{"index.json", transitional_json_index()}, {"meta.yml", old_yaml_index()}})).generation, ContainerGeneration::both);
+    EXPECT_EQ(read_container(container({{"index.json", transitional_json_index()}, {"meta.yml", old_yaml_index()}}))
+                  .generation,
+              ContainerGeneration::both);
     EXPECT_EQ(read_container(container({{"index.json", json_index_text()}})).generation, ContainerGeneration::json);
-    EXPECT_EQ(read_container(container({{"index.json", skeleton_json_index()}})).generation, ContainerGeneration::skeleton);
+    EXPECT_EQ(read_container(container({{"index.json", skeleton_json_index()}})).generation,
+              ContainerGeneration::skeleton);
 }
 
 TEST(ContainerIndex, OldKeysMeanTheNewOnes) {
@@ -77,7 +82,9 @@ TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
 }
 
 TEST(ContainerIndex, NoValueIsMadeUpForAProperty) {
-    const auto without = container({{"index.json", R"({"surfaces": [{"name": "s", "properties": [{"name": "batch"}, {"name": "odd", "value": [1]}]}]})"}});
+    const auto without = container(
+        {{"index.json",
+          R"({"surfaces": [{"name": "s", "properties": [{"name": "batch"}, {"name": "odd", "value": [1]}]}]})"}});
     EXPECT_EQ(read_container(without).container.surfaces.at(0).properties.at(0).value, std::nullopt);
     const TemporaryFolder folder;
     write_container(folder.path("c.zip"), read_container(without).container, {});
@@ -85,7 +92,8 @@ TEST(ContainerIndex, NoValueIsMadeUpForAProperty) {
 }
 
 TEST(ContainerIndex, IndexJsonIsPreferredToMetaYml) {
-    const auto file = read_container(container({{"meta.yml", old_yaml_index()}, {"index.json", skeleton_json_index()}}));
+    const auto file =
+        read_container(container({{"meta.yml", old_yaml_index()}, {"index.json", skeleton_json_index()}}));
     EXPECT_EQ(file.container.surfaces.at(0).name, "surface0");
 }
 
@@ -100,10 +108,13 @@ TEST(ContainerIndex, FieldsOfTheWrongKindAreKeptAndNotUsed) {
 }
 
 TEST(ContainerIndex, MeasurementsOfTheNewestTopoBankAreFound) {
-    const auto source = container({{"index.json", R"({"surfaces": [{"name": "s", "measurements": [{"name": "l", "kind": "height", "datafile": {"original": "line.txt"},
+    const auto source = container(
+        {{"index.json",
+          R"({"surfaces": [{"name": "s", "measurements": [{"name": "l", "kind": "height", "datafile": {"original": "line.txt"},
 "channel": {"name": "Default"}, "metadata": {"kind": "height", "size_x": 4.0, "unit": "um", "height_scale": 2.0, "detrend_mode": "height",
 "instrument": {"name": "P"}}}, {"name": "i", "datafile": {"original": "i.spm"}, "channel": {"name": "Height", "occurrence": 0}}]}]})"},
-                                   {"line.txt", line_text}, {"i.spm", nanoscope_file(4, 3, 2)}});
+         {"line.txt", line_text},
+         {"i.spm", nanoscope_file(4, 3, 2)}});
     const auto topography = read_container(source).container.surfaces.at(0).topographies.at(0);
     EXPECT_EQ(topography.size, std::vector<double>{4.0});
     EXPECT_EQ(topography.extra, R"({"kind":"height","metadata":{"kind":"height"}})");
@@ -117,7 +128,8 @@ TEST(ContainerIndex, MeasurementsOfTheNewestTopoBankAreFound) {
 TEST(ContainerIndex, YamlObjectsAreInert) {
     const TemporaryFolder folder;
     const auto trace = folder.path("trace");
-    const auto yaml = "surfaces:\n- name: !!python/object/apply:os.system ['touch " + trace + "']\n  topographies: !!python/object:os.x {a: b}\n";
+    const auto yaml = "surfaces:\n- name: !!python/object/apply:os.system ['touch " + trace +
+                      "']\n  topographies: !!python/object:os.x {a: b}\n";
     const auto file = read_container(container({{"meta.yml", yaml}}));
     EXPECT_EQ(file.container.surfaces.at(0).name, "");
     EXPECT_EQ(file.alerts.size(), 2u);
@@ -146,19 +158,23 @@ TEST(ContainerIndex, AliasesThatMultiplyAreRefused) {
 
 TEST(ContainerIndex, DeepNestingIsRefused) {
     const std::string deep(100000, '[');
-    for (const auto* name : {"index.json", "meta.yml"}) EXPECT_THROW((void)read_container(container({{name, "{\"surfaces\": " + deep}})), FormatError) << name;
+    for (const auto* name : {"index.json", "meta.yml"})
+        EXPECT_THROW((void)read_container(container({{name, "{\"surfaces\": " + deep}})), FormatError) << name;
     const auto closed = std::string(100, '[') + std::string(100, ']');
-    EXPECT_THROW((void)read_container(container({{"index.json", R"({"surfaces": [], "x": )" + closed + "}"}})), FormatError);
+    EXPECT_THROW((void)read_container(container({{"index.json", R"({"surfaces": [], "x": )" + closed + "}"}})),
+                 FormatError);
 }
 
 TEST(ContainerMember, OutsideTheArchiveIsRefused) {
-    EXPECT_THROW((void)read_container(container({{"index.json", R"({"surfaces": []})"}, {"../evil", "x"}})), FormatError);
+    EXPECT_THROW((void)read_container(container({{"index.json", R"({"surfaces": []})"}, {"../evil", "x"}})),
+                 FormatError);
 }
 
 TEST(ContainerMember, ThatIsMissingLosesNoOther) {
     const auto source = container({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [
 {"name": "gone", "datafile": {"original": "../line.txt"}, "unit": "um"},
-{"name": "here", "datafile": {"original": "line.txt"}, "unit": "um", "size": [4]}]}]})"}, {"line.txt", line_text}});
+{"name": "here", "datafile": {"original": "line.txt"}, "unit": "um", "size": [4]}]}]})"},
+                                   {"line.txt", line_text}});
     const auto channels = open(source, {});
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.alerts.at(0).code, "UNREADABLE_MEMBER");
@@ -168,29 +184,41 @@ TEST(ContainerMember, ThatIsMissingLosesNoOther) {
 TEST(ContainerMember, OfWhichOnlyTheProcessedCopyIsThereSaysSo) {
     const auto map = netcdf_content(HeightMap{Array2D::Random(4, 3), {2.0, 1.0}, false, {}}, "um");
     const auto source = container({{"index.json", R"({"surfaces": [{"topographies": [{"name": "m", "height_scale": 7,
-"datafile": {"original": "lost.spm", "squeezed-netcdf": "m.nc"}, "size": [2e6, 1e6], "unit": "um"}]}]})"}, {"m.nc", map}});
+"datafile": {"original": "lost.spm", "squeezed-netcdf": "m.nc"}, "size": [2e6, 1e6], "unit": "um"}]}]})"},
+                                   {"m.nc", map}});
     const auto channel = open(source, {}).at(0);
     EXPECT_EQ(channel.info.alerts.at(0).code, "ORIGINAL_MISSING");
-    EXPECT_LE(std::get<HeightMap>(channel.read()).heights.abs().maxCoeff(), 1.0) << "a processed copy is scaled already";
+    EXPECT_LE(std::get<HeightMap>(channel.read()).heights.abs().maxCoeff(), 1.0)
+        << "a processed copy is scaled already";
 }
 
 TEST(ContainerMember, PackedByGzipIsRead) {
-    const std::string packed{"\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\xff\x33\x50\x30\xe4\x32\x54\x30\xe6\x32\x52\x30\xe2\x32\x56\x30\xe5\x02\x00\x49\x5c\x7a\x15\x10\x00\x00\x00", 36};
-    const auto source = container({{"index.json", R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "line.txt.gz"}, "unit": "um",
-"size": [4]}]}]})"}, {"line.txt.gz", packed}});
+    const std::string packed{
+        "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\xff\x33\x50\x30\xe4\x32\x54\x30\xe6\x32\x52\x30\xe2\x32\x56\x30\xe5\x02\x00\x49\x5c\x7a\x15\x10\x00\x00\x00",
+        36};
+    const auto source = container(
+        {{"index.json",
+          R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "line.txt.gz"}, "unit": "um",
+"size": [4]}]}]})"},
+         {"line.txt.gz", packed}});
     EXPECT_DOUBLE_EQ(std::get<LineScan>(open(source, {}).at(0).read()).heights[3], 5e-6);
 }
 
 TEST(ContainerMember, ThatIsAContainerItselfIsRefused) {
     const auto inner = zip_archive({{"index.json", R"({"surfaces": [{"topographies": [{"name": "l"}]}]})"}});
-    const auto source = container({{"index.json", R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "c.zip"}}]}]})"}, {"c.zip", inner}});
+    const auto source = container(
+        {{"index.json", R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "c.zip"}}]}]})"},
+         {"c.zip", inner}});
     EXPECT_NE(open(source, {}).at(0).info.alerts.at(0).message.find("container within a container"), std::string::npos);
 }
 
 TEST(ContainerMember, UnitThatIsNotTheFilesIsAnAlert) {
     const auto map = netcdf_content(HeightMap{Array2D::Random(4, 3), {2.0, 1.0}, false, {}}, "m");
-    const auto source = container({{"index.json", R"({"surfaces": [{"topographies": [{"name": "m", "datafile": {"squeezed-netcdf": "m.nc"}, "size": [2e6, 1e6],
-"unit": "um"}]}]})"}, {"m.nc", map}});
+    const auto source = container(
+        {{"index.json",
+          R"({"surfaces": [{"topographies": [{"name": "m", "datafile": {"squeezed-netcdf": "m.nc"}, "size": [2e6, 1e6],
+"unit": "um"}]}]})"},
+         {"m.nc", map}});
     const auto info = open(source, {}).at(0).info;
     ASSERT_EQ(info.alerts.size(), 1u);
     EXPECT_EQ(info.alerts[0].code, "UNIT_MISMATCH");
@@ -226,8 +254,10 @@ TEST(ContainerMember, IsOpenedWithoutItsHeights) {
 
 TEST(WrittenContainer, SaysAndHoldsTheSameInEveryGeneration) {
     const TemporaryFolder folder;
-    const std::pair<const char*, std::string> indices[] = {{"meta.yml", old_yaml_index()}, {"index.json", transitional_json_index()},
-                                                           {"index.json", json_index_text()}, {"index.json", skeleton_json_index()}};
+    const std::pair<const char*, std::string> indices[] = {{"meta.yml", old_yaml_index()},
+                                                           {"index.json", transitional_json_index()},
+                                                           {"index.json", json_index_text()},
+                                                           {"index.json", skeleton_json_index()}};
     for (const auto& [name, index] : indices) {
         const auto source = container({{name, index}, {"line.txt", line_text}, {"LICENSE-cc0-1.0.txt", "free"}});
         const auto before = read_container(source);
@@ -244,7 +274,8 @@ TEST(WrittenContainer, SaysAndHoldsTheSameInEveryGeneration) {
 TEST(WrittenContainer, SaysTheSameInBothIndices) {
     const TemporaryFolder folder;
     auto file = read_container(container({{"index.json", json_index_text()}}));
-    file.container.surfaces[0].description = "line\nbreak \"quoted\" \\ \x7f\xc2\x85\xe2\x80\xa8\xef\xbb\xbf é 😀: - # 1e-9";
+    file.container.surfaces[0].description =
+        "line\nbreak \"quoted\" \\ \x7f\xc2\x85\xe2\x80\xa8\xef\xbb\xbf é 😀: - # 1e-9";
     file.container.surfaces[0].topographies[0].size = {1e-9};
     file.container.surfaces[0].tags = {"1", "true", "null", "1e-09", "2016-02-15", ""};
     write_container(folder.path("w.zip"), file.container, {});
@@ -252,14 +283,16 @@ TEST(WrittenContainer, SaysTheSameInBothIndices) {
     const auto yaml = container_member(written, "meta.yml").all();
     const auto from_yaml = read_container(container({{"meta.yml", yaml}}));
     EXPECT_EQ(from_yaml.container, file.container);
-    EXPECT_EQ(read_container(container({{"index.json", container_member(written, "index.json").all()}})).container, file.container);
+    EXPECT_EQ(read_container(container({{"index.json", container_member(written, "index.json").all()}})).container,
+              file.container);
     EXPECT_NE(yaml.find("1.0e-09"), std::string::npos) << "YAML 1.1 takes 1e-09 for a text";
 }
 
 TEST(WrittenContainer, IsTheSameBytesTwice) {
     const TemporaryFolder folder;
     const auto source = container({{"meta.yml", old_yaml_index()}, {"line.txt", line_text}});
-    for (const auto* name : {"a.zip", "b.zip"}) write_container(folder.path(name), read_container(source).container, members_of(source));
+    for (const auto* name : {"a.zip", "b.zip"})
+        write_container(folder.path(name), read_container(source).container, members_of(source));
     EXPECT_EQ(bytes::read_file(folder.path("a.zip")), bytes::read_file(folder.path("b.zip")));
 }
 
@@ -275,11 +308,14 @@ TEST(WrittenContainer, MayReplaceTheOneItIsMadeFrom) {
 TEST(WrittenContainer, FailureOfAMemberLeavesTheOldFileAlone) {
     const TemporaryFolder folder;
     const auto path = folder.write("c.zip", "old");
-    const std::vector<ContainerMember> members{{"a", []() -> bytes::Source { throw FormatError("a", {}, "is damaged"); }}};
+    const std::vector<ContainerMember> members{
+        {"a", []() -> bytes::Source { throw FormatError("a", {}, "is damaged"); }}};
     EXPECT_THROW(write_container(path, {}, members), FormatError);
     EXPECT_EQ(bytes::read_file(path), "old");
     std::size_t files = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(path).parent_path())) ++files;
+    for ([[maybe_unused]] const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()))
+        ++files;
     EXPECT_EQ(files, 1u) << "no temporary file is left";
 }
 
@@ -293,18 +329,23 @@ TEST(WrittenContainer, RefusesNamesThatClashOrLeadOut) {
 }
 
 TEST(ContainerDifferences, NameFieldAndMember) {
-    const auto before = container({{"index.json", R"({"surfaces": [{"name": "s", "tags": []}]})"}, {"a", "1"}, {"b", "1"}});
+    const auto before =
+        container({{"index.json", R"({"surfaces": [{"name": "s", "tags": []}]})"}, {"a", "1"}, {"b", "1"}});
     const auto after = container({{"index.json", R"({"surfaces": [{"name": "t"}]})"}, {"a", "2"}});
-    EXPECT_EQ(container_differences(before, after), (std::vector<std::string>{"surfaces/0/name: \"s\" became \"t\"", "member a: differs", "member b: became absent"}));
+    EXPECT_EQ(container_differences(before, after),
+              (std::vector<std::string>{"surfaces/0/name: \"s\" became \"t\"", "member a: differs",
+                                        "member b: became absent"}));
 }
 
 TEST(ContainerSchema, NamesWhatContactEngineeringWouldRefuse) {
     EXPECT_TRUE(schema_violations(read_container(container({{"index.json", json_index_text()}})).container).empty());
-    const auto bad = read_container(container({{"index.json", R"({"surfaces": [{"name": "", "topographies": [{"name": "l", "datafile": {}, "unit": 3,
+    const auto bad = read_container(container(
+        {{"index.json", R"({"surfaces": [{"name": "", "topographies": [{"name": "l", "datafile": {}, "unit": 3,
 "measurement_date": "yesterday", "size": [1]}]}]})"}}));
     std::vector<std::string> places;
     for (const auto& alert : schema_violations(bad.container)) places.push_back(alert.subject);
-    EXPECT_EQ(places, (std::vector<std::string>{"surfaces/0/name", "surfaces/0/topographies/0/datafile", "surfaces/0/topographies/0/measurement_date",
+    EXPECT_EQ(places, (std::vector<std::string>{"surfaces/0/name", "surfaces/0/topographies/0/datafile",
+                                                "surfaces/0/topographies/0/measurement_date",
                                                 "surfaces/0/topographies/0/unit"}));
 }
 

@@ -22,10 +22,8 @@ std::string file(const std::string& version, const std::vector<Block>& blocks) {
     bytes.text("FRTM_GLIDERV").text(version).number(static_cast<std::uint16_t>(blocks.size()));
     for (const auto& block : blocks) {
         bytes.number(block.tag);
-        if (version == "1.00")
-            bytes.number(static_cast<std::uint32_t>(block.content.size()));
-        else
-            bytes.number(static_cast<std::uint64_t>(block.content.size()));
+        if (version == "1.00") bytes.number(static_cast<std::uint32_t>(block.content.size()));
+        else bytes.number(static_cast<std::uint64_t>(block.content.size()));
         bytes.text(block.content);
     }
     return bytes.content();
@@ -38,15 +36,32 @@ std::string values(const Array2D& raw) {
 
 template <class T>
 std::string image(std::uint32_t type, const Array2D& raw) {
-    return ByteBuilder().number(type).number<std::uint32_t>(nx).number<std::uint32_t>(ny).number<std::uint32_t>(8 * sizeof(T)).text(values<T>(raw)).content();
+    return ByteBuilder()
+        .number(type)
+        .number<std::uint32_t>(nx)
+        .number<std::uint32_t>(ny)
+        .number<std::uint32_t>(8 * sizeof(T))
+        .text(values<T>(raw))
+        .content();
 }
 
 std::vector<Block> header(std::uint32_t bits) {
     return {{0x65, "a wafer"},
             {0x66, ByteBuilder().number<std::uint32_t>(nx).number<std::uint32_t>(ny).number(bits).content()},
-            {0x67, ByteBuilder().number(width).number(-height).number(0.0).number(0.0).number(2.0).number<std::uint32_t>(1).content()},
+            {0x67, ByteBuilder()
+                       .number(width)
+                       .number(-height)
+                       .number(0.0)
+                       .number(0.0)
+                       .number(2.0)
+                       .number<std::uint32_t>(1)
+                       .content()},
             {0x6c, ByteBuilder().number<std::uint32_t>(5).number(step).content()},
-            {0x72, ByteBuilder().number<std::uint32_t>(1687796545).number<std::uint32_t>(1687797050).number<std::uint32_t>(505).content()},
+            {0x72, ByteBuilder()
+                       .number<std::uint32_t>(1687796545)
+                       .number<std::uint32_t>(1687797050)
+                       .number<std::uint32_t>(505)
+                       .content()},
             {0x8e, ByteBuilder().number<std::uint32_t>(8).text("SN_1036", 8).pad_to(24).content()}};
 }
 
@@ -59,7 +74,12 @@ Array2D raw_with_undefined() {
 FormatSample sample(const std::string& name, const std::string& content) {
     Array2D heights = lopsided_heights(nx, ny, 10.0 * step);
     heights(2, 1) = undefined;
-    return {.format = "frt", .name = name, .content = content, .shape = {nx, ny}, .size = {width, height}, .heights = heights};
+    return {.format = "frt",
+            .name = name,
+            .content = content,
+            .shape = {nx, ny},
+            .size = {width, height},
+            .heights = heights};
 }
 
 template <class T>
@@ -81,7 +101,8 @@ FormatSample multiple(const std::string& name, const std::string& version, std::
 }  // namespace
 
 std::vector<FormatSample> frt_samples() {
-    return {single<std::uint16_t>("1.00, 16 bits", "1.00"), single<std::int32_t>("1.01, 32 bits", "1.01"), multiple<std::uint16_t>("1.00, images", "1.00", 4, true),
+    return {single<std::uint16_t>("1.00, 16 bits", "1.00"), single<std::int32_t>("1.01, 32 bits", "1.01"),
+            multiple<std::uint16_t>("1.00, images", "1.00", 4, true),
             multiple<std::int32_t>("1.01, images of 32 bits", "1.01", 0x10000080, false)};
 }
 

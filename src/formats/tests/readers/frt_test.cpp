@@ -8,8 +8,10 @@ namespace {
 
 TEST(Frt, FirstRowStoredIsTheLowest) {
     const auto map = map_of(channels_of(frt_samples().at(0).content).at(0));
-    EXPECT_LT(map.heights(0, 0), map.heights(0, 3)) << "heights grow downwards in the sample, whose last row stands first in the file";
-    EXPECT_NE(channels_of(frt_samples().at(0).content).at(0).info.orientation.find("not stated in the file"), std::string::npos);
+    EXPECT_LT(map.heights(0, 0), map.heights(0, 3))
+        << "heights grow downwards in the sample, whose last row stands first in the file";
+    EXPECT_NE(channels_of(frt_samples().at(0).content).at(0).info.orientation.find("not stated in the file"),
+              std::string::npos);
 }
 
 TEST(Frt, SingleMapIsNotListedTwice) {
@@ -20,7 +22,9 @@ TEST(Frt, SingleMapIsNotListedTwice) {
     EXPECT_FALSE(channels[1].info.is_height);
 }
 
-TEST(Frt, SensorOfAnImageIsNamed) { EXPECT_EQ(channels_of(frt_samples().at(3).content).at(0).info.name, "Thickness (bottom sensor)"); }
+TEST(Frt, SensorOfAnImageIsNamed) {
+    EXPECT_EQ(channels_of(frt_samples().at(3).content).at(0).info.name, "Thickness (bottom sensor)");
+}
 
 TEST(Frt, TellsInstrumentAndTime) {
     const auto metadata = channels_of(frt_samples().at(1).content).at(0).info.metadata;
@@ -39,7 +43,8 @@ TEST(Frt, OtherVersionsAreRefused) {
 TEST(Frt, MapThatDoesNotFillItsBlockIsRefused) {
     const auto file = frt_samples().at(0).content;
     const auto points = file.find(std::string("\x66\x00\x0c\x00\x00\x00", 6)) + 6;
-    EXPECT_NE(refusal(with_number<std::uint32_t>(file, points + 8, 24)).find("values of 24 bits, expected 16 or 32"), std::string::npos);
+    EXPECT_NE(refusal(with_number<std::uint32_t>(file, points + 8, 24)).find("values of 24 bits, expected 16 or 32"),
+              std::string::npos);
     EXPECT_NE(refusal(with_number<std::uint32_t>(file, points, 70)).find("70 × 4"), std::string::npos);
 }
 

@@ -9,8 +9,8 @@
 #include "format_samples.hpp"
 #include "gwy_sample_parts.hpp"
 #include "sample_files.hpp"
-#include "setae/formats/format.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/formats/format.hpp"
 
 using namespace setae::tests;
 
@@ -19,7 +19,9 @@ namespace {
 
 using topography::HeightMap;
 
-std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) { return open(bytes::memory_source("a.gwy", content), options); }
+std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("a.gwy", content), options);
+}
 std::string refusal(const std::string& content) {
     return message_of([&] { (void)opened(content).at(0).read(); });
 }
@@ -39,14 +41,16 @@ TEST(Gwy, TitlesAndMetadataAreKept) {
 TEST(Gwy, TitleIsOptional) { EXPECT_EQ(opened(gwy_file(of_field(field))).at(0).info.name, ""); }
 
 TEST(Gwy, TenAndMoreChannelsStandInTheOrderOfTheirNumbers) {
-    const auto channels = opened(gwy_file(gwy_component("/10/data", 'o', field) + gwy_text("/10/data/title", "b") + gwy_component("/9/data", 'o', field) + gwy_text("/9/data/title", "a")));
+    const auto channels = opened(gwy_file(gwy_component("/10/data", 'o', field) + gwy_text("/10/data/title", "b") +
+                                          gwy_component("/9/data", 'o', field) + gwy_text("/9/data/title", "a")));
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "a");
     EXPECT_EQ(channels[1].info.name, "b");
 }
 
 TEST(Gwy, FieldsWhoseUnitIsNoLengthAreListedOnly) {
-    const auto channels = opened(gwy_file(of_field(gwy_field(heights, 4e-6, 3e-6, "m", "deg")) + gwy_component("/1/data", 'o', field)));
+    const auto channels =
+        opened(gwy_file(of_field(gwy_field(heights, 4e-6, 3e-6, "m", "deg")) + gwy_component("/1/data", 'o', field)));
     EXPECT_FALSE(channels.at(0).info.is_height);
     EXPECT_EQ(channels[0].info.unit, "deg");
     EXPECT_TRUE(channels.at(1).info.is_height);
@@ -73,7 +77,8 @@ TEST(Gwy, NegativeExtentIsALengthAllTheSame) {
 }
 
 TEST(Gwy, MaskIsASelectionAndNotApplied) {
-    const auto channels = opened(gwy_file(of_field(field) + gwy_component("/0/mask", 'o', gwy_field(Array2D::Constant(4, 3, 1.0), 4e-6, 3e-6, "m", ""))));
+    const auto channels = opened(gwy_file(
+        of_field(field) + gwy_component("/0/mask", 'o', gwy_field(Array2D::Constant(4, 3, 1.0), 4e-6, 3e-6, "m", ""))));
     ASSERT_EQ(channels.at(0).info.alerts.size(), 1u);
     EXPECT_EQ(channels[0].info.alerts[0].code, "MASK_NOT_APPLIED");
     EXPECT_EQ(channels[0].info.metadata.attributes.at("mask"), "there, not applied");
@@ -82,16 +87,22 @@ TEST(Gwy, MaskIsASelectionAndNotApplied) {
 
 TEST(Gwy, FilesWithoutMapsAndOfOtherVersionsAreRefused) {
     EXPECT_NE(refusal(gwy_file(gwy_text("/filename", "x"))).find("GWY: no map"), std::string::npos);
-    EXPECT_EQ(refusal("GWYO" + gwy_object("GwyContainer", "")), "a.gwy: at byte 3: GWY: begins with 'GWYO', which is of Gwyddion 1, expected 'GWYP'; open it in Gwyddion 2 and save it again");
+    EXPECT_EQ(
+        refusal("GWYO" + gwy_object("GwyContainer", "")),
+        "a.gwy: at byte 3: GWY: begins with 'GWYO', which is of Gwyddion 1, expected 'GWYP'; open it in Gwyddion 2 and save it again");
     EXPECT_NE(refusal("GWYQ" + gwy_object("GwyContainer", "")).find("of a newer Gwyddion"), std::string::npos);
     EXPECT_NE(refusal("GWYP" + gwy_object("GwyBrick", "")).find("holds 'GwyBrick'"), std::string::npos);
 }
 
 TEST(Gwy, DamageIsRefusedWithItsPlace) {
-    EXPECT_NE(refusal(gwy_file(gwy_component("a", 'z', ""))).find("at byte 23: GWY: component 'a' has the type '\\x7a'"), std::string::npos) << refusal(gwy_file(gwy_component("a", 'z', "")));
+    EXPECT_NE(
+        refusal(gwy_file(gwy_component("a", 'z', ""))).find("at byte 23: GWY: component 'a' has the type '\\x7a'"),
+        std::string::npos)
+        << refusal(gwy_file(gwy_component("a", 'z', "")));
     auto wrong_count = field;
     wrong_count[wrong_count.find("xres") + 6] = 5;
-    EXPECT_NE(refusal(gwy_file(of_field(wrong_count))).find("channel 0 has 12 values for 5 × 3 points"), std::string::npos);
+    EXPECT_NE(refusal(gwy_file(of_field(wrong_count))).find("channel 0 has 12 values for 5 × 3 points"),
+              std::string::npos);
     const auto unit = gwy_field(heights, 4e-6, 3e-6, "m", "m");
     auto shorter = unit;
     shorter[std::string("GwyDataField").size() + 1] = 40;  // the field ends within its component xreal or behind
@@ -116,7 +127,9 @@ TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
     };
     grow("GwyContainer");
     grow("GwyDataField");
-    const auto put = [&](const std::string& name, std::uint32_t value) { std::memcpy(small.data() + small.find(name) + name.size(), &value, sizeof(value)); };
+    const auto put = [&](const std::string& name, std::uint32_t value) {
+        std::memcpy(small.data() + small.find(name) + name.size(), &value, sizeof(value));
+    };
     using namespace std::string_literals;
     put("xres\0i"s, 11264);
     put("yres\0i"s, 11264);
@@ -129,7 +142,8 @@ TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
     EXPECT_LT(file.bytes(), 1u << 20);
 }
 
-// ---- written ----------------------------------------------------------------------------------------------------------
+// ---- written
+// ----------------------------------------------------------------------------------------------------------
 
 HeightMap small_map() {
     HeightMap map{heights, {4e-6, 3.5e-6}, false, {}};
@@ -144,8 +158,12 @@ HeightMap small_map() {
 TEST(GwyWriter, PutsTogetherWhatTheUserGuideDescribes) {
     const TemporaryFolder folder;
     format_to_write("a.gwy").write(folder.path("a.gwy"), small_map());
-    const auto meta = gwy_object("GwyContainer", gwy_text("Operator", "Tom") + gwy_text("Date", "09:57:48 AM Tue Jan 12 2016") + gwy_text("Instrument", "Scope") + gwy_text("Instrument type", "afm"));
-    EXPECT_EQ(bytes::read_file(folder.path("a.gwy")), gwy_file(gwy_text("/0/data/title", "Höhe") + gwy_component("/0/meta", 'o', meta) + of_field(gwy_field(heights, 4e-6, 3.5e-6, "m", "m"))));
+    const auto meta =
+        gwy_object("GwyContainer", gwy_text("Operator", "Tom") + gwy_text("Date", "09:57:48 AM Tue Jan 12 2016") +
+                                       gwy_text("Instrument", "Scope") + gwy_text("Instrument type", "afm"));
+    EXPECT_EQ(bytes::read_file(folder.path("a.gwy")),
+              gwy_file(gwy_text("/0/data/title", "Höhe") + gwy_component("/0/meta", 'o', meta) +
+                       of_field(gwy_field(heights, 4e-6, 3.5e-6, "m", "m"))));
 }
 
 TEST(GwyWriter, UndefinedPointsAreMaskedAndFiniteAndUndefinedAgain) {
@@ -169,7 +187,8 @@ TEST(GwyWriter, UndefinedPointsAreMaskedAndFiniteAndUndefinedAgain) {
 
 TEST(GwyWriter, LinesAreRefusedWithWhatHoldsThem) {
     const topography::LineScan line{Array1D::Zero(3), 1.0, false, {}};
-    EXPECT_EQ(message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }), "a.gwy: Gwyddion's format holds maps alone, this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
+    EXPECT_EQ(message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }),
+              "a.gwy: Gwyddion's format holds maps alone, this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
 }
 
 }  // namespace

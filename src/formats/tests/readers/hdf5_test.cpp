@@ -23,7 +23,9 @@ using namespace tests;
 
 const ReadOptions given{.size = {{6e-6, 4e-6}}, .unit = "nm"};
 
-std::vector<Channel> channels_of(const std::string& content, const ReadOptions& options = given) { return open(bytes::memory_source("sample", content), options); }
+std::vector<Channel> channels_of(const std::string& content, const ReadOptions& options = given) {
+    return open(bytes::memory_source("sample", content), options);
+}
 
 std::vector<std::string> names_of(const std::vector<Channel>& channels) {
     std::vector<std::string> names;
@@ -64,7 +66,8 @@ TEST(Hdf5, UnitOfAnAttributeIsTaken) {  // SurfaceTopography reads no unit
 
 TEST(Hdf5, StepsOfAnAttributeGiveTheSize) {  // SurfaceTopography reads no size
     Hdf5Builder file;
-    file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6)).attribute("/a", "element_size_um", std::vector<double>{9.0, 0.5, 0.25});
+    file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6))
+        .attribute("/a", "element_size_um", std::vector<double>{9.0, 0.5, 0.25});
     const auto channel = channels_of(file.bytes(), {.size = {}, .unit = "nm"}).at(0);
     EXPECT_DOUBLE_EQ(channel.info.size.at(0), 1e-6);
     EXPECT_DOUBLE_EQ(channel.info.size.at(1), 0.75e-6);
@@ -114,7 +117,8 @@ TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
     const auto heap = content.find("GCOL");
     ASSERT_NE(heap, std::string::npos);
     EXPECT_EQ(channels_of(content).size(), 1u);
-    for (const std::size_t byte : {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space behind it
+    for (const std::size_t byte :
+         {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space behind it
         auto damaged = content;
         damaged[heap + byte] ^= 0x40;
         EXPECT_NE(message_of([&] { (void)channels_of(damaged); }).find("a heap"), std::string::npos) << byte;
@@ -137,7 +141,9 @@ TEST(Hdf5, NothingOutsideTheFileIsFollowed) {
     const auto other_path = folder.write("other.h5", other.bytes());
     folder.write("raw.bin", std::string(48, 'x'));
     Hdf5Builder file;
-    file.dataset("/own", H5T_IEEE_F64LE, {2, 3}, numbers(6)).external_link("/away", other_path, "/secret").soft_link("/same", "/own");
+    file.dataset("/own", H5T_IEEE_F64LE, {2, 3}, numbers(6))
+        .external_link("/away", other_path, "/secret")
+        .soft_link("/same", "/own");
     file.external_dataset("/raw", {2, 3}, folder.path("raw.bin"));
     const auto channels = open(folder.write("file.h5", file.bytes()), given);
     EXPECT_EQ(names_of(channels), (std::vector<std::string>{"own", "raw"}));
@@ -155,13 +161,15 @@ TEST(Hdf5, GroupsThatHoldThemselvesEnd) {
 TEST(Hdf5, BombsAreRefused) {
     constexpr hsize_t side = 4096;
     Hdf5Builder file;
-    file.dataset("/bomb", H5T_IEEE_F64LE, {side, side}, std::vector<double>(side * side, 1.0), {.chunk = {side, side}, .deflated = true});
+    file.dataset("/bomb", H5T_IEEE_F64LE, {side, side}, std::vector<double>(side * side, 1.0),
+                 {.chunk = {side, side}, .deflated = true});
     file.dataset("/map", H5T_IEEE_F64LE, {2, 3}, numbers(6));
     const auto content = file.bytes();
     ASSERT_LT(content.size(), side * side * 8 / 100);
     const auto channels = channels_of(content);
     ASSERT_EQ(channels.size(), 2u);  // what is beside it is read
-    EXPECT_NE(message_of([&] { (void)channels[0].read(); }).find("it is damaged, or a map of one value"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)channels[0].read(); }).find("it is damaged, or a map of one value"),
+              std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(1, 2), 5.0 * units::nm);
 }
 
@@ -183,7 +191,9 @@ TEST(Hdf5, OnDiskAndInMemoryAreTheSame) {
         const auto on_disk = open(folder.write("a.h5", sample.content), sample.options).at(sample.channel).read();
         const auto in_memory = channels_of(sample.content, sample.options).at(sample.channel).read();
         const auto from_disk = topography::all_heights(on_disk), from_memory = topography::all_heights(in_memory);
-        EXPECT_TRUE((from_disk.isNaN() == from_memory.isNaN()).all() && (from_disk.isNaN() || from_disk == from_memory).all()) << sample.name;
+        EXPECT_TRUE((from_disk.isNaN() == from_memory.isNaN()).all() &&
+                    (from_disk.isNaN() || from_disk == from_memory).all())
+            << sample.name;
     }
 }
 
@@ -195,7 +205,10 @@ TEST(Hdf5, LargePackedMapsAreReadInPieces) {
     file.dataset("/a", H5T_STD_U16LE, {nx, ny}, values, {.chunk = {50, 70}, .shuffled = true, .deflated = true});
     const auto map = std::get<HeightMap>(channels_of(file.bytes()).at(0).read());
     for (Index i = 0; i < static_cast<Index>(nx); ++i)
-        for (Index j = 0; j < static_cast<Index>(ny); ++j) ASSERT_DOUBLE_EQ(map.heights(i, j), values[static_cast<std::size_t>(i) * ny + static_cast<std::size_t>(j)] * units::nm) << i << ' ' << j;
+        for (Index j = 0; j < static_cast<Index>(ny); ++j)
+            ASSERT_DOUBLE_EQ(map.heights(i, j),
+                             values[static_cast<std::size_t>(i) * ny + static_cast<std::size_t>(j)] * units::nm)
+                << i << ' ' << j;
 }
 
 // ---- DATX -----------------------------------------------------------------------------------------------------------
@@ -223,7 +236,9 @@ TEST(Datx, FringesAreHalfWavelengths) {  // which SurfaceTopography refuses
 }
 
 Hdf5Builder& surface(Hdf5Builder& file, const std::string& unit) {
-    return file.group("/MetaData").dataset("/Data/Surface/{1}", H5T_IEEE_F32LE, {2, 3}, numbers(6)).attribute("/Data/Surface/{1}", "Unit", unit);
+    return file.group("/MetaData")
+        .dataset("/Data/Surface/{1}", H5T_IEEE_F32LE, {2, 3}, numbers(6))
+        .attribute("/Data/Surface/{1}", "Unit", unit);
 }
 
 TEST(Datx, WithoutConvertersTheSizeIsAskedFor) {
@@ -249,13 +264,17 @@ TEST(Datx, UnitThatIsNoLengthIsNoHeight) {
 
 TEST(JpkHdf5, EachFrameIsAChannel) {
     const auto channels = channels_of(jpk_hdf5_samples().at(1).content, {});
-    EXPECT_EQ(names_of(channels), (std::vector<std::string>{"height (retrace), frame 0", "height (retrace), frame 1", "height (retrace), frame 2"}));
-    const double step = std::get<HeightMap>(channels[1].read()).heights(2, 1) - std::get<HeightMap>(channels[0].read()).heights(2, 1);
+    EXPECT_EQ(names_of(channels), (std::vector<std::string>{"height (retrace), frame 0", "height (retrace), frame 1",
+                                                            "height (retrace), frame 2"}));
+    const double step =
+        std::get<HeightMap>(channels[1].read()).heights(2, 1) - std::get<HeightMap>(channels[0].read()).heights(2, 1);
     EXPECT_NEAR(step, 2e-6, 1e-20);
     EXPECT_EQ(channels[0].info.metadata.attributes.at("lines_a_second"), "128");
 }
 
-TEST(JpkHdf5, MetresAreAssumedAndTold) { EXPECT_EQ(channels_of(jpk_hdf5_samples().at(0).content, {}).at(0).info.alerts.at(0).code, "UNIT_ASSUMED"); }
+TEST(JpkHdf5, MetresAreAssumedAndTold) {
+    EXPECT_EQ(channels_of(jpk_hdf5_samples().at(0).content, {}).at(0).info.alerts.at(0).code, "UNIT_ASSUMED");
+}
 
 TEST(JpkHdf5, OtherChannelsAreListedOnly) {
     Hdf5Builder file;

@@ -44,14 +44,16 @@ TEST(Hgt, MapThatIsNotSquareKeepsItsAxesAndItsVoids) {
     ASSERT_EQ(map.shape(), (std::array<Index, 2>{nx, ny}));
     EXPECT_EQ(map.heights.isNaN().count(), 1);
     EXPECT_TRUE(std::isnan(map.heights(5, 7)));
-    for (const auto& [i, j] : {std::pair<Index, Index>{0, 0}, {1800, 0}, {0, 3600}, {1800, 3600}, {17, 2900}}) EXPECT_DOUBLE_EQ(map.heights(i, j), height_at(i, j)) << i << ' ' << j;
+    for (const auto& [i, j] : {std::pair<Index, Index>{0, 0}, {1800, 0}, {0, 3600}, {1800, 3600}, {17, 2900}})
+        EXPECT_DOUBLE_EQ(map.heights(i, j), height_at(i, j)) << i << ' ' << j;
 }
 
 TEST(Hgt, DegreeIsThatOfTheEllipsoid) {
     // NGA's series for the length of a degree of longitude and latitude [m]
     const double latitude = 46.5 * pi / 180.0;
     const double east = 111412.84 * std::cos(latitude) - 93.5 * std::cos(3 * latitude) + 0.118 * std::cos(5 * latitude);
-    const double north = 111132.92 - 559.82 * std::cos(2 * latitude) + 1.175 * std::cos(4 * latitude) - 0.0023 * std::cos(6 * latitude);
+    const double north =
+        111132.92 - 559.82 * std::cos(2 * latitude) + 1.175 * std::cos(4 * latitude) - 0.0023 * std::cos(6 * latitude);
     const auto info = channel_named("folder/N46E007.hgt").info;
     EXPECT_NEAR(info.size.at(0) * (nx - 1) / nx / east, 1.0, 1e-6);
     EXPECT_NEAR(info.size.at(1) * (ny - 1) / ny / north, 1.0, 1e-6);
@@ -60,11 +62,14 @@ TEST(Hgt, DegreeIsThatOfTheEllipsoid) {
 }
 
 TEST(Hgt, SouthernTilesSpanTowardsTheEquator) {
-    EXPECT_NEAR(channel_named("archive.zip: s47w070.HGT").info.size.at(0), channel_named("N46E007.hgt").info.size.at(0), 1e-6) << "both from 46 to 47 degrees";
+    EXPECT_NEAR(channel_named("archive.zip: s47w070.HGT").info.size.at(0), channel_named("N46E007.hgt").info.size.at(0),
+                1e-6)
+        << "both from 46 to 47 degrees";
 }
 
 TEST(Hgt, OtherNamesLeaveTheSizeOpen) {
-    for (const auto* name : {"tile.hgt", "N4", "NxxE007.hgt", "N99E007.hgt"}) EXPECT_EQ(missing(channel_named(name).info).at(0), "size") << name;
+    for (const auto* name : {"tile.hgt", "N4", "NxxE007.hgt", "N99E007.hgt"})
+        EXPECT_EQ(missing(channel_named(name).info).at(0), "size") << name;
     const auto message = message_of([] { (void)channel_named("tile.hgt").read(); });
     EXPECT_NE(message.find("give it, as in --size"), std::string::npos) << message;
 }
@@ -86,7 +91,8 @@ TEST(Hgt, OtherContentOfThatLengthIsNotTaken) {
 
 TEST(Hgt, TilesOfThreeArcSecondsHaveTheirShape) {
     const auto content = tile().substr(0, 2 * 1201 * 1201);
-    EXPECT_EQ(open(bytes::memory_source("N10W020.hgt", content), {}).at(0).info.shape, (std::vector<Index>{1201, 1201}));
+    EXPECT_EQ(open(bytes::memory_source("N10W020.hgt", content), {}).at(0).info.shape,
+              (std::vector<Index>{1201, 1201}));
 }
 
 }  // namespace

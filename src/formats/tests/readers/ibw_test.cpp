@@ -18,11 +18,18 @@ using topography::HeightMap;
 IgorContent asylum_content() {
     ByteBuilder numbers;
     for (int k = 0; k < 5 * 3 * 2; ++k) numbers.number(static_cast<float>(k));
-    return {.points = {3, 2, 5, 0}, .step = {1e-8, 1e-8, 1, 1}, .data_unit = "m", .lateral_unit = "m", .note = "MicroscopeModel:Cypher\rUserIn0Unit: nA\rScanAngle: 330\r",
-            .labels = {"HeightTrace", "PhaseRetrace", "NapPotentialTraceMod0", "AmplitudeTrace", "UserIn0Trace"}, .numbers = numbers.content()};
+    return {.points = {3, 2, 5, 0},
+            .step = {1e-8, 1e-8, 1, 1},
+            .data_unit = "m",
+            .lateral_unit = "m",
+            .note = "MicroscopeModel:Cypher\rUserIn0Unit: nA\rScanAngle: 330\r",
+            .labels = {"HeightTrace", "PhaseRetrace", "NapPotentialTraceMod0", "AmplitudeTrace", "UserIn0Trace"},
+            .numbers = numbers.content()};
 }
 
-std::vector<Channel> opened(const IgorContent& content, const ReadOptions& options = {}) { return formats::open(bytes::memory_source("a.ibw", igor_wave_5(std::endian::little, content)), options); }
+std::vector<Channel> opened(const IgorContent& content, const ReadOptions& options = {}) {
+    return formats::open(bytes::memory_source("a.ibw", igor_wave_5(std::endian::little, content)), options);
+}
 std::string message(const IgorContent& content) {
     return message_of([&] {
         for (const auto& channel : opened(content)) (void)channel.read();

@@ -18,7 +18,8 @@ constexpr double factor = -2e-12, offset = 3e-6;
 std::string deflated(const std::string& content) {
     std::string packed(compressBound(content.size()), '\0');
     uLongf size = packed.size();
-    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+             content.size());
     packed.resize(size);
     return packed;
 }
@@ -28,9 +29,10 @@ TiffPageBuilder thumbnail(std::endian order, bool of_curves) {
     page.picture(2, 2, 8, 1).strips(2, {std::string(4, 'x')});
     page.text(0x8000, "6.0.41").text(0x8003, "2017-01-16 16:00:32.334 GMT").real(0x8042, width).real(0x8043, -height);
     if (of_curves)
-        page.text(0x8052, "contact").signed_long(0x8062, nx * ny - 1).text(0x8065, "metadata.jpkspm.head.fancyname : Nanowizard 3");
-    else
-        page.text(0x8050, "thumbnail");
+        page.text(0x8052, "contact")
+            .signed_long(0x8062, nx * ny - 1)
+            .text(0x8065, "metadata.jpkspm.head.fancyname : Nanowizard 3");
+    else page.text(0x8050, "thumbnail");
     return page;
 }
 
@@ -40,9 +42,13 @@ void add_slot(TiffPageBuilder& page, int slot, const char* name, const char* uni
     if (unit[0]) page.text(tag(0x12), unit).real(tag(0x14), multiply).real(tag(0x15), add);
 }
 
-TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool reflected, int bits, int compression = 1, int points_x = nx, int points_y = ny) {
+TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool reflected, int bits,
+                        int compression = 1, int points_x = nx, int points_y = ny) {
     TiffPageBuilder page(order);
-    page.picture(points_x, points_y, bits, 2, compression).text(0x8050, "measuredHeight").text(0x8052, name).signed_short(0x8051, retrace ? 1 : 0);
+    page.picture(points_x, points_y, bits, 2, compression)
+        .text(0x8050, "measuredHeight")
+        .text(0x8052, name)
+        .signed_short(0x8051, retrace ? 1 : 0);
     page.signed_long(0x8080, 4).text(0x8081, "nominal");
     add_slot(page, 0, "raw", "", 0, 0);
     add_slot(page, 1, "volts", "V", 1e-6, 50);
@@ -63,7 +69,8 @@ std::string rows(const Array2D& raw, std::endian order, bool reflected) {
 /// PackBits of rows that do not repeat: runs of at most 128 bytes as they are, each behind its length less one.
 std::string packed_rows(const std::string& content, std::size_t row) {
     std::string packed;
-    for (std::size_t at = 0; at < content.size(); at += row) packed += static_cast<char>(row - 1) + content.substr(at, row);
+    for (std::size_t at = 0; at < content.size(); at += row)
+        packed += static_cast<char>(row - 1) + content.substr(at, row);
     return packed;
 }
 
@@ -87,11 +94,21 @@ FormatSample sample_of_tiles() {
         }
     auto page = channel(std::endian::little, "Height", false, false, 32, 8, wide, high);
     page.shorts(317, {2}).tiles(tile, tile, tiles);
-    return {.format = "jpk", .name = "tiles of deflate, predicted", .content = tiff_file(std::endian::little, {thumbnail(std::endian::little, false), page}), .shape = {wide, high}, .size = {width, height}, .heights = factor * raw + offset};
+    return {.format = "jpk",
+            .name = "tiles of deflate, predicted",
+            .content = tiff_file(std::endian::little, {thumbnail(std::endian::little, false), page}),
+            .shape = {wide, high},
+            .size = {width, height},
+            .heights = factor * raw + offset};
 }
 
 FormatSample sample(const char* format, const char* name, std::string content, const Array2D& raw) {
-    return {.format = format, .name = name, .content = std::move(content), .shape = {nx, ny}, .size = {width, height}, .heights = factor * raw + offset};
+    return {.format = format,
+            .name = name,
+            .content = std::move(content),
+            .shape = {nx, ny},
+            .size = {width, height},
+            .heights = factor * raw + offset};
 }
 
 }  // namespace
@@ -105,28 +122,34 @@ std::vector<FormatSample> jpk_samples() {
     reflected.strips(ny, {rows<std::int16_t>(small, little, true)});
     auto packed = channel(big, "Height", false, false, 32, 8);
     const auto stored = rows<std::int32_t>(raw, big, false);
-    packed.strips(2, {deflated(stored.substr(0, 8 * nx)), deflated(stored.substr(8 * nx, 8 * nx)), deflated(stored.substr(16 * nx))});
+    packed.strips(2, {deflated(stored.substr(0, 8 * nx)), deflated(stored.substr(8 * nx, 8 * nx)),
+                      deflated(stored.substr(16 * nx))});
     auto runs = channel(big, "Height", false, false, 32, 32773);
     runs.strips(3, {packed_rows(stored.substr(0, 12 * nx), 4 * nx), packed_rows(stored.substr(12 * nx), 4 * nx)});
     return {sample("jpk", "int32, big-endian", tiff_file(big, {thumbnail(big, false), plain}), raw),
-            sample("jpk", "int16, little-endian, reflected", tiff_file(little, {thumbnail(little, false), reflected}), small),
+            sample("jpk", "int16, little-endian, reflected", tiff_file(little, {thumbnail(little, false), reflected}),
+                   small),
             sample("jpk", "strips of deflate", tiff_file(big, {thumbnail(big, false), packed}), raw),
             sample("jpk", "BigTIFF", tiff_file(big, {thumbnail(big, false), plain}, true), raw),
-            sample("jpk", "PackBits", tiff_file(big, {thumbnail(big, false), runs}), raw), sample_of_tiles()};
+            sample("jpk", "PackBits", tiff_file(big, {thumbnail(big, false), runs}), raw),
+            sample_of_tiles()};
 }
 
 std::vector<FormatSample> jpk_qi_samples() {
     constexpr auto big = std::endian::big;
     const Array2D raw = lopsided_heights(nx, ny, -700.0);
     auto plain = channel(big, "Height (measured)", false, false, 32);
-    plain.strips(ny, {rows<std::int32_t>(raw, big, false)}).text(0x8053, "algorithm.object-name.fancy-name : Ref. Force Height at 40%\nchannel.name : measuredHeight");
+    plain.strips(ny, {rows<std::int32_t>(raw, big, false)})
+        .text(0x8053, "algorithm.object-name.fancy-name : Ref. Force Height at 40%\nchannel.name : measuredHeight");
     constexpr int tile = 16;  // the least TIFF knows
     ByteBuilder padded(big);
     for (int j = 0; j < tile; ++j)
-        for (int i = 0; i < tile; ++i) padded.number(i < nx && j < ny ? static_cast<std::int32_t>(raw(i, ny - 1 - j)) : -1);
+        for (int i = 0; i < tile; ++i)
+            padded.number(i < nx && j < ny ? static_cast<std::int32_t>(raw(i, ny - 1 - j)) : -1);
     auto tiled = channel(big, "Height", false, false, 32);
     tiled.tiles(tile, tile, {padded.content()});
-    return {sample("jpk-qi", "strips", tiff_file(big, {thumbnail(big, true), plain}), raw), sample("jpk-qi", "tiles", tiff_file(big, {thumbnail(big, true), tiled}), raw)};
+    return {sample("jpk-qi", "strips", tiff_file(big, {thumbnail(big, true), plain}), raw),
+            sample("jpk-qi", "tiles", tiff_file(big, {thumbnail(big, true), tiled}), raw)};
 }
 
 }  // namespace setae::formats::tests

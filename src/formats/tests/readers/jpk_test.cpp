@@ -11,7 +11,9 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-Channel first_channel(const FormatSample& sample) { return formats::open(bytes::memory_source("a.jpk", sample.content), {}).at(0); }
+Channel first_channel(const FormatSample& sample) {
+    return formats::open(bytes::memory_source("a.jpk", sample.content), {}).at(0);
+}
 
 std::string replaced(std::string content, const std::string& from, const std::string& to) {
     return content.replace(content.find(from), from.size(), to);
@@ -31,7 +33,8 @@ TEST(Jpk, CalibratedSlotWinsOverTheDefaultOne) {
 
 TEST(Jpk, DefaultSlotIsReadWhereNoneIsCalibrated) {
     const auto sample = jpk_samples().at(0);
-    const auto channel = formats::open(bytes::memory_source("a.jpk", replaced(sample.content, "calibrated", "calibratex")), {}).at(0);
+    const auto channel =
+        formats::open(bytes::memory_source("a.jpk", replaced(sample.content, "calibrated", "calibratex")), {}).at(0);
     EXPECT_EQ(channel.info.metadata.attributes.at("slot"), "nominal");
     const auto map = std::get<topography::HeightMap>(channel.read());
     EXPECT_NEAR(map.heights(0, 0), 2.0 * (sample.heights(0, 0) - 3e-6) + 3e-6, 1e-18);
@@ -43,7 +46,8 @@ TEST(Jpk, OffsetOfTheSlotIsAdded) {
 }
 
 TEST(Jpk, AmplitudeInMetresIsNoHeight) {
-    const auto content = replaced(jpk_samples().at(1).content, std::string("\0Height\0", 8), std::string("\0Error Q", 8));
+    const auto content =
+        replaced(jpk_samples().at(1).content, std::string("\0Height\0", 8), std::string("\0Error Q", 8));
     EXPECT_FALSE(formats::open(bytes::memory_source("a.jpk", content), {}).at(0).info.is_height);
 }
 
@@ -54,7 +58,9 @@ TEST(Jpk, ImagesOfForceCurvesTellWhatWasComputed) {
     EXPECT_EQ(info.metadata.instrument.name, "JPK Nanowizard 3");
 }
 
-TEST(Jpk, DateIsThatOfTheFile) { EXPECT_EQ(first_channel(jpk_samples().at(0)).info.metadata.acquisition_time, "2017-01-16 16:00:32.334 GMT"); }
+TEST(Jpk, DateIsThatOfTheFile) {
+    EXPECT_EQ(first_channel(jpk_samples().at(0)).info.metadata.acquisition_time, "2017-01-16 16:00:32.334 GMT");
+}
 
 TEST(Tiff, PlainPictureIsRefusedWithWhatReadsIt) {
     TiffPageBuilder page(std::endian::little);
@@ -76,9 +82,18 @@ TEST(Tiff, DirectoriesThatFormALoopAreRefused) {
 
 TEST(Tiff, FewBytesThatAnnounceManyPixelsAreRefused) {
     TiffPageBuilder page(std::endian::big), first(std::endian::big);
-    first.picture(2, 2, 8, 1).strips(2, {std::string(4, 'x')}).real(0x8042, 1e-6).real(0x8043, 1e-6).text(0x8050, "thumbnail");
-    page.picture(1 << 20, 1 << 10, 32, 2, 8).strips(1 << 10, {std::string(64, 'x')}).text(0x8050, "height").signed_long(0x8080, 0);
-    const auto error = message_of([&] { (void)formats::open(bytes::memory_source("a.jpk", tiff_file(std::endian::big, {first, page})), {}); });
+    first.picture(2, 2, 8, 1)
+        .strips(2, {std::string(4, 'x')})
+        .real(0x8042, 1e-6)
+        .real(0x8043, 1e-6)
+        .text(0x8050, "thumbnail");
+    page.picture(1 << 20, 1 << 10, 32, 2, 8)
+        .strips(1 << 10, {std::string(64, 'x')})
+        .text(0x8050, "height")
+        .signed_long(0x8080, 0);
+    const auto error = message_of([&] {
+        (void)formats::open(bytes::memory_source("a.jpk", tiff_file(std::endian::big, {first, page})), {});
+    });
     EXPECT_NE(error.find("announce 1048576 × 1024 pixels"), std::string::npos) << error;
 }
 
@@ -87,7 +102,8 @@ TEST(Tiff, DamagedCompressionIsRefusedAtItsStrip) {
     const auto strip = sample.content.find("\x78\x9c");
     sample.content.replace(strip, 8, "xxxxxxxx");
     const auto error = message_of([&] { (void)first_channel(sample).read(); });
-    EXPECT_NE(error.find("at byte " + std::to_string(strip) + ": JPK: pixels cannot be expanded"), std::string::npos) << error;
+    EXPECT_NE(error.find("at byte " + std::to_string(strip) + ": JPK: pixels cannot be expanded"), std::string::npos)
+        << error;
 }
 
 }  // namespace

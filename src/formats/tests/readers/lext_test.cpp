@@ -10,9 +10,13 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> opened(const std::string& content) { return formats::open(bytes::memory_source("a.lext", content), {}); }
+std::vector<Channel> opened(const std::string& content) {
+    return formats::open(bytes::memory_source("a.lext", content), {});
+}
 std::string sample() { return lext_samples().at(0).content; }
-std::string replaced(std::string content, const std::string& from, const std::string& to) { return content.replace(content.find(from), from.size(), to); }
+std::string replaced(std::string content, const std::string& from, const std::string& to) {
+    return content.replace(content.find(from), from.size(), to);
+}
 std::string message(const std::string& content) {
     return message_of([&] { (void)opened(content); });
 }
@@ -35,10 +39,15 @@ TEST(Lext, ListsIntensityAndLeavesThumbnailsOut) {
 }
 
 TEST(Lext, WhatCannotBeReadIsNamed) {
-    EXPECT_NE(message(replaced(sample(), "HEIGHT", "HEIGHX")).find("no page named HEIGHT"), std::string::npos) << message(replaced(sample(), "HEIGHT", "HEIGHX"));
-    EXPECT_NE(message(replaced(sample(), "<HeightDataUnitZ>2", "<HeightDataUnitZ>3")).find("<HeightDataUnitZ> is '3'"), std::string::npos);
-    EXPECT_NE(message(replaced(sample(), "<HeightDataPerPixelZ>10000", "<HeightDataPerPixelZ>-1000")).find("'-1000', expected a positive number"), std::string::npos);
-    EXPECT_NE(message(replaced(sample(), "<?xml version=\"1.0\" enco", "<!DOCTYPE a [ ]>       x")).find("DOCTYPE"), std::string::npos);
+    EXPECT_NE(message(replaced(sample(), "HEIGHT", "HEIGHX")).find("no page named HEIGHT"), std::string::npos)
+        << message(replaced(sample(), "HEIGHT", "HEIGHX"));
+    EXPECT_NE(message(replaced(sample(), "<HeightDataUnitZ>2", "<HeightDataUnitZ>3")).find("<HeightDataUnitZ> is '3'"),
+              std::string::npos);
+    EXPECT_NE(message(replaced(sample(), "<HeightDataPerPixelZ>10000", "<HeightDataPerPixelZ>-1000"))
+                  .find("'-1000', expected a positive number"),
+              std::string::npos);
+    EXPECT_NE(message(replaced(sample(), "<?xml version=\"1.0\" enco", "<!DOCTYPE a [ ]>       x")).find("DOCTYPE"),
+              std::string::npos);
 }
 
 }  // namespace

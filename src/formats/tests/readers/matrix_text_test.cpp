@@ -16,7 +16,9 @@ namespace {
 using topography::HeightMap;
 using topography::LineScan;
 
-std::vector<Channel> channels_of(const std::string& text, const ReadOptions& options = {}) { return open(bytes::memory_source("m.txt", text), options); }
+std::vector<Channel> channels_of(const std::string& text, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("m.txt", text), options);
+}
 
 HeightMap map_of(const std::string& text, const ReadOptions& options = {}, std::size_t channel = 0) {
     return std::get<HeightMap>(channels_of(text, options).at(channel).read());
@@ -50,7 +52,8 @@ TEST(MatrixText, MissingSizeAndUnitAreListedAndNamedWhenItIsRead) {
 }
 
 TEST(MatrixText, PixelsAlongXAreThoseOfALine) {  // the other reader swaps nx and ny
-    const auto map = map_of("# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 400\n# y-length = 100\n# z-unit = nm\n# Start of Data:\n1 2 3 4\n5 6 7 8\n");
+    const auto map = map_of(
+        "# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 400\n# y-length = 100\n# z-unit = nm\n# Start of Data:\n1 2 3 4\n5 6 7 8\n");
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{4, 2}));
     EXPECT_NEAR(map.size[0], 400e-9, 1e-20);
     EXPECT_NEAR(map.size[1], 100e-9, 1e-20);
@@ -68,7 +71,8 @@ TEST(MatrixText, MapsOfTwoColumnsOrRowsAreMaps) {  // the other reader refuses t
 }
 
 TEST(MatrixText, DecimalCommasOfGermanGwyddion) {
-    const auto map = map_of("# Kanal: Z\n# Breite: 12,34 µm\n# Höhe: 5678,9 nm\n# Value units: m\n1,5e-9\t2,5e-9\n-3e-9\t4e-9\n");
+    const auto map =
+        map_of("# Kanal: Z\n# Breite: 12,34 µm\n# Höhe: 5678,9 nm\n# Value units: m\n1,5e-9\t2,5e-9\n-3e-9\t4e-9\n");
     EXPECT_DOUBLE_EQ(map.size[0], 12.34e-6);
     EXPECT_DOUBLE_EQ(map.size[1], 5678.9e-9);
     EXPECT_DOUBLE_EQ(map.heights(0, 0), 1.5e-9);
@@ -90,7 +94,8 @@ TEST(MatrixText, LinesMayEndInSeparatorsAndStandApart) {
 
 TEST(MatrixText, WykoHeightsAreMultiplesOfTheWavelengthOrNanometres) {
     const auto text = [](const char* flags, const char* block) {
-        return std::string("Wyko ASCII Data File Format ") + flags + "\nX Size\t4\nY Size\t2\nBlock Name\tType\tLength\tValue\nWavelength\t7\t4\t632.8\nMult\t6\t2\t2\nPixel_size\t7\t4\t0.002\n" +
+        return std::string("Wyko ASCII Data File Format ") + flags +
+               "\nX Size\t4\nY Size\t2\nBlock Name\tType\tLength\tValue\nWavelength\t7\t4\t632.8\nMult\t6\t2\t2\nPixel_size\t7\t4\t0.002\n" +
                block + "\t3\t48\t\n1\t2\n3\tBad\n5\t6\n7\t8\n";
     };
     const auto map = map_of(text("0\t0\t1", "RAW_DATA"));
@@ -104,8 +109,9 @@ TEST(MatrixText, WykoHeightsAreMultiplesOfTheWavelengthOrNanometres) {
 }
 
 TEST(MatrixText, BlocksOfWykoAreChannels) {
-    const auto channels = channels_of("Wyko ASCII Data File Format 0\t0\t1\nX Size\t4\nY Size\t2\nWavelength\t7\t4\t600\nPixel_size\t7\t4\t0.001\nRAW_DATA\t3\t48\t\n1\t2\n3\t4\n5\t6\n7\t8\n"
-                                      "Intensity\t3\t48\t\n9\t9\n9\t9\n9\t9\n9\t9\n");
+    const auto channels = channels_of(
+        "Wyko ASCII Data File Format 0\t0\t1\nX Size\t4\nY Size\t2\nWavelength\t7\t4\t600\nPixel_size\t7\t4\t0.001\nRAW_DATA\t3\t48\t\n1\t2\n3\t4\n5\t6\n7\t8\n"
+        "Intensity\t3\t48\t\n9\t9\n9\t9\n9\t9\n9\t9\n");
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[1].info.name, "Intensity");
     EXPECT_TRUE(channels[0].info.is_height);
@@ -114,8 +120,9 @@ TEST(MatrixText, BlocksOfWykoAreChannels) {
 }
 
 TEST(MatrixText, ChannelsThatAreNoLengthsAreListedOnly) {
-    const auto channels = channels_of("# Channel: Phase\n# Width: 4 um\n# Height: 2 um\n# Value units: deg\n1 2 3 4\n5 6 7 8\n"
-                                      "# Channel: Height\n# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n");
+    const auto channels = channels_of(
+        "# Channel: Phase\n# Width: 4 um\n# Height: 2 um\n# Value units: deg\n1 2 3 4\n5 6 7 8\n"
+        "# Channel: Height\n# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n");
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_FALSE(channels[0].info.is_height);
     EXPECT_EQ(channels[0].info.unit, "deg");
@@ -125,7 +132,8 @@ TEST(MatrixText, ChannelsThatAreNoLengthsAreListedOnly) {
 }
 
 TEST(MatrixText, HeightsTakeTheHeadersConversion) {
-    const auto map = map_of("h=2 w=3\npixel size=3.69862e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.91818e-008\n1 2 3\n4 5 6\n");
+    const auto map = map_of(
+        "h=2 w=3\npixel size=3.69862e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.91818e-008\n1 2 3\n4 5 6\n");
     EXPECT_DOUBLE_EQ(map.heights(2, 1), 6 * 2.91818e-8);
     EXPECT_DOUBLE_EQ(map.size[0], 3 * 3.69862e-7);
     EXPECT_EQ(map.metadata.attributes.at("data unit"), "rad");
@@ -133,13 +141,16 @@ TEST(MatrixText, HeightsTakeTheHeadersConversion) {
 
 TEST(MatrixText, FewerLinesThanTheHeaderAnnouncesAreRefusedWhenItIsOpened) {
     EXPECT_THROW((void)channels_of("h=3 w=4\n1 2 3 4\n5 6 7 8\n"), FormatError);
-    EXPECT_NE(refusal("h=3 w=4\npixel size=1 um\n1 2 3 4\n5 6 7 8\n").find("4 × 2 numbers, its header announces 4 × 3"), std::string::npos);
+    EXPECT_NE(refusal("h=3 w=4\npixel size=1 um\n1 2 3 4\n5 6 7 8\n").find("4 × 2 numbers, its header announces 4 × 3"),
+              std::string::npos);
     EXPECT_NE(refusal("1 2 3 4\n5 6 7 8\n9 10", given).find("m.txt:3: 2 columns, expected 4"), std::string::npos);
     EXPECT_THROW((void)channels_of("1 2 3 4\n5 6 7 8\n9 10", given), FormatError);
 }
 
 TEST(MatrixText, BrokenNumbersAreNamedByLine) {
-    EXPECT_NE(refusal("# Width: 4 um\n# Height: 3 um\n# Value units: nm\n1 2 3 4\n5 6 x7 8\n9 1 2 3\n").find("m.txt:5: 'x7' in column 3"), std::string::npos);
+    EXPECT_NE(refusal("# Width: 4 um\n# Height: 3 um\n# Value units: nm\n1 2 3 4\n5 6 x7 8\n9 1 2 3\n")
+                  .find("m.txt:5: 'x7' in column 3"),
+              std::string::npos);
     EXPECT_NE(refusal("# Width: 4 kg\n# Height: 3 um\n1 2 3 4\n").find("header of a text matrix"), std::string::npos);
     EXPECT_NE(refusal("# Width: -4 um\n# Height: 3 um\n1 2 3 4\n").find("positive length"), std::string::npos);
 }
@@ -156,11 +167,13 @@ TEST(MatrixText, OneRowOrColumnIsALineOfHeights) {
 TEST(MatrixText, TablesWithNamesAreNoMaps) {
     const auto* loop = "force [mN];displacement [um];time [s];remark\n1;2;3;4\n2;3;4;5\n";
     EXPECT_NE(refusal(loop).find("`setae jkr fit`"), std::string::npos);
-    EXPECT_EQ(channels_of(loop, given).at(0).info.shape, (std::vector<Index>{4, 2})) << "who gives a size says it is a map";
+    EXPECT_EQ(channels_of(loop, given).at(0).info.shape, (std::vector<Index>{4, 2}))
+        << "who gives a size says it is a map";
 }
 
 TEST(MatrixText, UnitOfTheFileWinsWithAnAlert) {
-    const auto channel = channels_of("# Width: 4 um\n# Height: 2 um\n# Value units: nm\n1 2 3 4\n5 6 7 8\n", {{}, "um"}).at(0);
+    const auto channel =
+        channels_of("# Width: 4 um\n# Height: 2 um\n# Value units: nm\n1 2 3 4\n5 6 7 8\n", {{}, "um"}).at(0);
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNIT_MISMATCH");
     EXPECT_DOUBLE_EQ(std::get<HeightMap>(channel.read()).heights(3, 1), 8e-9);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "counted_source.hpp"
 #include "error_message.hpp"
 #include "format_samples.hpp"
-#include "counted_source.hpp"
 #include "mdt_samples.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/formats/format.hpp"
@@ -15,14 +15,17 @@ namespace {
 
 const Array2D raw = lopsided_heights(5, 3, 1.0);
 
-std::vector<Channel> channels_of(const std::vector<std::string>& frames) { return open(bytes::memory_source("a.mdt", mdt_file(frames)), {}); }
+std::vector<Channel> channels_of(const std::vector<std::string>& frames) {
+    return open(bytes::memory_source("a.mdt", mdt_file(frames)), {});
+}
 
 std::string refusal(const std::string& content) {
     return message_of([&] { (void)open(bytes::memory_source("a.mdt", content), {}); });
 }
 
 TEST(Mdt, FramesAreChannelsInTheirOrder) {
-    const auto channels = channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "a"), mdt_scan(raw, 1.0f, 0.0f, 2, "b"), mdt_spectrum(), mdt_scan(raw, 1.0f, 0.0f, 0, "")});
+    const auto channels = channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "a"), mdt_scan(raw, 1.0f, 0.0f, 2, "b"),
+                                       mdt_spectrum(), mdt_scan(raw, 1.0f, 0.0f, 0, "")});
     ASSERT_EQ(channels.size(), 4u);
     EXPECT_EQ(channels[0].info.name, "a");
     EXPECT_TRUE(channels[0].info.is_height);
@@ -44,7 +47,9 @@ TEST(Mdt, StepsThatRunBackwardsAreLengths) {
     EXPECT_EQ(info.metadata.acquisition_time, "2015-01-17 12:34:56");
 }
 
-TEST(Mdt, CyrillicTitlesAreRead) { EXPECT_EQ(channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "\xc2\xfb\xf1\xee\xf2\xe0 1")}).at(0).info.name, "Высота 1"); }
+TEST(Mdt, CyrillicTitlesAreRead) {
+    EXPECT_EQ(channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "\xc2\xfb\xf1\xee\xf2\xe0 1")}).at(0).info.name, "Высота 1");
+}
 
 TEST(Mdt, MapsWithoutAStepOfHeightsAreListedWithAnAlert) {
     const auto info = channels_of({mdt_scan(raw, 0.0f, 0.0f, -1, "")}).at(0).info;

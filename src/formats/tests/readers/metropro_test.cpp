@@ -15,7 +15,9 @@ TEST(MetroPro, TimeIsUtcWhereverItIsRead) {
     for (const auto* zone : {"UTC", "America/New_York", "Asia/Tokyo"}) {
         setenv("TZ", zone, 1);
         tzset();
-        EXPECT_EQ(channels_of(metropro_samples().at(0).content).at(0).info.metadata.acquisition_time, "2011-07-23 16:49:36 UTC") << zone;
+        EXPECT_EQ(channels_of(metropro_samples().at(0).content).at(0).info.metadata.acquisition_time,
+                  "2011-07-23 16:49:36 UTC")
+            << zone;
     }
     unsetenv("TZ");
     tzset();
@@ -23,20 +25,25 @@ TEST(MetroPro, TimeIsUtcWhereverItIsRead) {
 
 TEST(MetroPro, SignOfTheHeaderTurnsHeightsOver) {
     const auto file = metropro_samples().at(0).content;
-    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 232, 1, big)).at(0)).heights(0, 0), -map_of(channels_of(file).at(0)).heights(0, 0));
+    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 232, 1, big)).at(0)).heights(0, 0),
+                     -map_of(channels_of(file).at(0)).heights(0, 0));
 }
 
 TEST(MetroPro, StepFollowsPhaseResolution) {
     const auto file = metropro_samples().at(0).content;
     const double normal = map_of(channels_of(file).at(0)).heights(0, 0);
-    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 218, 1, big)).at(0)).heights(0, 0), normal / 8.0);
-    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 218, 2, big)).at(0)).heights(0, 0), normal / 32.0);
-    EXPECT_EQ(refusal(with_number<std::int16_t>(file, 218, 3, big)), "file: at byte 218: MetroPro: phase resolution 3, expected 0, 1 or 2");
+    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 218, 1, big)).at(0)).heights(0, 0),
+                     normal / 8.0);
+    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 218, 2, big)).at(0)).heights(0, 0),
+                     normal / 32.0);
+    EXPECT_EQ(refusal(with_number<std::int16_t>(file, 218, 3, big)),
+              "file: at byte 218: MetroPro: phase resolution 3, expected 0, 1 or 2");
 }
 
 TEST(MetroPro, ObliquityStretchesHeights) {
     const auto file = metropro_samples().at(0).content;
-    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number(file, 176, 2.5f, big)).at(0)).heights(0, 0), 2.0 * map_of(channels_of(file).at(0)).heights(0, 0));
+    EXPECT_DOUBLE_EQ(map_of(channels_of(with_number(file, 176, 2.5f, big)).at(0)).heights(0, 0),
+                     2.0 * map_of(channels_of(file).at(0)).heights(0, 0));
 }
 
 TEST(MetroPro, IntensitiesAreListedBehindThePhase) {
@@ -52,7 +59,8 @@ TEST(MetroPro, IntensitiesAreListedBehindThePhase) {
 
 TEST(MetroPro, SerialNumberOfNewerFilesIsWhole) {
     const auto file = with_number<std::int32_t>(metropro_samples().at(0).content, 798, 70000);
-    EXPECT_EQ(channels_of(file).at(0).info.metadata.attributes.at("serial_number"), "70000") << "this field is little-endian";
+    EXPECT_EQ(channels_of(file).at(0).info.metadata.attributes.at("serial_number"), "70000")
+        << "this field is little-endian";
 }
 
 TEST(MetroPro, WithoutLateralResolutionAsksForTheSize) {

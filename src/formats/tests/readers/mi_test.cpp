@@ -17,8 +17,12 @@ FormatSample sample_of(const std::string& name) {
     throw std::runtime_error("no sample " + name);
 }
 
-std::vector<Channel> opened(const std::string& content) { return formats::open(bytes::memory_source("a.mi", content), {}); }
-std::string replaced(std::string content, const std::string& from, const std::string& to) { return content.replace(content.find(from), from.size(), to); }
+std::vector<Channel> opened(const std::string& content) {
+    return formats::open(bytes::memory_source("a.mi", content), {});
+}
+std::string replaced(std::string content, const std::string& from, const std::string& to) {
+    return content.replace(content.find(from), from.size(), to);
+}
 std::string message(const std::string& content) {
     return message_of([&] {
         for (const auto& channel : opened(content))
@@ -33,13 +37,17 @@ TEST(Mi, SizesAreMetresWhateverTheUnitOfHeights) {
     EXPECT_EQ(info.unit, "µm");
 }
 
-/// "FALSE" is a text that is not empty: the field's reader took it for true. Rows lie the same way for both directions of the scan.
+/// "FALSE" is a text that is not empty: the field's reader took it for true. Rows lie the same way for both directions
+/// of the scan.
 TEST(Mi, RowsAreTurnedForScansUpwardsAndDownwards) {
     const auto sample = sample_of("BINARY_32");
-    const auto down = opened(sample.content).at(1), up = opened(replaced(sample.content, "scanUp        FALSE", "scanUp        TRUE")).at(1);
+    const auto down = opened(sample.content).at(1),
+               up = opened(replaced(sample.content, "scanUp        FALSE", "scanUp        TRUE")).at(1);
     EXPECT_EQ(down.info.metadata.attributes.at("scan_direction"), "down");
     EXPECT_EQ(up.info.metadata.attributes.at("scan_direction"), "up");
-    EXPECT_TRUE((std::get<topography::HeightMap>(down.read()).heights == std::get<topography::HeightMap>(up.read()).heights).all());
+    EXPECT_TRUE(
+        (std::get<topography::HeightMap>(down.read()).heights == std::get<topography::HeightMap>(up.read()).heights)
+            .all());
 }
 
 /// The field's reader stopped at the first number in words.
@@ -61,11 +69,15 @@ TEST(Mi, OtherQuantitiesAreListedWithTheirUnit) {
 TEST(Mi, WhatIsNoImageIsNamed) {
     const auto content = sample_of("BINARY").content;
     EXPECT_NE(message(replaced(content, "Image", "Spectroscopy")).find("'Spectroscopy'"), std::string::npos);
-    EXPECT_NE(message(replaced(content, "data          BINARY", "data          PACKED")).find("'PACKED'"), std::string::npos);
-    EXPECT_NE(message(replaced(content, "xPixels       8", "xPixels       900000000")).find("900000000 × 5"), std::string::npos);
-    EXPECT_NE(message(replaced(content, "xPixels       8", "xPixels       -8")).find("'xPixels' is '-8'"), std::string::npos);
+    EXPECT_NE(message(replaced(content, "data          BINARY", "data          PACKED")).find("'PACKED'"),
+              std::string::npos);
+    EXPECT_NE(message(replaced(content, "xPixels       8", "xPixels       900000000")).find("900000000 × 5"),
+              std::string::npos);
+    EXPECT_NE(message(replaced(content, "xPixels       8", "xPixels       -8")).find("'xPixels' is '-8'"),
+              std::string::npos);
     const auto words = sample_of("ASCII").content;
-    EXPECT_NE(message(words.substr(0, words.size() - 10) + " 1.x 1 1 1 1 1 1").find("'1.x' is no number"), std::string::npos);
+    EXPECT_NE(message(words.substr(0, words.size() - 10) + " 1.x 1 1 1 1 1 1").find("'1.x' is no number"),
+              std::string::npos);
 }
 
 }  // namespace

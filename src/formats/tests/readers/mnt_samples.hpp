@@ -9,8 +9,8 @@
 
 namespace setae::formats::tests {
 
-/// A surface of a Mountains document: counts h(x, y); those of 0 are not measured where there is a mask. Steps 2 µm, 1.5 µm and
-/// 0.1 nm; origin of heights 50 µm.
+/// A surface of a Mountains document: counts h(x, y); those of 0 are not measured where there is a mask. Steps 2
+/// µm, 1.5 µm and 0.1 nm; origin of heights 50 µm.
 struct MntSurface {
     Array2D counts;
     std::string name = "A48";

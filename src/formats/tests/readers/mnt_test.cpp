@@ -16,7 +16,9 @@ namespace setae::formats::tests {
 namespace {
 
 std::vector<Channel> opened(const std::string& content) { return open(bytes::memory_source("a.mnt", content), {}); }
-Array2D heights_of(const std::string& content, std::size_t channel = 0) { return std::get<topography::HeightMap>(opened(content).at(channel).read()).heights; }
+Array2D heights_of(const std::string& content, std::size_t channel = 0) {
+    return std::get<topography::HeightMap>(opened(content).at(channel).read()).heights;
+}
 
 MntSurface surface_with_a_zero() {
     MntSurface surface{.counts = lopsided_heights(5, 4, 10.0)};
@@ -39,7 +41,8 @@ TEST(Mnt, SizeIsPointsTimesStep) {
     EXPECT_EQ(channel.info.metadata.attributes.at("software_version"), "9.2.0.9994");
 }
 
-/// Entry 1 beside the list of objects is their number, 12 or 39 in files that were taken to tell what a zero means: the mask does.
+/// Entry 1 beside the list of objects is their number, 12 or 39 in files that were taken to tell what a zero means: the
+/// mask does.
 TEST(Mnt, ZeroIsUndefinedWhereTheMaskSaysSoHoweverManyObjectsThereAre) {
     auto surface = surface_with_a_zero();
     for (const int others : {11, 38}) {
@@ -65,7 +68,8 @@ TEST(Mnt, EveryMeasuredSurfaceIsAChannelAndOtherQuantitiesAreListedOnly) {
 }
 
 TEST(Mnt, DocumentWithoutSurfaceIsRefused) {
-    EXPECT_NE(message_of([] { (void)opened(mnt_file(mnt_contents({}))); }).find("no measured surface"), std::string::npos);
+    EXPECT_NE(message_of([] { (void)opened(mnt_file(mnt_contents({}))); }).find("no measured surface"),
+              std::string::npos);
 }
 
 TEST(Mnt, OtherCompoundFilesAreNotTaken) {
@@ -75,10 +79,12 @@ TEST(Mnt, OtherCompoundFilesAreNotTaken) {
 
 TEST(Mnt, CountsThatDoNotFitTheGridAreRefused) {
     auto contents = mnt_contents({surface_with_a_zero()});
-    const auto at = contents.find(std::string("\x01\x00\x04\x00\x00\x00\x00\x00\x00\x00\x14\x00\x00\x00", 14));  // 20 counts
+    const auto at =
+        contents.find(std::string("\x01\x00\x04\x00\x00\x00\x00\x00\x00\x00\x14\x00\x00\x00", 14));  // 20 counts
     ASSERT_NE(at, std::string::npos);
     contents[at + 10] = '\x15';
-    EXPECT_NE(message_of([&] { (void)opened(mnt_file(contents)); }).find("an array of 21 elements, expected 20"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)opened(mnt_file(contents)); }).find("an array of 21 elements, expected 20"),
+              std::string::npos);
 }
 
 }  // namespace

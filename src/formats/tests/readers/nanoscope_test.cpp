@@ -15,13 +15,16 @@ namespace {
 
 using topography::HeightMap;
 
-std::vector<Channel> opened(const std::string& content) { return formats::open(bytes::memory_source("a.di", content), {}); }
+std::vector<Channel> opened(const std::string& content) {
+    return formats::open(bytes::memory_source("a.di", content), {});
+}
 /// A part replaced and what follows kept in its place: zeros pad the header.
 std::string replaced(std::string content, const std::string& from, const std::string& to) {
     const auto grown = static_cast<long>(to.size()) - static_cast<long>(from.size());
     content.replace(content.find(from), from.size(), to);
     const auto end = content.find('\x1a') + 1;
-    return grown > 0 ? content.erase(end, static_cast<std::size_t>(grown)) : content.insert(end, static_cast<std::size_t>(-grown), '\0');
+    return grown > 0 ? content.erase(end, static_cast<std::size_t>(grown))
+                     : content.insert(end, static_cast<std::size_t>(-grown), '\0');
 }
 std::string sample() { return nanoscope_samples().at(0).content; }
 std::string message(const std::string& content) {
@@ -37,8 +40,10 @@ TEST(Nanoscope, WidthAndHeightKeepTheirAxes) {
 }
 
 TEST(Nanoscope, OneScanSizeTakesTheAspectRatio) {
-    EXPECT_DOUBLE_EQ(opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 700 nm")).at(0).info.size.at(1), 700 * units::nm);
-    const auto info = opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 700 nm\r\n\\Aspect Ratio: 4:1")).at(0).info;
+    EXPECT_DOUBLE_EQ(opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 700 nm")).at(0).info.size.at(1),
+                     700 * units::nm);
+    const auto info =
+        opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 700 nm\r\n\\Aspect Ratio: 4:1")).at(0).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 700 * units::nm);
     EXPECT_DOUBLE_EQ(info.size.at(1), 175 * units::nm);
 }
@@ -50,7 +55,10 @@ TEST(Nanoscope, MicrometresAreSpelledWithATilde) {
 }
 
 TEST(Nanoscope, NamesTellTheDirectionOfTheScan) {
-    const auto info = opened(replaced(sample(), "\\Bytes/pixel", "\\Line Direction: Retrace\r\n\\Frame direction: Down\r\n\\Bytes/pixel")).at(0).info;
+    const auto info = opened(replaced(sample(), "\\Bytes/pixel",
+                                      "\\Line Direction: Retrace\r\n\\Frame direction: Down\r\n\\Bytes/pixel"))
+                          .at(0)
+                          .info;
     EXPECT_EQ(info.name, "Height (retrace)");
     EXPECT_EQ(info.metadata.attributes.at("line_direction"), "retrace");
     EXPECT_EQ(info.metadata.attributes.at("scan_direction"), "down");
@@ -60,8 +68,11 @@ TEST(Nanoscope, OtherQuantitiesHaveTheirUnit) {
     struct Case {
         const char *sensitivity, *scale, *unit;
     };
-    for (const auto& [sensitivity, scale, unit] : {Case{"20.00000 nA/V", "2.000000 V", "nA"}, Case{"1.000000 ", "180.0000 \xba", "deg"}, Case{"1.000000 ", "4000 mV", "mV"}, Case{"20.00000 MPa/V", "2.000000 V", "MPa"}}) {
-        const auto content = replaced(replaced(sample(), "20.00000 nm/V", sensitivity), "2.000000 V\r", fmt::format("{}\r", scale));
+    for (const auto& [sensitivity, scale, unit] :
+         {Case{"20.00000 nA/V", "2.000000 V", "nA"}, Case{"1.000000 ", "180.0000 \xba", "deg"},
+          Case{"1.000000 ", "4000 mV", "mV"}, Case{"20.00000 MPa/V", "2.000000 V", "MPa"}}) {
+        const auto content =
+            replaced(replaced(sample(), "20.00000 nm/V", sensitivity), "2.000000 V\r", fmt::format("{}\r", scale));
         const auto channel = opened(content).at(0);
         EXPECT_EQ(channel.info.unit, unit);
         EXPECT_FALSE(channel.info.is_height) << unit;
@@ -82,7 +93,9 @@ TEST(Nanoscope, SensitivityPerMillivoltIsConverted) {
 
 /// Version 5.30 may state another number of points for an image than its block holds; pixels stay square.
 TEST(Nanoscope, PointsOfTheScanHoldWhereThoseOfTheImageDoNotFillItsBlock) {
-    const auto content = replaced(replaced(sample(), "\\Samps/line: 7\r\n\\Number of lines: 4", "\\Samps/line: 14\r\n\\Number of lines: 8"), "\\*Ciao image list", "\\*Ciao scan list\r\n\\Samps/line: 7\r\n\\Lines: 4\r\n\\*Ciao image list");
+    const auto content = replaced(
+        replaced(sample(), "\\Samps/line: 7\r\n\\Number of lines: 4", "\\Samps/line: 14\r\n\\Number of lines: 8"),
+        "\\*Ciao image list", "\\*Ciao scan list\r\n\\Samps/line: 7\r\n\\Lines: 4\r\n\\*Ciao image list");
     const auto info = opened(content).at(0).info;
     EXPECT_EQ(info.shape, (std::vector<Index>{7, 4}));
     EXPECT_DOUBLE_EQ(info.size.at(0), 350 * units::nm);
@@ -103,13 +116,15 @@ TEST(Nanoscope, ForceCurvesAreRefusedWithWhatReadsThem) {
 }
 
 TEST(Nanoscope, ForceVolumeGivesItsImageAndSaysSo) {
-    const auto channels = opened(replaced(sample(), "\\*Ciao image list", "\\*Ciao force image list\r\n\\Data offset: 9\r\n\\*Ciao image list"));
+    const auto channels = opened(
+        replaced(sample(), "\\*Ciao image list", "\\*Ciao force image list\r\n\\Data offset: 9\r\n\\*Ciao image list"));
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels[0].info.alerts.at(0).code, "FORCE_CURVES_NOT_READ");
 }
 
 TEST(Nanoscope, OlderVersionsAndTextAreNamed) {
-    EXPECT_NE(message(replaced(sample(), "\\@2:Z scale: V [Sens. Zsens]", "\\Z scale: 440")).find("before 4.3"), std::string::npos);
+    EXPECT_NE(message(replaced(sample(), "\\@2:Z scale: V [Sens. Zsens]", "\\Z scale: 440")).find("before 4.3"),
+              std::string::npos);
     EXPECT_NE(message("?*File list\r\n\\Version: 0x04220200\r\n").find("exported as text"), std::string::npos);
 }
 

@@ -11,8 +11,12 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> opened(const std::string& content) { return formats::open(bytes::memory_source("a.nid", content), {}); }
-std::string replaced(std::string content, const std::string& from, const std::string& to) { return content.replace(content.rfind(from), from.size(), to); }
+std::vector<Channel> opened(const std::string& content) {
+    return formats::open(bytes::memory_source("a.nid", content), {});
+}
+std::string replaced(std::string content, const std::string& from, const std::string& to) {
+    return content.replace(content.rfind(from), from.size(), to);
+}
 std::string message(const std::string& content) {
     return message_of([&] { (void)opened(content).back().read(); });
 }
@@ -68,7 +72,8 @@ TEST(Nanosurf, WhatCannotBeReadIsNamed) {
     EXPECT_NE(message(replaced(content, "SaveBits=16", "SaveBits=24")).find("'24' bits"), std::string::npos);
     EXPECT_NE(message(replaced(content, "Points=6", "Points=2000000000")).find("2000000000 × 4"), std::string::npos);
     EXPECT_NE(message(replaced(content, "[DataSet]\r", "[DataSet]\rx")).find("names no channel"), std::string::npos);
-    EXPECT_NE(message(replaced(content, "Dim2Range=9.5", "Dim2Range=wide")).find("'Dim2Range' is 'wide'"), std::string::npos);
+    EXPECT_NE(message(replaced(content, "Dim2Range=9.5", "Dim2Range=wide")).find("'Dim2Range' is 'wide'"),
+              std::string::npos);
 }
 
 }  // namespace

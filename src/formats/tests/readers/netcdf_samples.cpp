@@ -8,8 +8,8 @@
 #include "hdf5_builder.hpp"
 #include "setae/core/constants.hpp"
 
-// Built from the specification of the classic format: magic and version, records, dimensions, attributes, variables, values; all
-// big-endian, counts 4 bytes wide, 8 in version 5; offsets 4 bytes wide in version 1, else 8.
+// Built from the specification of the classic format: magic and version, records, dimensions, attributes, variables,
+// values; all big-endian, counts 4 bytes wide, 8 in version 5; offsets 4 bytes wide in version 1, else 8.
 using namespace setae::tests;
 
 namespace setae::formats::tests {
@@ -41,8 +41,10 @@ public:
         attributes_.push_back(attribute);
         return *this;
     }
-    /// `values` as they stand in the file; of a record variable those of one record after another, each of `record` bytes.
-    Classic& variable(const std::string& name, std::uint32_t type, std::vector<std::uint32_t> dimensions, std::vector<std::string> attributes, std::string values, std::size_t record = 0) {
+    /// `values` as they stand in the file; of a record variable those of one record after another, each of `record`
+    /// bytes.
+    Classic& variable(const std::string& name, std::uint32_t type, std::vector<std::uint32_t> dimensions,
+                      std::vector<std::string> attributes, std::string values, std::size_t record = 0) {
         variables_.push_back({name, type, std::move(dimensions), std::move(attributes), std::move(values), record});
         return *this;
     }
@@ -57,18 +59,19 @@ public:
             if (variable.record) offsets.push_back(at), at += padded(variable.record);
         header = header_with(offsets);
         for (const auto& variable : variables_)
-            if (!variable.record) header += variable.values + std::string(padded(variable.values.size()) - variable.values.size(), '\0');
+            if (!variable.record)
+                header += variable.values + std::string(padded(variable.values.size()) - variable.values.size(), '\0');
         if (at == records_at) return header;
         for (std::uint64_t record = 0; record < records(); ++record)
             for (const auto& variable : variables_)
-                if (variable.record) header += variable.values.substr(record * variable.record, variable.record) + std::string(padded(variable.record) - variable.record, '\0');
+                if (variable.record)
+                    header += variable.values.substr(record * variable.record, variable.record) +
+                              std::string(padded(variable.record) - variable.record, '\0');
         return header;
     }
     void count(ByteBuilder& part, std::uint64_t number) const {
-        if (version_ == 5)
-            part.number(number);
-        else
-            part.number(static_cast<std::uint32_t>(number));
+        if (version_ == 5) part.number(number);
+        else part.number(static_cast<std::uint32_t>(number));
     }
     void name(ByteBuilder& part, const std::string& text) const {
         count(part, text.size());
@@ -118,10 +121,8 @@ private:
             part.number(variable.type);
             count(part, variable.record ? variable.record : variable.values.size());
             const auto offset = k < offsets.size() ? offsets[k] : 0;
-            if (version_ == 1)
-                part.number(static_cast<std::uint32_t>(offset));
-            else
-                part.number(offset);
+            if (version_ == 1) part.number(static_cast<std::uint32_t>(offset));
+            else part.number(offset);
         }
         return part.content();
     }
@@ -140,9 +141,12 @@ std::string bytes_as(const Values& values) {
 }
 
 /// An axis of n points `step` apart with its extent.
-std::string positions(Index n, double step) { return bytes_as<double>(Array1D(step * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)))); }
+std::string positions(Index n, double step) {
+    return bytes_as<double>(Array1D(step * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1))));
+}
 
-constexpr const char* info = R"({"instrument": {"name": "NewView", "type": "optical", "parameters": {"tip_radius": {"value": 10.0, "unit": "nm"}}}, "acquisition_time": "2020-01-02 03:04:05", "operator": "A. B."})";
+constexpr const char* info =
+    R"({"instrument": {"name": "NewView", "type": "optical", "parameters": {"tip_radius": {"value": 10.0, "unit": "nm"}}}, "acquisition_time": "2020-01-02 03:04:05", "operator": "A. B."})";
 
 /// A map of 6 × 4 points in nm, masked at (3, 2) and of the fill value at (1, 1).
 FormatSample map_sample(int version) {
@@ -153,13 +157,23 @@ FormatSample map_sample(int version) {
     Classic file(version);
     file.dimension("x", 6).dimension("y", 4).about(Classic::text_attribute(file, "json", info));
     const auto axis = [&](double length) {
-        return std::vector<std::string>{Classic::number_attribute(file, "length", length), Classic::number_attribute(file, "periodic", 1.0), Classic::text_attribute(file, "unit", "um")};
+        return std::vector<std::string>{Classic::number_attribute(file, "length", length),
+                                        Classic::number_attribute(file, "periodic", 1.0),
+                                        Classic::text_attribute(file, "unit", "um")};
     };
-    file.variable("mask", 1, {0, 1}, {}, bytes_as<std::int8_t>(mask)).variable("x", 6, {0}, axis(3.0), positions(6, 0.5));
+    file.variable("mask", 1, {0, 1}, {}, bytes_as<std::int8_t>(mask))
+        .variable("x", 6, {0}, axis(3.0), positions(6, 0.5));
     file.variable("y", 6, {1}, axis(1.0), positions(4, 0.25));
-    file.variable("heights", 5, {0, 1}, {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "_FillValue", -999.0)}, bytes_as<float>(map));
+    file.variable("heights", 5, {0, 1},
+                  {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "_FillValue", -999.0)},
+                  bytes_as<float>(map));
     map(3, 2) = map(1, 1) = std::nan("");
-    return {.format = "nc", .name = "map, version " + std::to_string(version), .content = file.content(), .shape = {6, 4}, .size = {3e-6, 1e-6}, .heights = map * units::nm};
+    return {.format = "nc",
+            .name = "map, version " + std::to_string(version),
+            .content = file.content(),
+            .shape = {6, 4},
+            .size = {3e-6, 1e-6},
+            .heights = map * units::nm};
 }
 
 /// The first index unlimited, its records padded: 3 heights of int16 and a byte that stands between.
@@ -167,11 +181,22 @@ FormatSample records_sample() {
     const auto map = lopsided_heights(5, 3, 1.0);
     Classic file(2);
     file.dimension("x", 0).dimension("y", 3);
-    file.variable("y", 6, {1}, {Classic::number_attribute(file, "length", 3.0), Classic::text_attribute(file, "unit", "um")}, positions(3, 1.0));
-    file.variable("heights", 3, {0, 1}, {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "scale_factor", 0.5), Classic::number_attribute(file, "add_offset", 7.0)},
+    file.variable("y", 6, {1},
+                  {Classic::number_attribute(file, "length", 3.0), Classic::text_attribute(file, "unit", "um")},
+                  positions(3, 1.0));
+    file.variable("heights", 3, {0, 1},
+                  {Classic::text_attribute(file, "unit", "nm"), Classic::number_attribute(file, "scale_factor", 0.5),
+                   Classic::number_attribute(file, "add_offset", 7.0)},
                   bytes_as<std::int16_t>(map), 6);
-    file.variable("x", 6, {0}, {Classic::number_attribute(file, "length", 5.0), Classic::text_attribute(file, "unit", "um")}, positions(5, 1.0), 8);
-    return {.format = "nc", .name = "records", .content = file.content(), .shape = {5, 3}, .size = {5e-6, 3e-6}, .heights = (0.5 * map + 7.0) * units::nm};
+    file.variable("x", 6, {0},
+                  {Classic::number_attribute(file, "length", 5.0), Classic::text_attribute(file, "unit", "um")},
+                  positions(5, 1.0), 8);
+    return {.format = "nc",
+            .name = "records",
+            .content = file.content(),
+            .shape = {5, 3},
+            .size = {5e-6, 3e-6},
+            .heights = (0.5 * map + 7.0) * units::nm};
 }
 
 FormatSample unequal_steps_sample() {
@@ -182,23 +207,39 @@ FormatSample unequal_steps_sample() {
     file.dimension("n", 4);
     file.variable("x", 6, {0}, {Classic::text_attribute(file, "unit", "um")}, bytes_as<double>(x));
     file.variable("heights", 6, {0}, {Classic::text_attribute(file, "unit", "nm")}, bytes_as<double>(heights));
-    return {.format = "nc", .name = "unequal steps", .content = file.content(), .shape = {4}, .size = {4e-6}, .heights = heights * units::nm};
+    return {.format = "nc",
+            .name = "unequal steps",
+            .content = file.content(),
+            .shape = {4},
+            .size = {4e-6},
+            .heights = heights * units::nm};
 }
 
 /// NetCDF-4: dimensions are datasets, y one without values.
 FormatSample version4_sample() {
     const auto map = lopsided_heights(6, 4, 1.0);
     Hdf5Builder file({.newest = true});
-    file.dataset("/x", H5T_IEEE_F64LE, {6}, {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}).attribute("/x", "length", std::vector<double>{3.0});
+    file.dataset("/x", H5T_IEEE_F64LE, {6}, {0.0, 0.5, 1.0, 1.5, 2.0, 2.5})
+        .attribute("/x", "length", std::vector<double>{3.0});
     file.attribute("/x", "unit", std::string("um")).attribute("/x", "periodic", std::vector<double>{1.0});
-    file.dataset("/y", H5T_IEEE_F64LE, {4}, {0.0, 0.25, 0.5, 0.75}).variable_text("/y", "unit", "um").variable_text("/y", "CLASS", "DIMENSION_SCALE");
-    file.dataset("/heights", H5T_IEEE_F32LE, {6, 4}, first_index_x(map), {.chunk = {3, 4}, .shuffled = true, .deflated = true});
+    file.dataset("/y", H5T_IEEE_F64LE, {4}, {0.0, 0.25, 0.5, 0.75})
+        .variable_text("/y", "unit", "um")
+        .variable_text("/y", "CLASS", "DIMENSION_SCALE");
+    file.dataset("/heights", H5T_IEEE_F32LE, {6, 4}, first_index_x(map),
+                 {.chunk = {3, 4}, .shuffled = true, .deflated = true});
     file.variable_text("/heights", "unit", "nm").variable_text("/", "_NCProperties", "version=2");
-    return {.format = "nc", .name = "version 4, packed", .content = file.bytes(), .shape = {6, 4}, .size = {3e-6, 1e-6}, .heights = map * units::nm};
+    return {.format = "nc",
+            .name = "version 4, packed",
+            .content = file.bytes(),
+            .shape = {6, 4},
+            .size = {3e-6, 1e-6},
+            .heights = map * units::nm};
 }
 
 }  // namespace
 
-std::vector<FormatSample> netcdf_samples() { return {map_sample(1), map_sample(2), map_sample(5), records_sample(), unequal_steps_sample(), version4_sample()}; }
+std::vector<FormatSample> netcdf_samples() {
+    return {map_sample(1), map_sample(2), map_sample(5), records_sample(), unequal_steps_sample(), version4_sample()};
+}
 
 }  // namespace setae::formats::tests

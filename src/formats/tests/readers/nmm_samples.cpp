@@ -12,15 +12,17 @@ namespace {
 constexpr const char* dashes = "------------------------------------------";
 
 std::string description(Index scans, Index points, Index lines) {
-    return fmt::format("{0}\r\nScan procedure description file\r\nCreation time : Tue Jun 14 10:20:30 2022\r\n{0}\r\n1 Scan field\r\nNumber of scans : {1}\r\nNumber of lines : {2}\r\n"
-                       "Scan line length : {3} [\u00b5m]\r\nScan field width : {4} [\u00b5m]\r\nDistance beetween points : 0.5 [\u00b5m]\r\nDistance beetween lines : 2.0 [\u00b5m]\r\n{0}\r\n",
-                       dashes, scans, lines, 0.5 * static_cast<double>(points - 1), 2.0 * static_cast<double>(lines - 1));
+    return fmt::format(
+        "{0}\r\nScan procedure description file\r\nCreation time : Tue Jun 14 10:20:30 2022\r\n{0}\r\n1 Scan field\r\nNumber of scans : {1}\r\nNumber of lines : {2}\r\n"
+        "Scan line length : {3} [\u00b5m]\r\nScan field width : {4} [\u00b5m]\r\nDistance beetween points : 0.5 [\u00b5m]\r\nDistance beetween lines : 2.0 [\u00b5m]\r\n{0}\r\n",
+        dashes, scans, lines, 0.5 * static_cast<double>(points - 1), 2.0 * static_cast<double>(lines - 1));
 }
 
 std::string columns(Index points) {
     std::string text = fmt::format("{}\r\n", dashes);
     int number = 0;
-    for (const auto* name : {"Lx", "Ly", "Lz", "Ax", "-Lz+Az"}) text += fmt::format("{} : Tue Jun 14 10:20:30 2022 : {} : {} : column {}\r\n", number++, name, points, name);
+    for (const auto* name : {"Lx", "Ly", "Lz", "Ax", "-Lz+Az"})
+        text += fmt::format("{} : Tue Jun 14 10:20:30 2022 : {} : {} : column {}\r\n", number++, name, points, name);
     return text + dashes + "\r\n";
 }
 
@@ -36,8 +38,13 @@ std::string rows(const Array2D& heights, Index line) {
 FormatSample sample(const std::string& name, const std::vector<Array2D>& scans, std::size_t scan) {
     constexpr std::size_t channels_a_scan = 5;
     const auto& heights = scans[scan];
-    FormatSample sample{.format = "nmm", .name = name, .content = zip_archive(nmm_members(scans)), .channel = channels_a_scan * scan, .shape = {heights.rows()},
-                        .size = {0.5 * units::um * static_cast<double>(heights.rows())}, .heights = heights};
+    FormatSample sample{.format = "nmm",
+                        .name = name,
+                        .content = zip_archive(nmm_members(scans)),
+                        .channel = channels_a_scan * scan,
+                        .shape = {heights.rows()},
+                        .size = {0.5 * units::um * static_cast<double>(heights.rows())},
+                        .heights = heights};
     if (heights.cols() > 1) {
         sample.shape.push_back(heights.cols());
         sample.size.push_back(2.0 * units::um * static_cast<double>(heights.cols()));
@@ -60,7 +67,8 @@ Members nmm_members(const std::vector<Array2D>& scans) {
 
 std::vector<FormatSample> nmm_samples() {
     const auto map = lopsided_heights(7, 3, units::nm);
-    return {sample("map", {map}, 0), sample("second scan", {map, 2.0 * map}, 1), sample("profile", {lopsided_heights(9, 1, units::nm)}, 0)};
+    return {sample("map", {map}, 0), sample("second scan", {map, 2.0 * map}, 1),
+            sample("profile", {lopsided_heights(9, 1, units::nm)}, 0)};
 }
 
 }  // namespace setae::formats::tests

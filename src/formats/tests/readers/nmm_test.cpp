@@ -12,7 +12,9 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> channels_of(const Members& members) { return open(bytes::memory_source("a.zip", zip_archive(members)), {}); }
+std::vector<Channel> channels_of(const Members& members) {
+    return open(bytes::memory_source("a.zip", zip_archive(members)), {});
+}
 
 std::string& member(Members& members, const std::string& name) {
     for (auto& [key, content] : members)
@@ -20,7 +22,9 @@ std::string& member(Members& members, const std::string& name) {
     throw std::runtime_error(name);
 }
 
-void replace(std::string& text, const std::string& what, const std::string& with) { text.replace(text.find(what), what.size(), with); }
+void replace(std::string& text, const std::string& what, const std::string& with) {
+    text.replace(text.find(what), what.size(), with);
+}
 
 TEST(Nmm, EachScanIsAChannelWithItsOwnHeights) {
     const auto map = lopsided_heights(4, 3, units::nm);
@@ -35,7 +39,8 @@ TEST(Nmm, EachScanIsAChannelWithItsOwnHeights) {
 TEST(Nmm, IsReadByTheCallThatReadsEveryFile) {
     const TemporaryFolder folder;
     const auto map = lopsided_heights(4, 3, units::nm);
-    EXPECT_DOUBLE_EQ(topography::all_heights(read(folder.write("groove.zip", zip_archive(nmm_members({map})))))[1], map(0, 1));
+    EXPECT_DOUBLE_EQ(topography::all_heights(read(folder.write("groove.zip", zip_archive(nmm_members({map})))))[1],
+                     map(0, 1));
 }
 
 TEST(Nmm, ALineHasOnePointMoreThanSteps) {
@@ -81,7 +86,8 @@ TEST(Nmm, ColumnsOtherThanHeightsAloneAreRefused) {
 TEST(Nmm, FieldsThatDoNotFitTheirStepsAreRefused) {
     auto members = nmm_members({lopsided_heights(4, 3, units::nm)});
     replace(member(members, "groove.dsc"), "Distance beetween points : 0.5", "Distance beetween points : 0.4");
-    EXPECT_NE(message_of([&] { (void)channels_of(members); }).find("expected a whole number of steps"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)channels_of(members); }).find("expected a whole number of steps"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ std::string refusal(const std::string& content) {
     return message_of([&] { (void)opened(content); });
 }
 std::string replaced(std::string content, std::string_view from, std::string_view to) {
-    for (auto at = content.find(from); at != std::string::npos; at = content.find(from, at + to.size())) content.replace(at, from.size(), to);
+    for (auto at = content.find(from); at != std::string::npos; at = content.find(from, at + to.size()))
+        content.replace(at, from.size(), to);
     return content;
 }
 
@@ -54,22 +55,35 @@ TEST(Oir, TellsInstrumentAndTime) {
 TEST(Oir, BrokenPropertiesAreRefused) {
     const auto content = oir_file({.raw = raw});
     EXPECT_NE(refusal(replaced(content, "MICRO_METER", "SQUAREMETER")).find("unit"), std::string::npos);
-    EXPECT_NE(refusal(replaced(content, "<commonparam:z>0.01<", "<commonparam:z>0.00<")).find("without a positive length or unit along z"), std::string::npos);
-    EXPECT_NE(refusal(replaced(content, "<commonphase:depth>2<", "<commonphase:depth>7<")).find("heights of 7 bytes"), std::string::npos);
-    EXPECT_NE(refusal(replaced(content, "<commonimage:width>5<", "<commonimage:width>6<")).find("the file ends here, its heights (6 × 4 points)"), std::string::npos);
-    EXPECT_NE(refusal(replaced(content, "t001_0_1_1f0c2a34-0000-4000-8000-00000000000a", "t001_0_1_1f0c2a34-0000-4000-8000-00000000000c")).find("without the points of image"), std::string::npos);
-    EXPECT_NE(refusal(ByteBuilder().text(content).number_at(96, -7).content()).find("a chunk of -7 bytes"), std::string::npos);
+    EXPECT_NE(refusal(replaced(content, "<commonparam:z>0.01<", "<commonparam:z>0.00<"))
+                  .find("without a positive length or unit along z"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(content, "<commonphase:depth>2<", "<commonphase:depth>7<")).find("heights of 7 bytes"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(content, "<commonimage:width>5<", "<commonimage:width>6<"))
+                  .find("the file ends here, its heights (6 × 4 points)"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(content, "t001_0_1_1f0c2a34-0000-4000-8000-00000000000a",
+                               "t001_0_1_1f0c2a34-0000-4000-8000-00000000000c"))
+                  .find("without the points of image"),
+              std::string::npos);
+    EXPECT_NE(refusal(ByteBuilder().text(content).number_at(96, -7).content()).find("a chunk of -7 bytes"),
+              std::string::npos);
 }
 
 TEST(Poir, TakesEveryOirFileOfTheArchive) {
-    const auto content = zip_archive({{"notes.txt", "x"}, {"a.oir", oir_file({.raw = raw})}, {"folder/b.OIR", oir_file({.raw = raw * 2.0})}, {"c.oir", "OLYMPUSRAWFORMAT cut"}});
+    const auto content = zip_archive({{"notes.txt", "x"},
+                                      {"a.oir", oir_file({.raw = raw})},
+                                      {"folder/b.OIR", oir_file({.raw = raw * 2.0})},
+                                      {"c.oir", "OLYMPUSRAWFORMAT cut"}});
     const auto channels = open(bytes::memory_source("a.poir", content), {});
     ASSERT_EQ(channels.size(), 5u);
     EXPECT_EQ(channels[1].info.name, "a.oir: Height");
     EXPECT_EQ(channels[3].info.name, "b.OIR: Height");
     EXPECT_EQ(channels[3].info.format, "poir");
     EXPECT_EQ(channels[4].info.alerts.at(0).code, "UNREADABLE_MEMBER");
-    EXPECT_NEAR(topography::all_heights(channels[3].read())[7], 2.0 * topography::all_heights(channels[1].read())[7], 1e-18);
+    EXPECT_NEAR(topography::all_heights(channels[3].read())[7], 2.0 * topography::all_heights(channels[1].read())[7],
+                1e-18);
 }
 
 }  // namespace

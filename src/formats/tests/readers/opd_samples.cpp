@@ -26,7 +26,12 @@ std::string bytes(T value) {
 }
 
 std::string array(int item_bytes, const std::string& values) {
-    return ByteBuilder().number<std::uint16_t>(nx).number<std::uint16_t>(ny).number(static_cast<std::uint16_t>(item_bytes)).text(values).content();
+    return ByteBuilder()
+        .number<std::uint16_t>(nx)
+        .number<std::uint16_t>(ny)
+        .number(static_cast<std::uint16_t>(item_bytes))
+        .text(values)
+        .content();
 }
 
 /// Column after column, each from the bottom.
@@ -41,7 +46,10 @@ std::string columns(const Array2D& raw) {
 std::string opd_file(const std::vector<Block>& blocks) {
     ByteBuilder file;
     const auto entry = [&](const std::string& name, int type, std::size_t length) {
-        file.text(name, 16).number(static_cast<std::uint16_t>(type)).number(static_cast<std::int32_t>(length)).number<std::uint16_t>(0xffff);
+        file.text(name, 16)
+            .number(static_cast<std::uint16_t>(type))
+            .number(static_cast<std::int32_t>(length))
+            .number<std::uint16_t>(0xffff);
     };
     file.number<std::uint16_t>(1);
     entry("Directory", 1, 24 * (blocks.size() + 2));
@@ -82,7 +90,8 @@ FormatSample sample(const std::string& name, const std::string& block, double un
 }  // namespace
 
 std::vector<FormatSample> opd_samples() {
-    return {sample<std::uint8_t>("1 byte", "OPD", 0.0), sample<std::int16_t>("2 bytes", "RAW_DATA", 32766.0), sample<float>("4 bytes", "Raw", 1e38),
+    return {sample<std::uint8_t>("1 byte", "OPD", 0.0), sample<std::int16_t>("2 bytes", "RAW_DATA", 32766.0),
+            sample<float>("4 bytes", "Raw", 1e38),
             sample<float>("4 bytes, infinite", "SAMPLE_DATA", std::numeric_limits<double>::infinity())};
 }
 

@@ -18,10 +18,14 @@ struct Block {
 
 std::string opd_file(const std::vector<Block>& blocks) {
     ByteBuilder file;
-    const auto entry = [&](const std::string& name, int type, std::int32_t length) { file.text(name, 16).number(static_cast<std::uint16_t>(type)).number(length).number<std::uint16_t>(8); };
+    const auto entry = [&](const std::string& name, int type, std::int32_t length) {
+        file.text(name, 16).number(static_cast<std::uint16_t>(type)).number(length).number<std::uint16_t>(8);
+    };
     file.number<std::uint16_t>(1);
     entry("Directory", 1, static_cast<std::int32_t>(24 * (blocks.size() + 1)));
-    for (const auto& block : blocks) entry(block.name, block.type, block.announced < 0 ? static_cast<std::int32_t>(block.content.size()) : block.announced);
+    for (const auto& block : blocks)
+        entry(block.name, block.type,
+              block.announced < 0 ? static_cast<std::int32_t>(block.content.size()) : block.announced);
     for (const auto& block : blocks) file.text(block.content);
     return file.content();
 }
@@ -42,9 +46,11 @@ Block array(const std::string& name, std::int16_t value) {
 const Block wavelength = number("Wavelength", 7, 500.0f), pixel_size = number("Pixel_size", 7, 0.5f);
 
 TEST(Opd, ScaleIsWavelengthOverMultiplier) {
-    const auto channels = channels_of(opd_file({wavelength, pixel_size, number<std::uint16_t>("Mult", 6, 1000), array("RAW_DATA", 8)}));
+    const auto channels =
+        channels_of(opd_file({wavelength, pixel_size, number<std::uint16_t>("Mult", 6, 1000), array("RAW_DATA", 8)}));
     EXPECT_DOUBLE_EQ(map_of(channels.at(0)).heights(1, 1), 4e-9);
-    EXPECT_DOUBLE_EQ(map_of(channels_of(opd_file({wavelength, pixel_size, array("RAW_DATA", 8)})).at(0)).heights(1, 1), 4e-6);
+    EXPECT_DOUBLE_EQ(map_of(channels_of(opd_file({wavelength, pixel_size, array("RAW_DATA", 8)})).at(0)).heights(1, 1),
+                     4e-6);
 }
 
 TEST(Opd, TellsWhenItWasMeasured) {
@@ -69,7 +75,9 @@ TEST(Opd, ArrayTheFileCallsPrimaryHoldsHeights) {
 
 TEST(Opd, LengthThatVisionAnnouncesWronglyMovesNoOtherBlock) {
     const auto modification = Block{"ImageModificat~0", 7, std::string(4, 'm'), 40};
-    EXPECT_DOUBLE_EQ(map_of(channels_of(opd_file({modification, wavelength, pixel_size, array("OPD", 8)})).at(0)).heights(0, 0), 4e-6);
+    EXPECT_DOUBLE_EQ(
+        map_of(channels_of(opd_file({modification, wavelength, pixel_size, array("OPD", 8)})).at(0)).heights(0, 0),
+        4e-6);
 }
 
 TEST(Opd, WithoutPixelSizeAsksForTheSize) {
@@ -81,17 +89,22 @@ TEST(Opd, WithoutPixelSizeAsksForTheSize) {
 
 TEST(Opd, HeightsWithoutScaleAreRefused) {
     EXPECT_NE(refusal(opd_file({pixel_size, array("OPD", 8)})).find("'Wavelength'"), std::string::npos);
-    EXPECT_NE(refusal(opd_file({wavelength, pixel_size, number<std::uint16_t>("Mult", 6, 0), array("OPD", 8)})).find("above 0, 'Mult'"), std::string::npos);
+    EXPECT_NE(refusal(opd_file({wavelength, pixel_size, number<std::uint16_t>("Mult", 6, 0), array("OPD", 8)}))
+                  .find("above 0, 'Mult'"),
+              std::string::npos);
 }
 
 TEST(Opd, ArrayBeyondItsBlockIsRefused) {
     auto lying = array("OPD", 8);
     lying.content = with_number<std::uint16_t>(lying.content, 0, 3);
-    EXPECT_NE(refusal(opd_file({wavelength, pixel_size, lying, array("Image", 1)})).find("announces 3 × 3 values of 2 bytes in a block of 18 bytes"), std::string::npos);
+    EXPECT_NE(refusal(opd_file({wavelength, pixel_size, lying, array("Image", 1)}))
+                  .find("announces 3 × 3 values of 2 bytes in a block of 18 bytes"),
+              std::string::npos);
 }
 
 TEST(Opd, DirectoryOfOddLengthIsRefused) {
-    EXPECT_NE(refusal(with_number<std::int32_t>(opd_file({wavelength}), 20, 49)).find("a directory of 49 bytes"), std::string::npos);
+    EXPECT_NE(refusal(with_number<std::int32_t>(opd_file({wavelength}), 20, 49)).find("a directory of 49 bytes"),
+              std::string::npos);
 }
 
 }  // namespace

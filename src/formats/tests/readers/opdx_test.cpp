@@ -11,11 +11,15 @@ namespace {
 const std::string signature("VCA DATA\x01\x00\x00\x55", 12);
 
 std::string line(const std::string& more) {
-    return signature + vca::container("1D_Data", {vca::container("Raw", {vca::array<double>("Array", Array1D::LinSpaced(5, 0.0, 4.0)), more}, 0x46)});
+    return signature +
+           vca::container(
+               "1D_Data",
+               {vca::container("Raw", {vca::array<double>("Array", Array1D::LinSpaced(5, 0.0, 4.0)), more}, 0x46)});
 }
 
 TEST(Opdx, ExtentGoesFromTheFirstPointToTheLast) {
-    const auto file = line(vca::quantity("Extent", 8.0, "Micrometer", "\xc2\xb5m") + vca::quantity("DataScale", 1.0, "Nanometer", "nm"));
+    const auto file = line(vca::quantity("Extent", 8.0, "Micrometer", "\xc2\xb5m") +
+                           vca::quantity("DataScale", 1.0, "Nanometer", "nm"));
     EXPECT_NEAR(channels_of(file).at(0).info.size.at(0), 10e-6, 1e-18) << "five points, 2 µm apart";
 }
 
@@ -31,7 +35,8 @@ TEST(Opdx, EveryMapIsListedThePrimaryOneFirst) {
 }
 
 TEST(Opdx, MatrixOfAnonymousTypeIsRead) {
-    const auto named = map_of(channels_of(opdx_samples().at(0).content).at(0)), anonymous = map_of(channels_of(opdx_samples().at(1).content).at(0));
+    const auto named = map_of(channels_of(opdx_samples().at(0).content).at(0)),
+               anonymous = map_of(channels_of(opdx_samples().at(1).content).at(0));
     EXPECT_TRUE((named.heights.isNaN() || named.heights == anonymous.heights).all());
 }
 
@@ -40,7 +45,8 @@ TEST(Opdx, TellsInstrumentStylusAndTime) {
     EXPECT_EQ(metadata.instrument.name, "Dektak Profiler");
     EXPECT_EQ(metadata.instrument.type, "stylus");
     EXPECT_NEAR(metadata.instrument.tip_radius.value(), 2e-6, 1e-18);
-    EXPECT_EQ(metadata.acquisition_time, "2/11/2021 11:39:13 PM") << "as the file says it: day and month may be in either order";
+    EXPECT_EQ(metadata.acquisition_time, "2/11/2021 11:39:13 PM")
+        << "as the file says it: day and month may be in either order";
     EXPECT_EQ(metadata.attributes.at("time_stamp"), "2021-11-02 15:39:13 UTC") << "the file's own answer";
     EXPECT_EQ(metadata.attributes.at("stylus_force"), "3 mg");
 }
@@ -48,19 +54,23 @@ TEST(Opdx, TellsInstrumentStylusAndTime) {
 TEST(Opdx, ProfileWithoutScaleAsksForTheUnit) {
     const auto file = line(vca::quantity("Extent", 8.0, "Micrometer", "um"));
     EXPECT_NE(refusal(file).find("the file states no unit"), std::string::npos);
-    EXPECT_DOUBLE_EQ(std::get<topography::LineScan>(channels_of(file, {.size = {}, .unit = "nm"}).at(0).read()).heights[3], 3e-9);
+    EXPECT_DOUBLE_EQ(
+        std::get<topography::LineScan>(channels_of(file, {.size = {}, .unit = "nm"}).at(0).read()).heights[3], 3e-9);
 }
 
 TEST(Opdx, ProfileThatAnnouncesOtherPointsIsRefused) {
-    EXPECT_NE(refusal(line(vca::number<std::uint64_t>("NumPoints", 0x0b, 6))).find("announces 6 points and has 5"), std::string::npos);
+    EXPECT_NE(refusal(line(vca::number<std::uint64_t>("NumPoints", 0x0b, 6))).find("announces 6 points and has 5"),
+              std::string::npos);
 }
 
 TEST(Opdx, UnknownTypeIsRefusedWithItsPlace) {
-    EXPECT_EQ(refusal(signature + vca::item("odd", 0x33, "")), "file: at byte 19: OPDx: entry 'odd' is of the unknown type 0x33");
+    EXPECT_EQ(refusal(signature + vca::item("odd", 0x33, "")),
+              "file: at byte 19: OPDx: entry 'odd' is of the unknown type 0x33");
 }
 
 TEST(Opdx, EntriesThatLeadOutOfTheirContainerAreRefused) {
-    auto file = signature + vca::container("MetaData", {vca::string("Date", "2/11/2021")}) + vca::string("Time", "11:39:13 PM");
+    auto file =
+        signature + vca::container("MetaData", {vca::string("Date", "2/11/2021")}) + vca::string("Time", "11:39:13 PM");
     file[signature.size() + 14] = 12;  // bytes of the container
     EXPECT_NE(refusal(file).find("leads out of what holds it"), std::string::npos) << refusal(file);
 }
@@ -74,7 +84,9 @@ TEST(Opdx, EntriesNestedWithoutEndAreRefused) {
 TEST(Opdx, MatrixWithoutWholeValuesIsRefused) {
     const auto matrix = vca::matrix<float>("Matrix", Array2D::Zero(3, 2), false);
     const auto dimensions = matrix.size() - 3 * 2 * sizeof(float) - 4;
-    const auto file = signature + vca::container("2D_Data", {vca::container("Raw", {with_number<std::uint32_t>(matrix, dimensions, 5)}, 0x47)});
+    const auto file =
+        signature +
+        vca::container("2D_Data", {vca::container("Raw", {with_number<std::uint32_t>(matrix, dimensions, 5)}, 0x47)});
     EXPECT_NE(refusal(file).find("expected 4 or 8 bytes a value"), std::string::npos) << refusal(file);
 }
 

@@ -18,8 +18,19 @@ FormatSample sample(const std::string& name, const std::string& identification, 
     heights(1, 2) = undefined;
     const std::string time = "20180321T101500";
     ByteBuilder file;
-    file.text("OmniSurf3D").number<std::int32_t>(1).number<std::int32_t>(1).number(static_cast<std::int32_t>(identification.size())).text(identification);
-    file.number(static_cast<std::int32_t>(time.size())).text(time).number<std::int32_t>(nx).number<std::int32_t>(ny).number(spacing_x).number(spacing_y).number(3.0).number(4.0);
+    file.text("OmniSurf3D")
+        .number<std::int32_t>(1)
+        .number<std::int32_t>(1)
+        .number(static_cast<std::int32_t>(identification.size()))
+        .text(identification);
+    file.number(static_cast<std::int32_t>(time.size()))
+        .text(time)
+        .number<std::int32_t>(nx)
+        .number<std::int32_t>(ny)
+        .number(spacing_x)
+        .number(spacing_y)
+        .number(3.0)
+        .number(4.0);
     file.rows<float>(values).number<std::uint8_t>(picture.empty() ? 0 : 1).text(picture);
     return {.format = "os3d",
             .name = name,
@@ -32,6 +43,8 @@ FormatSample sample(const std::string& name, const std::string& identification, 
 
 }  // namespace
 
-std::vector<FormatSample> os3d_samples() { return {sample("heights", "pen", ""), sample("heights and picture", "", "\x89PNG\r\n")}; }
+std::vector<FormatSample> os3d_samples() {
+    return {sample("heights", "pen", ""), sample("heights and picture", "", "\x89PNG\r\n")};
+}
 
 }  // namespace setae::formats::tests

@@ -14,7 +14,8 @@ constexpr double gain = -2.5, scale = 0.5, offset = 12.0;
 
 std::string wide(const std::string& text, std::size_t characters) {
     ByteBuilder builder;
-    for (std::size_t k = 0; k < characters; ++k) builder.number<std::uint16_t>(k < text.size() ? static_cast<unsigned char>(text[k]) : 0);
+    for (std::size_t k = 0; k < characters; ++k)
+        builder.number<std::uint16_t>(k < text.size() ? static_cast<unsigned char>(text[k]) : 0);
     return builder.content();
 }
 
@@ -45,14 +46,23 @@ FormatSample sample(const char* name, int version, std::uint32_t data_type) {
     samples.rows<Value>(raw.rowwise().reverse());
     TiffPageBuilder page(std::endian::little);
     page.picture(2, 2, 8, 1).strips(2, {std::string(4, 'x')});
-    page.longs(50432, {0x0E031301u}).longs(50433, {version == 1 ? 0x1000001u : 0x1000002u}).bytes(50434, samples.content(), 1).bytes(50435, header(version, data_type, "nm"));
-    return {.format = "park", .name = name, .content = tiff_file(std::endian::little, {page}), .shape = {nx, ny}, .size = {0.7 * units::um, 0.4 * units::um}, .heights = gain * (scale * raw + offset) * units::nm};
+    page.longs(50432, {0x0E031301u})
+        .longs(50433, {version == 1 ? 0x1000001u : 0x1000002u})
+        .bytes(50434, samples.content(), 1)
+        .bytes(50435, header(version, data_type, "nm"));
+    return {.format = "park",
+            .name = name,
+            .content = tiff_file(std::endian::little, {page}),
+            .shape = {nx, ny},
+            .size = {0.7 * units::um, 0.4 * units::um},
+            .heights = gain * (scale * raw + offset) * units::nm};
 }
 
 }  // namespace
 
 std::vector<FormatSample> park_samples() {
-    return {sample<std::int16_t>("version 1", 1, 0), sample<std::int16_t>("int16", 2, 0), sample<std::int32_t>("int32", 2, 1), sample<float>("float32", 2, 2)};
+    return {sample<std::int16_t>("version 1", 1, 0), sample<std::int16_t>("int16", 2, 0),
+            sample<std::int32_t>("int32", 2, 1), sample<float>("float32", 2, 2)};
 }
 
 }  // namespace setae::formats::tests

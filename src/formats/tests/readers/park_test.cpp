@@ -11,7 +11,9 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-bytes::Source sample_source(std::size_t index) { return bytes::memory_source("a.tiff", park_samples().at(index).content); }
+bytes::Source sample_source(std::size_t index) {
+    return bytes::memory_source("a.tiff", park_samples().at(index).content);
+}
 
 /// A sample with a number of its header replaced; offsets are those of the header's layout.
 template <class T>

@@ -24,7 +24,9 @@ std::string with_number(std::string content, std::size_t offset, T value, std::e
     return content.replace(offset, sizeof(T), bytes.data(), sizeof(T));
 }
 
-inline std::vector<Channel> channels_of(const std::string& content, const ReadOptions& options = {}) { return open(bytes::memory_source("file", content), options); }
+inline std::vector<Channel> channels_of(const std::string& content, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("file", content), options);
+}
 
 inline topography::HeightMap map_of(const Channel& channel) { return std::get<topography::HeightMap>(channel.read()); }
 

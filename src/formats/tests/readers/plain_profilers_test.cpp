@@ -17,19 +17,23 @@ TEST(TrueMap, UnitIsAssumedAloud) {
 
 TEST(TrueMap, UnitGivenIsUsedForLengthsAndHeights) {
     const auto file = tmd_samples().at(0).content;
-    const auto assumed = map_of(channels_of(file).at(0)), given = map_of(channels_of(file, {.size = {}, .unit = "um"}).at(0));
+    const auto assumed = map_of(channels_of(file).at(0)),
+               given = map_of(channels_of(file, {.size = {}, .unit = "um"}).at(0));
     EXPECT_NEAR(given.heights(1, 1) / assumed.heights(1, 1), 1e-3, 1e-15);
     EXPECT_NEAR(given.size[0] / assumed.size[0], 1e-3, 1e-15);
     EXPECT_TRUE(channels_of(file, {.size = {}, .unit = "um"}).at(0).info.alerts.empty());
 }
 
 TEST(TrueMap, CommentWithoutEndIsRefused) {
-    EXPECT_NE(refusal("Binary TrueMap Data File v2.0\r\n" + std::string(1, '\0') + std::string(5000, 'c')).find("does not end within 4096 bytes"), std::string::npos);
+    EXPECT_NE(refusal("Binary TrueMap Data File v2.0\r\n" + std::string(1, '\0') + std::string(5000, 'c'))
+                  .find("does not end within 4096 bytes"),
+              std::string::npos);
 }
 
 TEST(Zmg, HeightsAboveHalfTheRangeDoNotWrap) {
     const auto sample = zmg_samples().at(0);
-    const auto map = map_of(channels_of(with_number<std::uint16_t>(sample.content, sample.content.size() - 2, 40000)).at(0));
+    const auto map =
+        map_of(channels_of(with_number<std::uint16_t>(sample.content, sample.content.size() - 2, 40000)).at(0));
     EXPECT_NEAR(map.heights(6, 3), 40000 * 0.0625e-6, 1e-15);
 }
 
@@ -40,7 +44,10 @@ TEST(Zmg, KeepsRecipeAndComment) {
     EXPECT_EQ(metadata.instrument.name, "KLA Zeta");
 }
 
-TEST(Zmg, StepsThatAreNoLengthAreRefused) { EXPECT_NE(refusal(with_number(zmg_samples().at(0).content, 97, -1.0f)).find("expected a positive length"), std::string::npos); }
+TEST(Zmg, StepsThatAreNoLengthAreRefused) {
+    EXPECT_NE(refusal(with_number(zmg_samples().at(0).content, 97, -1.0f)).find("expected a positive length"),
+              std::string::npos);
+}
 
 TEST(OmniSurf3d, KeepsWhatTheHeaderSays) {
     const auto metadata = channels_of(os3d_samples().at(0).content).at(0).info.metadata;
@@ -51,7 +58,8 @@ TEST(OmniSurf3d, KeepsWhatTheHeaderSays) {
 }
 
 TEST(OmniSurf3d, TextOfNegativeLengthIsRefused) {
-    EXPECT_EQ(refusal(with_number<std::int32_t>(os3d_samples().at(0).content, 18, -1)), "file: at byte 18: OmniSurf3D: a text of -1 bytes, expected 0 to 65536; the file is damaged");
+    EXPECT_EQ(refusal(with_number<std::int32_t>(os3d_samples().at(0).content, 18, -1)),
+              "file: at byte 18: OmniSurf3D: a text of -1 bytes, expected 0 to 65536; the file is damaged");
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> channels_of(const std::string& content) { return open(bytes::memory_source("a.plu", content), {}); }
+std::vector<Channel> channels_of(const std::string& content) {
+    return open(bytes::memory_source("a.plu", content), {});
+}
 
 TEST(Plu, ExportsTheTimeAndTheInstrument) {
     const auto metadata = channels_of(plu_file(3, {lopsided_heights(4, 3, 1.0)})).at(0).info.metadata;
@@ -42,7 +44,10 @@ TEST(Plu, LayersAreFoundBehindThePicturesOfThoseBefore) {
     const auto first = lopsided_heights(4, 3, 1.0);
     const auto channels = channels_of(plu_file(3, {first, first + 1.0, first + 2.0}));
     ASSERT_EQ(channels.size(), 3u);
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(topography::all_heights(channels[k].read())[0], (first(0, 0) + static_cast<double>(k)) * units::um, 1e-12) << k;
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(topography::all_heights(channels[k].read())[0], (first(0, 0) + static_cast<double>(k)) * units::um,
+                    1e-12)
+            << k;
 }
 
 TEST(Plu, OldVersionsCountNoLayersAndHaveOne) {
@@ -63,11 +68,14 @@ TEST(Plu, PicturesAndThicknessesAreListed) {
 
 TEST(Plu, OtherMeasurementsAreRefusedByName) {
     const auto message = message_of([] { (void)channels_of(plu_file(2, {lopsided_heights(4, 3, 1.0)})); });
-    EXPECT_NE(message.find("PLu: a measurement of several profiles, expected a topography or a profile"), std::string::npos) << message;
+    EXPECT_NE(message.find("PLu: a measurement of several profiles, expected a topography or a profile"),
+              std::string::npos)
+        << message;
 }
 
 TEST(Plu, TextThatBeginsWithADateIsNone) {
-    const auto& format = detect_format(bytes::memory_source("log.txt", "Fri Mar 10 16:35:59 2023\n1 2\n2 3\n3 4\n" + std::string(600, ' ')));
+    const auto& format = detect_format(
+        bytes::memory_source("log.txt", "Fri Mar 10 16:35:59 2023\n1 2\n2 3\n3 4\n" + std::string(600, ' ')));
     EXPECT_NE(format.identifier, "plu");
 }
 

@@ -19,7 +19,9 @@ const FormatSample& sample_named(const std::vector<FormatSample>& samples, const
 }
 
 std::string index_xml(const std::string& layers, const std::string& head = "") {
-    return head + "<xml><GENERAL><IMAGE_SIZE_X>2</IMAGE_SIZE_X><IMAGE_SIZE_Y>2</IMAGE_SIZE_Y><FOV_X>1</FOV_X><FOV_Y>1</FOV_Y></GENERAL>" + layers + "</xml>";
+    return head +
+           "<xml><GENERAL><IMAGE_SIZE_X>2</IMAGE_SIZE_X><IMAGE_SIZE_Y>2</IMAGE_SIZE_Y><FOV_X>1</FOV_X><FOV_Y>1</FOV_Y></GENERAL>" +
+           layers + "</xml>";
 }
 
 std::string refusal(const Members& members) {
@@ -30,7 +32,8 @@ TEST(Plux, EveryLayerCanBeRead) {
     const auto samples = plux_samples();
     const auto channels = open(bytes::memory_source("a.plux", sample_named(samples, "second layer").content), {});
     ASSERT_EQ(channels.size(), 2u);
-    const auto first = topography::all_heights(channels[0].read()), second = topography::all_heights(channels[1].read());
+    const auto first = topography::all_heights(channels[0].read()),
+               second = topography::all_heights(channels[1].read());
     EXPECT_NEAR(second[0], -3.0 * first[0], 1e-12);
 }
 
@@ -42,17 +45,22 @@ TEST(Plux, KeepsDeviceAndDate) {
 }
 
 TEST(Plux, MissingLayersAreRefusedByName) {
-    EXPECT_NE(refusal({{"index.xml", index_xml("<LAYER_0><FILENAME_Z>z.raw</FILENAME_Z></LAYER_0>")}}).find("no member 'z.raw'"), std::string::npos);
+    EXPECT_NE(refusal({{"index.xml", index_xml("<LAYER_0><FILENAME_Z>z.raw</FILENAME_Z></LAYER_0>")}})
+                  .find("no member 'z.raw'"),
+              std::string::npos);
     EXPECT_NE(refusal({{"index.xml", index_xml("")}}).find("names no layer"), std::string::npos);
 }
 
 TEST(Plux, ShortLayersAreRefusedWithTheirEnd) {
-    const auto message = refusal({{"index.xml", index_xml("<LAYER_0><FILENAME_Z>z.raw</FILENAME_Z></LAYER_0>")}, {"z.raw", std::string(12, '\0')}});
+    const auto message = refusal({{"index.xml", index_xml("<LAYER_0><FILENAME_Z>z.raw</FILENAME_Z></LAYER_0>")},
+                                  {"z.raw", std::string(12, '\0')}});
     EXPECT_NE(message.find("z.raw: at byte 12: plux: the file ends here"), std::string::npos) << message;
 }
 
 TEST(Plux, EntitiesAreRefused) {
-    EXPECT_NE(refusal({{"index.xml", index_xml("", "<!DOCTYPE x [<!ENTITY a 'b'>]>")}}).find("declares types or entities"), std::string::npos);
+    EXPECT_NE(
+        refusal({{"index.xml", index_xml("", "<!DOCTYPE x [<!ENTITY a 'b'>]>")}}).find("declares types or entities"),
+        std::string::npos);
 }
 
 }  // namespace

@@ -14,8 +14,15 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-FormatSample sample(const std::string& name, const Members& members, std::size_t channel, const Array1D& heights, double size) {
-    return {.format = "qep", .name = name, .content = zip_archive(members), .channel = channel, .shape = {heights.size()}, .size = {size}, .heights = heights * units::mm};
+FormatSample sample(const std::string& name, const Members& members, std::size_t channel, const Array1D& heights,
+                    double size) {
+    return {.format = "qep",
+            .name = name,
+            .content = zip_archive(members),
+            .channel = channel,
+            .shape = {heights.size()},
+            .size = {size},
+            .heights = heights * units::mm};
 }
 
 }  // namespace
@@ -23,7 +30,11 @@ FormatSample sample(const std::string& name, const Members& members, std::size_t
 std::string marwin_profile(const Array1D& positions, const Array1D& heights, const std::string& probe_radius) {
     ByteBuilder file;
     file.text("[p3dlin]").pad_to(0x14).number(static_cast<std::int32_t>(positions.size())).pad_to(0xc4);
-    const std::vector<std::string> texts{"Kontur", ">DateTime=2026-03-20  02:44:41  (Mitteleurop\xe4ische Zeit)", ">MachineName=MarSurf LD 260", ">ProductName=MarWin", ">ProductVersion=12.06",
+    const std::vector<std::string> texts{"Kontur",
+                                         ">DateTime=2026-03-20  02:44:41  (Mitteleurop\xe4ische Zeit)",
+                                         ">MachineName=MarSurf LD 260",
+                                         ">ProductName=MarWin",
+                                         ">ProductVersion=12.06",
                                          ">ProbeRadius=" + probe_radius};
     file.number(static_cast<std::int32_t>(texts.size()));
     for (const auto& text : texts) file.number(static_cast<std::int32_t>(text.size())).text(text);
@@ -49,7 +60,8 @@ std::vector<FormatSample> qep_samples() {
     const double size = n * 0.25 * units::mm, shorter = (n - 1) * 0.25 * units::mm;
     return {sample("equal steps", {{"Kontur1.prf", measured}, {"remarks.xml", "<x/>"}}, 0, heights, size),
             sample("uneven steps", {{"Kontur1.prf", marwin_profile(uneven, heights, "0.025")}}, 0, kept, shorter),
-            sample("reference, stored backwards", {{"Kontur1.prf", measured}, {"qe_contour_reference_profil_001.tmp", reference}}, 1, twice, size)};
+            sample("reference, stored backwards",
+                   {{"Kontur1.prf", measured}, {"qe_contour_reference_profil_001.tmp", reference}}, 1, twice, size)};
 }
 
 }  // namespace setae::formats::tests

@@ -8,6 +8,7 @@
 namespace setae::formats::tests {
 
 /// A MarWin profile; positions and heights [mm], a flag where a height is NaN.
-[[nodiscard]] std::string marwin_profile(const Array1D& positions, const Array1D& heights, const std::string& probe_radius);
+[[nodiscard]] std::string marwin_profile(const Array1D& positions, const Array1D& heights,
+                                         const std::string& probe_radius);
 
 }  // namespace setae::formats::tests

@@ -5,8 +5,8 @@
 
 #include "error_message.hpp"
 #include "format_samples.hpp"
-#include "sample_files.hpp"
 #include "qep_samples.hpp"
+#include "sample_files.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/formats/format.hpp"
 
@@ -15,15 +15,22 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> channels_of(const std::string& profile) { return open(bytes::memory_source("a.qep", zip_archive({{"Kontur1.prf", profile}})), {}); }
+std::vector<Channel> channels_of(const std::string& profile) {
+    return open(bytes::memory_source("a.qep", zip_archive({{"Kontur1.prf", profile}})), {});
+}
 
 const Array1D positions = Array1D::LinSpaced(5, 1.0, 3.0);  // mm
 const Array1D heights = lopsided_heights(5, 1, 0.01);
 
 TEST(Qep, RadiusOfTheProbeIsThatOfTheTip) {
     for (const auto* radius : {"0.025", "0,025"})
-        EXPECT_DOUBLE_EQ(channels_of(marwin_profile(positions, heights, radius)).at(0).info.metadata.instrument.tip_radius.value(), 25.0 * units::um) << radius;
-    EXPECT_FALSE(channels_of(marwin_profile(positions, heights, "unknown")).at(0).info.metadata.instrument.tip_radius.has_value());
+        EXPECT_DOUBLE_EQ(
+            channels_of(marwin_profile(positions, heights, radius)).at(0).info.metadata.instrument.tip_radius.value(),
+            25.0 * units::um)
+            << radius;
+    EXPECT_FALSE(channels_of(marwin_profile(positions, heights, "unknown"))
+                     .at(0)
+                     .info.metadata.instrument.tip_radius.has_value());
 }
 
 TEST(Qep, KeepsMachineAndTime) {
@@ -48,7 +55,8 @@ TEST(Qep, UnevenStepsMakeACurveOfTheValidPoints) {
 TEST(Qep, EqualStepsKeepUndefinedPoints) {
     Array1D flagged = heights;
     flagged[2] = undefined;
-    const auto scan = std::get<topography::LineScan>(channels_of(marwin_profile(positions, flagged, "0.025")).at(0).read());
+    const auto scan =
+        std::get<topography::LineScan>(channels_of(marwin_profile(positions, flagged, "0.025")).at(0).read());
     EXPECT_TRUE(std::isnan(scan.heights[2]));
     EXPECT_DOUBLE_EQ(scan.size, 2.5 * units::mm);
 }

@@ -8,8 +8,8 @@
 #include "error_message.hpp"
 #include "format_samples.hpp"
 #include "sample_files.hpp"
-#include "setae/formats/format.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/formats/format.hpp"
 
 using namespace setae::tests;
 
@@ -26,14 +26,21 @@ std::string sample_named(const std::string& name) {
     ADD_FAILURE() << "no sample " << name;
     return {};
 }
-std::string replaced(std::string text, std::string_view old, std::string_view with) { return text.replace(text.find(old), old.size(), with); }
-std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) { return open(bytes::memory_source("a.sdf", content), options); }
+std::string replaced(std::string text, std::string_view old, std::string_view with) {
+    return text.replace(text.find(old), old.size(), with);
+}
+std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("a.sdf", content), options);
+}
 std::string refusal(const std::string& content) {
     return message_of([&] { (void)opened(content).at(0).read(); });
 }
 
 TEST(Sdf, HeaderAndTrailerAreKeptAsMetadata) {
-    const auto info = opened(replaced(sample_named("text of floats"), "CheckType = 0", "CheckType = 0\r\nObjective = 50x")).at(0).info;
+    const auto info =
+        opened(replaced(sample_named("text of floats"), "CheckType = 0", "CheckType = 0\r\nObjective = 50x"))
+            .at(0)
+            .info;
     EXPECT_EQ(info.metadata.instrument.name, "Maker");
     EXPECT_EQ(info.metadata.acquisition_time, "2010-01-04 08:53");
     EXPECT_EQ(info.metadata.attributes.at("modified"), "2010-03-05 13:53");
@@ -46,7 +53,8 @@ TEST(Sdf, HeaderAndTrailerAreKeptAsMetadata) {
 }
 
 TEST(Sdf, TrailerMayBeTagged) {
-    const auto content = replaced(sample_named("text of floats"), "OperatorName = Tom", "< OperatorName > Tom Jones < / OperatorName >");
+    const auto content =
+        replaced(sample_named("text of floats"), "OperatorName = Tom", "< OperatorName > Tom Jones < / OperatorName >");
     EXPECT_EQ(opened(content).at(0).info.metadata.attributes.at("OperatorName"), "Tom Jones");
 }
 
@@ -66,24 +74,33 @@ TEST(Sdf, TextWithoutEndMarkIsReadIfItsLastNumberIsWhole) {
     content.erase(content.rfind('*', content.size() - 3));  // trailer and both marks
     EXPECT_EQ(std::get<HeightMap>(opened(content).at(0).read()).heights.isNaN().count(), 1);
     while (content.back() == '\n' || content.back() == ' ') content.pop_back();
-    EXPECT_NE(refusal(content).find(fmt::format("at byte {}: SDF: the heights end here, at point 15 of 5 × 3", content.size())), std::string::npos) << refusal(content);
+    EXPECT_NE(refusal(content).find(
+                  fmt::format("at byte {}: SDF: the heights end here, at point 15 of 5 × 3", content.size())),
+              std::string::npos)
+        << refusal(content);
 }
 
 TEST(Sdf, MoreHeightsThanAnnouncedAreRefused) {
     const auto content = sample_named("text of integers");
-    EXPECT_NE(refusal(replaced(content, "NumProfiles = 3", "NumProfiles = 2")).find("more heights than 5 × 2"), std::string::npos);
+    EXPECT_NE(refusal(replaced(content, "NumProfiles = 3", "NumProfiles = 2")).find("more heights than 5 × 2"),
+              std::string::npos);
     EXPECT_NE(refusal(replaced(content, "BAD", "BAX")).find("'BAX' among the heights"), std::string::npos);
 }
 
 TEST(Sdf, AbsurdHeadersAreRefused) {
     const auto text = sample_named("text of floats");
-    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = 4000000000")).find("cannot hold 4000000000 × 3"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = five")).find("NumPoints is 'five'"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = 0")).find("3 profiles of 0 points"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "DataType = 7", "DataType = 8")).find("data type 8, expected 0 to 7"), std::string::npos);
+    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = 4000000000")).find("cannot hold 4000000000 × 3"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = five")).find("NumPoints is 'five'"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(text, "NumPoints = 5", "NumPoints = 0")).find("3 profiles of 0 points"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(text, "DataType = 7", "DataType = 8")).find("data type 8, expected 0 to 7"),
+              std::string::npos);
     EXPECT_NE(refusal(replaced(text, "Compression = 0", "Compression = 1")).find("compression 1"), std::string::npos);
     EXPECT_NE(refusal(replaced(text, "Zscale = 1e-09", "Zscale = 0")).find("Zscale is 0"), std::string::npos);
-    EXPECT_NE(refusal(replaced(sample_named("type 7"), "ISO-1.0", "ISO-3.0")).find("at byte 5: SDF: version '3.0'"), std::string::npos);
+    EXPECT_NE(refusal(replaced(sample_named("type 7"), "ISO-1.0", "ISO-3.0")).find("at byte 5: SDF: version '3.0'"),
+              std::string::npos);
 }
 
 TEST(Sdf, MissingScaleIsAskedFor) {
@@ -118,9 +135,12 @@ TEST(SdfWriter, WritesTheBytesOfTheStandard) {
 
 TEST(SdfWriter, RefusesWhatItCannotHold) {
     const Profile uneven{(Array1D(3) << 0.0, 1e-6, 3e-6).finished(), (Array1D(3) << 0.0, 1e-9, 0.0).finished(), {}};
-    EXPECT_NE(message_of([&] { format_to_write("a.sdf").write("a.sdf", uneven); }).find("write it as .x3p, .nc or .csv"), std::string::npos);
+    EXPECT_NE(
+        message_of([&] { format_to_write("a.sdf").write("a.sdf", uneven); }).find("write it as .x3p, .nc or .csv"),
+        std::string::npos);
     const LineScan longer{Array1D::Zero(65536), 1.0, false, {}};
-    EXPECT_NE(message_of([&] { format_to_write("a.sdf").write("a.sdf", longer); }).find("at most 65535 points"), std::string::npos);
+    EXPECT_NE(message_of([&] { format_to_write("a.sdf").write("a.sdf", longer); }).find("at most 65535 points"),
+              std::string::npos);
 }
 
 }  // namespace

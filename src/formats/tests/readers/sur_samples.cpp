@@ -19,10 +19,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string points_of(const SurObject& object) {
     ByteBuilder points(object.order);
-    if (object.bits == 16)
-        points.rows<std::int16_t>(object.raw);
-    else
-        points.rows<std::int32_t>(object.raw);
+    if (object.bits == 16) points.rows<std::int16_t>(object.raw);
+    else points.rows<std::int32_t>(object.raw);
     return points.content();
 }
 
@@ -47,8 +45,15 @@ Array2D heights_of(const SurObject& object) {
     return heights;
 }
 
-FormatSample sample(const std::string& name, const std::string& content, const Array2D& heights, std::size_t channel = 0) {
-    FormatSample made{.format = "sur", .name = name, .content = content, .channel = channel, .shape = {heights.rows()}, .size = {static_cast<double>(heights.rows()) * 0.5 * units::um}, .heights = heights};
+FormatSample sample(const std::string& name, const std::string& content, const Array2D& heights,
+                    std::size_t channel = 0) {
+    FormatSample made{.format = "sur",
+                      .name = name,
+                      .content = content,
+                      .channel = channel,
+                      .shape = {heights.rows()},
+                      .size = {static_cast<double>(heights.rows()) * 0.5 * units::um},
+                      .heights = heights};
     if (heights.cols() > 1) {
         made.shape.push_back(heights.cols());
         made.size.push_back(static_cast<double>(heights.cols()) * 0.25 * units::um);
@@ -62,18 +67,41 @@ std::string sur_object(const SurObject& object) {
     const bool plain = object.streams == 0;
     const auto points = plain ? points_of(object) : compressed(points_of(object), object.streams, object.order);
     ByteBuilder file(object.order);
-    file.text(plain ? "DIGITAL SURF" : "DSCOMPRESSED").number(std::uint16_t{object.order == std::endian::big ? std::uint16_t{257} : std::uint16_t{0}});
-    file.number(object.objects).number(std::uint16_t{1}).number(object.type).text("wafer 3", 30, ' ').text("A. Operator", 30, ' ');
-    file.number(object.channels).number(object.acquisition).number(std::uint16_t{0}).number(object.special_points).number(std::uint16_t{0}).number(0.0f).number(0u).number(object.bits);
+    file.text(plain ? "DIGITAL SURF" : "DSCOMPRESSED")
+        .number(std::uint16_t{object.order == std::endian::big ? std::uint16_t{257} : std::uint16_t{0}});
+    file.number(object.objects)
+        .number(std::uint16_t{1})
+        .number(object.type)
+        .text("wafer 3", 30, ' ')
+        .text("A. Operator", 30, ' ');
+    file.number(object.channels)
+        .number(object.acquisition)
+        .number(std::uint16_t{0})
+        .number(object.special_points)
+        .number(std::uint16_t{0})
+        .number(0.0f)
+        .number(0u)
+        .number(object.bits);
     file.number(object.least).number(1000);
-    file.number(static_cast<std::int32_t>(object.raw.rows())).number(static_cast<std::int32_t>(object.raw.cols())).number(static_cast<std::int32_t>(object.raw.size()));
+    file.number(static_cast<std::int32_t>(object.raw.rows()))
+        .number(static_cast<std::int32_t>(object.raw.cols()))
+        .number(static_cast<std::int32_t>(object.raw.size()));
     file.number(0.5f).number(0.25f).number(2.0f);
     for (const auto* axis : {"X", "Y", "Height"}) file.text(axis, 16, ' ');
     for (int turn = 0; turn < 2; ++turn) file.text("\xe6m", 16, ' ').text("\xb5m", 16).text(object.z_unit, 16, ' ');
-    file.number(1.0f).number(1.0f).number(1.0f).number(std::uint16_t{0}).number(object.inversion).number(std::uint16_t{0}).pad_to(306);
-    for (const int field : {26, 58, 10, 29, 9, 2014, 1}) file.number(static_cast<std::int16_t>(object.dated ? field : 0));
+    file.number(1.0f)
+        .number(1.0f)
+        .number(1.0f)
+        .number(std::uint16_t{0})
+        .number(object.inversion)
+        .number(std::uint16_t{0})
+        .pad_to(306);
+    for (const int field : {26, 58, 10, 29, 9, 2014, 1})
+        file.number(static_cast<std::int16_t>(object.dated ? field : 0));
     file.number(0.0f).number(static_cast<std::uint32_t>(plain ? 0 : points.size())).pad_to(334);
-    file.number(static_cast<std::uint16_t>(object.comment.size())).number(static_cast<std::uint16_t>(object.private_zone.size())).pad_to(466);
+    file.number(static_cast<std::uint16_t>(object.comment.size()))
+        .number(static_cast<std::uint16_t>(object.private_zone.size()))
+        .pad_to(466);
     file.number(1.0f).number(2.0f).number(3.0f).pad_to(512);
     return file.content() + object.comment + object.private_zone + points;
 }

@@ -15,11 +15,15 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) { return open(bytes::memory_source("a.sur", content), options); }
+std::vector<Channel> opened(const std::string& content, const ReadOptions& options = {}) {
+    return open(bytes::memory_source("a.sur", content), options);
+}
 
 const topography::HeightMap map_of(const Channel& channel) { return std::get<topography::HeightMap>(channel.read()); }
 
-SurObject flagged(std::uint16_t special_points) { return {.raw = lopsided_heights(5, 4, 1.0), .special_points = special_points, .least = 7}; }
+SurObject flagged(std::uint16_t special_points) {
+    return {.raw = lopsided_heights(5, 4, 1.0), .special_points = special_points, .least = 7};
+}
 
 TEST(Sur, ValueTwoBelowTheLeastIsUndefinedOnlyWhereTheHeaderFlagsIt) {
     auto object = flagged(1);
@@ -124,7 +128,9 @@ TEST(Sur, ForceCurvesAndSpectraAreRefusedPolitely) {
 
 TEST(Sur, DamagedHeadersAreRefusedWithThePlace) {
     const auto content = sur_object(flagged(0));
-    const auto changed = [&](std::size_t offset, auto number) { return ByteBuilder().text(content).number_at(offset, number).content(); };
+    const auto changed = [&](std::size_t offset, auto number) {
+        return ByteBuilder().text(content).number_at(offset, number).content();
+    };
     const auto message = [](const std::string& bytes) { return message_of([&] { (void)opened(bytes); }); };
     EXPECT_EQ(message(changed(98, std::uint16_t{24})), "a.sur: at byte 98: SUR: 24 bits a point, expected 16 or 32");
     EXPECT_NE(message(changed(108, 0)).find("points"), std::string::npos);

@@ -13,13 +13,22 @@ namespace {
 constexpr int nx = 7, ny = 4;
 constexpr float length_x = 1.75f, length_y = 2.0f;
 
-FormatSample sample(const std::string& name, const std::string& comment, const std::optional<std::string>& unit, double factor) {
+FormatSample sample(const std::string& name, const std::string& comment, const std::optional<std::string>& unit,
+                    double factor) {
     Array2D values = lopsided_heights(nx, ny, 0.25);
     Array2D heights = values * factor;
     values(4, 2) = std::numeric_limits<double>::quiet_NaN();
     heights(4, 2) = undefined;
     ByteBuilder file;
-    file.text("Binary TrueMap Data File v2.0\r\n", 32).text(comment).number<std::uint32_t>(nx).number<std::uint32_t>(ny).number(length_x).number(length_y).number(0.5f).number(0.0f).rows<float>(values);
+    file.text("Binary TrueMap Data File v2.0\r\n", 32)
+        .text(comment)
+        .number<std::uint32_t>(nx)
+        .number<std::uint32_t>(ny)
+        .number(length_x)
+        .number(length_y)
+        .number(0.5f)
+        .number(0.0f)
+        .rows<float>(values);
     return {.format = "tmd",
             .name = name,
             .content = file.content(),
@@ -33,8 +42,10 @@ FormatSample sample(const std::string& name, const std::string& comment, const s
 
 std::vector<FormatSample> tmd_samples() {
     using namespace std::string_literals;
-    return {sample("TrueMap", "Created by TrueMap v6\r\n\0"s, {}, units::mm), sample("GelSight, no comment", "\0"s, {}, units::mm),
-            sample("comment filled up with zeros", "plate\0"s + std::string(18, '\0'), {}, units::mm), sample("unit given", "in micrometres\0"s, "um", units::um)};
+    return {sample("TrueMap", "Created by TrueMap v6\r\n\0"s, {}, units::mm),
+            sample("GelSight, no comment", "\0"s, {}, units::mm),
+            sample("comment filled up with zeros", "plate\0"s + std::string(18, '\0'), {}, units::mm),
+            sample("unit given", "in micrometres\0"s, "um", units::um)};
 }
 
 }  // namespace setae::formats::tests

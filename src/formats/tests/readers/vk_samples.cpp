@@ -15,7 +15,10 @@ constexpr int nx = 7, ny = 4;
 
 std::string image(const Array2D& raw, int bits) {
     ByteBuilder bytes;
-    bytes.number(static_cast<std::uint32_t>(raw.rows())).number(static_cast<std::uint32_t>(raw.cols())).number(static_cast<std::uint32_t>(bits)).number(0u);
+    bytes.number(static_cast<std::uint32_t>(raw.rows()))
+        .number(static_cast<std::uint32_t>(raw.cols()))
+        .number(static_cast<std::uint32_t>(bits))
+        .number(0u);
     bytes.number(static_cast<std::uint32_t>(raw.size() * bits / 8)).number(0u).number(0xffffu).pad_to(28 + 768);
     if (bits == 8) bytes.rows<std::uint8_t>(raw);
     if (bits == 16) bytes.rows<std::uint16_t>(raw);
@@ -28,7 +31,11 @@ std::string conditions(int minutes_ahead_of_utc) {
     bytes.number(304u);
     for (const std::uint32_t field : {2014u, 9u, 29u, 10u, 58u, 26u}) bytes.number(field);
     bytes.number(minutes_ahead_of_utc).number_at(4 * 18, 10u).number_at(4 * 24, 500u);
-    bytes.number_at(4 * 42, 500'000u).number_at(4 * 43, 250'000u).number_at(4 * 44, 2'000u).number_at(4 * 56, 950u).pad_to(304);
+    bytes.number_at(4 * 42, 500'000u)
+        .number_at(4 * 43, 250'000u)
+        .number_at(4 * 44, 2'000u)
+        .number_at(4 * 56, 950u)
+        .pad_to(304);
     return bytes.content();
 }
 
@@ -42,21 +49,39 @@ std::string texts() {
 }
 
 FormatSample sample(const std::string& name, const std::string& content, const Array2D& raw, std::size_t channel = 0) {
-    return {.format = "vk", .name = name, .content = content, .channel = channel, .shape = {nx, ny}, .size = {nx * 500 * units::nm, ny * 250 * units::nm}, .heights = raw * (2.0 * units::nm)};
+    return {.format = "vk",
+            .name = name,
+            .content = content,
+            .channel = channel,
+            .shape = {nx, ny},
+            .size = {nx * 500 * units::nm, ny * 250 * units::nm},
+            .heights = raw * (2.0 * units::nm)};
 }
 
 }  // namespace
 
 std::string bmp_picture() {
     ByteBuilder bytes;
-    bytes.text("BM").number(70u).number(0u).number(54u).number(40u).number(2).number(2).number(std::uint16_t{1}).number(std::uint16_t{24}).pad_to(70);
+    bytes.text("BM")
+        .number(70u)
+        .number(0u)
+        .number(54u)
+        .number(40u)
+        .number(2)
+        .number(2)
+        .number(std::uint16_t{1})
+        .number(std::uint16_t{24})
+        .pad_to(70);
     return bytes.content();
 }
 
 std::string vk4_file(const VkFile& file) {
     const std::size_t begin = file.version == 3 ? 80 : 84;  // version 4 has one more entry in the table
     ByteBuilder bytes;
-    bytes.text(file.version == 3 ? "VK3_" : "VK4_").number(0x01020304u).pad_to(begin).number_at(12, static_cast<std::uint32_t>(begin));
+    bytes.text(file.version == 3 ? "VK3_" : "VK4_")
+        .number(0x01020304u)
+        .pad_to(begin)
+        .number_at(12, static_cast<std::uint32_t>(begin));
     bytes.text(conditions(file.minutes_ahead_of_utc));
     if (file.light) {
         bytes.number_at(24, static_cast<std::uint32_t>(bytes.size()));
@@ -71,7 +96,12 @@ std::string vk4_file(const VkFile& file) {
 }
 
 std::string vk6_file(const VkFile& file, char version) {
-    return ByteBuilder().text("VK").text(std::string(1, version)).number(static_cast<std::uint32_t>(bmp_picture().size())).text(bmp_picture()).content() +
+    return ByteBuilder()
+               .text("VK")
+               .text(std::string(1, version))
+               .number(static_cast<std::uint32_t>(bmp_picture().size()))
+               .text(bmp_picture())
+               .content() +
            zip_archive({{"Vk4File", vk4_file(file)}, {"Vk6ImageData", "not read"}});
 }
 

@@ -30,7 +30,9 @@ TEST(Vk, SizeIsPointsTimesPitch) {
 }
 
 TEST(Vk, TimeKeepsItsDifferenceFromUtcAsWritten) {
-    const auto time = [](int minutes) { return opened(vk4_file({.heights = {raw}, .minutes_ahead_of_utc = minutes}))[0].info.metadata.acquisition_time; };
+    const auto time = [](int minutes) {
+        return opened(vk4_file({.heights = {raw}, .minutes_ahead_of_utc = minutes}))[0].info.metadata.acquisition_time;
+    };
     EXPECT_EQ(time(540), "2014-09-29T10:58:26+09:00");
     EXPECT_EQ(time(-210), "2014-09-29T10:58:26-03:30");
     EXPECT_EQ(time(0), "2014-09-29T10:58:26+00:00");
@@ -72,7 +74,9 @@ TEST(Vk, ArchiveMayBeginLittleBehindThePicture) {
 TEST(Vk, ImagesWhoseSizesDisagreeAreRefusedWithThePlace) {
     const auto content = vk4_file({.heights = {raw}});
     constexpr std::size_t image = 84 + 304;
-    const auto changed = [&](std::size_t offset, std::uint32_t number) { return refusal(ByteBuilder().text(content).number_at(offset, number).content()); };
+    const auto changed = [&](std::size_t offset, std::uint32_t number) {
+        return refusal(ByteBuilder().text(content).number_at(offset, number).content());
+    };
     EXPECT_EQ(changed(image + 8, 12), "a.vk: at byte 396: VK: 12 bits a point, expected 8, 16 or 32");
     EXPECT_NE(changed(image, 0x80000005u).find("points of 16 bits in 40 bytes"), std::string::npos);
     EXPECT_NE(changed(36, 0xfffffff0u).find("truncated"), std::string::npos);

@@ -18,10 +18,12 @@ std::string header(const WsxmFile& file) {
     std::string text;
     for (std::size_t announced = 0; text.size() != announced || announced == 0;) {
         announced = text.size();
-        text = fmt::format("{}\r\n{}\r\nImage header size: {}\r\n\r\n[Control]\r\n\r\n{}    X Offset: 12.5 nm\r\n    Z Offset: 136.524 nm\r\n\r\n[General Info]\r\n\r\n"
-                           "    Acquisition channel: Topography\r\n    Acquisition time: 03/11/2011, 20:23:46.484\r\n    Head type: AFM\r\n{}    Number of columns: {}\r\n"
-                           "    Number of rows: {}\r\n{}\r\n[Head Settings]\r\n\r\n    Head Name: AFM\r\n\r\n[Miscellaneous]\r\n\r\n    Dulcinea serial number: 24\r\n{}\r\n[Header end]\r\n",
-                           file.first_line, file.second_line, announced, file.lateral, file.type.empty() ? "" : "    Image Data Type: " + file.type + "\r\n", nx, ny, file.amplitude, file.range);
+        text = fmt::format(
+            "{}\r\n{}\r\nImage header size: {}\r\n\r\n[Control]\r\n\r\n{}    X Offset: 12.5 nm\r\n    Z Offset: 136.524 nm\r\n\r\n[General Info]\r\n\r\n"
+            "    Acquisition channel: Topography\r\n    Acquisition time: 03/11/2011, 20:23:46.484\r\n    Head type: AFM\r\n{}    Number of columns: {}\r\n"
+            "    Number of rows: {}\r\n{}\r\n[Head Settings]\r\n\r\n    Head Name: AFM\r\n\r\n[Miscellaneous]\r\n\r\n    Dulcinea serial number: 24\r\n{}\r\n[Header end]\r\n",
+            file.first_line, file.second_line, announced, file.lateral,
+            file.type.empty() ? "" : "    Image Data Type: " + file.type + "\r\n", nx, ny, file.amplitude, file.range);
     }
     return text;
 }
@@ -29,7 +31,12 @@ std::string header(const WsxmFile& file) {
 template <class Number>
 FormatSample sample(const std::string& name, const WsxmFile& file, double step, double y_size = 400 * units::nm) {
     const Array2D raw = lopsided_heights(nx, ny, 1.0);
-    return {.format = "wsxm", .name = name, .content = wsxm_file<Number>(file, raw), .shape = {nx, ny}, .size = {600 * units::nm, y_size}, .heights = raw * step};
+    return {.format = "wsxm",
+            .name = name,
+            .content = wsxm_file<Number>(file, raw),
+            .shape = {nx, ny},
+            .size = {600 * units::nm, y_size},
+            .heights = raw * step};
 }
 
 }  // namespace
@@ -59,8 +66,10 @@ std::vector<FormatSample> wsxm_samples() {
     doubles.first_line = "WSxM file copyright UAM";
     doubles.amplitude = "    Z Amplitude: 18.5 \xc5\r\n";  // Å in Latin-1
     const double step = 18.5 * units::nm / (greatest - least);
-    return {sample<std::int16_t>("integers, range stated", integers, step), sample<std::int16_t>("integers, range of the data", no_range, step),
-            sample<std::int16_t>("no type, one amplitude", old_version, step, 600 * units::nm), sample<float>("floats", floats, units::nm),
+    return {sample<std::int16_t>("integers, range stated", integers, step),
+            sample<std::int16_t>("integers, range of the data", no_range, step),
+            sample<std::int16_t>("no type, one amplitude", old_version, step, 600 * units::nm),
+            sample<float>("floats", floats, units::nm),
             sample<double>("doubles in angstrom", doubles, units::angstrom)};
 }
 

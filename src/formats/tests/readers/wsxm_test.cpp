@@ -12,7 +12,9 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-const WsxmFile floats{.type = "double", .amplitude = "    Z Amplitude: 18.5 nm\r\n", .range = "    Maximum: 341.0009\r\n    Minimum: 1\r\n"};
+const WsxmFile floats{.type = "double",
+                      .amplitude = "    Z Amplitude: 18.5 nm\r\n",
+                      .range = "    Maximum: 341.0009\r\n    Minimum: 1\r\n"};
 
 bytes::Source file(const std::string& content) { return bytes::memory_source("scan.stp", content); }
 
@@ -47,7 +49,8 @@ TEST(Wsxm, RangeInOtherNumbersThanIntegersIsNotThatOfIntegers) {
     auto header = floats;
     header.type = "short";
     header.range = "    Maximum: 133.9231\r\n    Minimum: 115.038\r\n";
-    const auto heights = topography::all_heights(only_channel(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).read());
+    const auto heights =
+        topography::all_heights(only_channel(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).read());
     EXPECT_NEAR(heights.maxCoeff() - heights.minCoeff(), 18.5 * units::nm, 1e-20);
 }
 
@@ -56,7 +59,8 @@ TEST(Wsxm, FlatIntegersAreFlat) {
     header.type = "short";
     header.range = "    Maximum: 5\r\n    Minimum: 5\r\n";
     const Array2D flat = Array2D::Constant(6, 4, 5.0);
-    EXPECT_EQ(topography::all_heights(only_channel(wsxm_file<std::int16_t>(header, flat)).read()).abs().maxCoeff(), 0.0);
+    EXPECT_EQ(topography::all_heights(only_channel(wsxm_file<std::int16_t>(header, flat)).read()).abs().maxCoeff(),
+              0.0);
 }
 
 TEST(Wsxm, CurrentIsListedOnly) {
@@ -70,19 +74,25 @@ TEST(Wsxm, CurrentIsListedOnly) {
 TEST(Wsxm, CurvesAreRefusedWithWhatReadsThem) {
     auto header = floats;
     header.second_line = "FZ File";
-    EXPECT_NE(refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0))).find("at byte 41: WSxM: 'FZ File': force-distance curves"), std::string::npos)
+    EXPECT_NE(refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0)))
+                  .find("at byte 41: WSxM: 'FZ File': force-distance curves"),
+              std::string::npos)
         << refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0)));
     header.second_line = "IV File";
-    EXPECT_NE(refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0))).find("got 'IV File', expected 'SxM Image file'"), std::string::npos);
+    EXPECT_NE(refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0)))
+                  .find("got 'IV File', expected 'SxM Image file'"),
+              std::string::npos);
 }
 
 TEST(Wsxm, IntegersWithoutAmplitudeAreRefused) {
     auto header = floats;
     header.type = "short";
     header.amplitude = "";
-    EXPECT_NE(refusal(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).find("no 'Z Amplitude'"), std::string::npos);
+    EXPECT_NE(refusal(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).find("no 'Z Amplitude'"),
+              std::string::npos);
     header.type = "long";
-    EXPECT_NE(refusal(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).find("image data type 'long'"), std::string::npos);
+    EXPECT_NE(refusal(wsxm_file<std::int16_t>(header, lopsided_heights(6, 4, 1.0))).find("image data type 'long'"),
+              std::string::npos);
 }
 
 TEST(Wsxm, ScaleFactorThatIsNotAppliedIsTold) {
@@ -97,7 +107,8 @@ TEST(Wsxm, LongCommentsBelongToTheHeader) {
     auto header = floats;
     header.range += "    Comments: " + std::string(200'000, 'x') + "\r\n";
     const auto raw = lopsided_heights(6, 4, 1.0);
-    EXPECT_DOUBLE_EQ(topography::all_heights(only_channel(wsxm_file<double>(header, raw)).read())[0], raw(0, 0) * units::nm);
+    EXPECT_DOUBLE_EQ(topography::all_heights(only_channel(wsxm_file<double>(header, raw)).read())[0],
+                     raw(0, 0) * units::nm);
 }
 
 TEST(Wsxm, HeaderThatAnnouncesMoreThanItHoldsEndsWhereItSays) {

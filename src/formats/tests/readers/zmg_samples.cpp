@@ -14,8 +14,20 @@ constexpr float step_x = 0.5f, step_y = 0.75f, step_z = 0.0625f;  // [µm]
 FormatSample sample(const std::string& name, const std::string& comment) {
     Array2D raw = lopsided_heights(nx, ny, 150.0);
     ByteBuilder file;
-    file.text("Zeta-Instruments", 85).number<std::uint32_t>(nx).number<std::uint32_t>(ny).number<std::uint32_t>(0).number(step_x).number(step_y).number(step_z);
-    file.pad_to(117).number(static_cast<std::uint32_t>(comment.size())).pad_to(131).text("bump recipe", 68).pad_to(205).text(comment).rows<std::uint16_t>(raw);
+    file.text("Zeta-Instruments", 85)
+        .number<std::uint32_t>(nx)
+        .number<std::uint32_t>(ny)
+        .number<std::uint32_t>(0)
+        .number(step_x)
+        .number(step_y)
+        .number(step_z);
+    file.pad_to(117)
+        .number(static_cast<std::uint32_t>(comment.size()))
+        .pad_to(131)
+        .text("bump recipe", 68)
+        .pad_to(205)
+        .text(comment)
+        .rows<std::uint16_t>(raw);
     return {.format = "zmg",
             .name = name,
             .content = file.content(),
@@ -26,6 +38,8 @@ FormatSample sample(const std::string& name, const std::string& comment) {
 
 }  // namespace
 
-std::vector<FormatSample> zmg_samples() { return {sample("without comment", ""), sample("with comment", "measured twice")}; }
+std::vector<FormatSample> zmg_samples() {
+    return {sample("without comment", ""), sample("with comment", "measured twice")};
+}
 
 }  // namespace setae::formats::tests

@@ -18,15 +18,17 @@ const Array2D raw = lopsided_heights(5, 4, 10.0);
 constexpr const char* heights_member = "4cdb0c75-5706-48cc-a9a1-adf395d609ae";
 
 std::vector<Channel> opened(const std::string& content) { return open(bytes::memory_source("a.zon", content), {}); }
-Array2D heights_of(const std::string& content) { return std::get<topography::HeightMap>(opened(content).at(0).read()).heights; }
+Array2D heights_of(const std::string& content) {
+    return std::get<topography::HeightMap>(opened(content).at(0).read()).heights;
+}
 std::string refusal(const std::string& content) {
     return message_of([&] { (void)opened(content).at(0).read(); });
 }
 
 TEST(Zon, PointsWithoutMeasurementAreUndefined) {
     ZonFile file{.raw = raw, .validity = Array2D::Zero(5, 4)};
-    file.validity(1, 1) = 1.0;  // out of range
-    file.validity(2, 1) = 2.0;  // not to be measured
+    file.validity(1, 1) = 1.0;   // out of range
+    file.validity(2, 1) = 2.0;   // not to be measured
     file.validity(3, 1) = 0xc0;  // judged, yet measured
     const auto heights = heights_of(zon_file(file));
     EXPECT_TRUE(std::isnan(heights(1, 1)));
@@ -74,7 +76,8 @@ TEST(Zon, WhatDoesNotFitIsRefused) {
     EXPECT_NE(refusal(zon_file(other)).find("4 × 5 points of validity for 5 × 4 heights"), std::string::npos);
     auto uncalibrated = zon_members({.raw = raw});
     uncalibrated[0].second = "<Calibration/>";
-    EXPECT_NE(refusal(keyence_package(uncalibrated, false)).find("without a positive XYCalibration/MeterPerPixel"), std::string::npos);
+    EXPECT_NE(refusal(keyence_package(uncalibrated, false)).find("without a positive XYCalibration/MeterPerPixel"),
+              std::string::npos);
 }
 
 TEST(Zag, IsNotTakenForZonThoughItBeginsAlike) {
@@ -84,7 +87,8 @@ TEST(Zag, IsNotTakenForZonThoughItBeginsAlike) {
 }
 
 TEST(Zag, EveryMeasurementIsAChannelUnderTheNameOfItsFile) {
-    const auto channels = opened(zag_file({{"one.zon", zon_file({.raw = raw})}, {"hidden.zon", zon_file({.raw = raw + 5.0})}}));
+    const auto channels =
+        opened(zag_file({{"one.zon", zon_file({.raw = raw})}, {"hidden.zon", zon_file({.raw = raw + 5.0})}}));
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "one.zon");
     EXPECT_EQ(channels[0].info.format, "zag");
@@ -92,7 +96,8 @@ TEST(Zag, EveryMeasurementIsAChannelUnderTheNameOfItsFile) {
     EXPECT_EQ(channels[1].info.alerts.at(0).code, "HIDDEN_MEASUREMENT");
     EXPECT_EQ(topography::metadata(channels[0].read()).name, "one.zon");
     EXPECT_EQ(topography::metadata(channels[0].read()).format, "zag");
-    EXPECT_NEAR(topography::all_heights(channels[1].read())[0] - topography::all_heights(channels[0].read())[0], 50 * units::nm, 1e-18);
+    EXPECT_NEAR(topography::all_heights(channels[1].read())[0] - topography::all_heights(channels[0].read())[0],
+                50 * units::nm, 1e-18);
 }
 
 TEST(Zag, DamagedMeasurementLeavesTheOthers) {

@@ -12,8 +12,15 @@ namespace {
 /// Contrast 60 over noise 12: SNR 5 of a pixel, off the grid by another fraction for each seed.
 RenderedContact at_snr_5(unsigned seed, double radius = 24) {
     const double s = seed;
-    return {.width = 100, .height = 90, .centre_x = 49 + 0.37 * std::sin(1.7 * s), .centre_y = 44 + 0.49 * std::cos(2.3 * s), .semi_major = radius + 0.021 * s,
-            .slope_x = 0.15, .slope_y = -0.1, .noise = 12, .seed = seed};
+    return {.width = 100,
+            .height = 90,
+            .centre_x = 49 + 0.37 * std::sin(1.7 * s),
+            .centre_y = 44 + 0.49 * std::cos(2.3 * s),
+            .semi_major = radius + 0.021 * s,
+            .slope_x = 0.15,
+            .slope_y = -0.1,
+            .noise = 12,
+            .seed = seed};
 }
 
 struct Errors {
@@ -42,8 +49,9 @@ Errors errors_of(Make make, unsigned seeds, const ContactFrameOptions& options =
     return errors;
 }
 
-// A pixel's share of an edge of blur w tells its place to σ/C sqrt(2 sqrt(π) w) = 0.2 sqrt(3.54 · 0.85) = 0.35 px, so a radius of
-// 24 px with its 151 px of perimeter is known to 0.028 px at best; 0.1 px is then 3 standard deviations of what we reach.
+// A pixel's share of an edge of blur w tells its place to σ/C sqrt(2 sqrt(π) w) = 0.2 sqrt(3.54 · 0.85) = 0.35 px, so a
+// radius of 24 px with its 151 px of perimeter is known to 0.028 px at best; 0.1 px is then 3 standard deviations of
+// what we reach.
 TEST(ContactRadius, IsWithinATenthOfAPixelAtSnrFive) {
     for (const double radius : {17.0, 24.0, 33.0}) {
         const auto errors = errors_of([&](unsigned seed) { return at_snr_5(seed, radius); }, 12);
@@ -62,15 +70,17 @@ TEST(ContactRadius, OfSmallDiscsIsWithinATenthOfAPixelOnAverage) {
 }
 
 void expect_stated_errors(double noise_blur) {
-    const auto errors = errors_of([&](unsigned seed) {
-        auto contact = at_snr_5(seed, 24);
-        contact.width = contact.height = 76;
-        contact.centre_x -= 11;
-        contact.centre_y -= 6;
-        contact.slope_x = contact.slope_y = 0;
-        contact.noise_blur = noise_blur;
-        return contact;
-    }, 100);
+    const auto errors = errors_of(
+        [&](unsigned seed) {
+            auto contact = at_snr_5(seed, 24);
+            contact.width = contact.height = 76;
+            contact.centre_x -= 11;
+            contact.centre_y -= 6;
+            contact.slope_x = contact.slope_y = 0;
+            contact.noise_blur = noise_blur;
+            return contact;
+        },
+        100);
     EXPECT_EQ(errors.measured, 100);
     EXPECT_GT(errors.pull, 0.8);  // of 100 pulls the root mean square is known to 0.07
     EXPECT_LT(errors.pull, 1.25);
@@ -83,14 +93,17 @@ TEST(ContactRadius, HasTheStandardErrorItStatesWhereNoiseIsBlurred) { expect_sta
 TEST(ContactRadius, WithoutNoiseIsExactToAHundredthOfAPixel) {
     for (const double blur : {0.0, 0.8, 2.0})
         for (const double radius : {10.0, 27.3}) {
-            const auto errors = errors_of([&](unsigned seed) {
-                auto contact = at_snr_5(seed, radius);
-                contact.noise = 0;
-                contact.blur = blur;
-                return contact;
-            }, 3);
+            const auto errors = errors_of(
+                [&](unsigned seed) {
+                    auto contact = at_snr_5(seed, radius);
+                    contact.noise = 0;
+                    contact.blur = blur;
+                    return contact;
+                },
+                3);
             EXPECT_EQ(errors.measured, 3);
-            EXPECT_LT(errors.largest, 0.012) << blur << ' ' << radius;  // half a grey level of 60 over the gradient, averaged
+            EXPECT_LT(errors.largest, 0.012)
+                << blur << ' ' << radius;  // half a grey level of 60 over the gradient, averaged
         }
 }
 
@@ -126,7 +139,8 @@ TEST(ContactEllipse, HasItsAxesAngleAndRoundness) {
         EXPECT_NEAR(found.ellipse.semi_minor, 27, 0.2) << seed;
         EXPECT_NEAR(std::remainder(found.ellipse.angle - contact.angle, 3.14159265358979), 0, 0.03) << seed;
         EXPECT_NEAR(found.roundness, 27.0 / 33, 4 * found.roundness_standard_error) << seed;
-        pulls += std::pow((found.ellipse.semi_major - 33) / found.ellipse.semi_major_standard_error, 2) + std::pow((found.ellipse.semi_minor - 27) / found.ellipse.semi_minor_standard_error, 2);
+        pulls += std::pow((found.ellipse.semi_major - 33) / found.ellipse.semi_major_standard_error, 2) +
+                 std::pow((found.ellipse.semi_minor - 27) / found.ellipse.semi_minor_standard_error, 2);
     }
     EXPECT_GT(std::sqrt(pulls / (2 * seeds)), 0.7);  // of 24 pulls: 1 ± 0.14
     EXPECT_LT(std::sqrt(pulls / (2 * seeds)), 1.4);
@@ -152,7 +166,8 @@ TEST(ContactRadius, OfAPartialContactIsTheCircles) {
 double interference(double d, double radius, double pixel_size, double pull) {
     constexpr double sphere_radius = 1.25e-3, wavelength = 0.55e-6, coherence = 5e-6, pi = 3.14159265358979;
     const double a = radius * pixel_size, r = a + d * pixel_size;
-    const double gap = (a * std::sqrt(r * r - a * a) + (r * r - 2 * a * a) * std::acos(a / r)) / (pi * sphere_radius) + 2 / pi * pull * std::acos(a / r);
+    const double gap = (a * std::sqrt(r * r - a * a) + (r * r - 2 * a * a) * std::acos(a / r)) / (pi * sphere_radius) +
+                       2 / pi * pull * std::acos(a / r);
     return 0.5 * (1 - 0.9 * std::exp(-gap / coherence) * std::cos(4 * pi * gap / wavelength));
 }
 
@@ -162,7 +177,9 @@ TEST(ContactRadius, WithFringesOfAJkrContactIsWithinHalfAPixel) {
         for (unsigned seed = 1; seed <= 3; ++seed) {
             auto contact = at_snr_5(seed, 26);
             contact.noise = 6;
-            contact.outside = [&, size = pixel_size, d1 = pull](double d) { return interference(d, contact.semi_major, size, d1); };
+            contact.outside = [&, size = pixel_size, d1 = pull](double d) {
+                return interference(d, contact.semi_major, size, d1);
+            };
             const auto found = measure_contact_frame(contact.make(), {.fringes = true});
             ASSERT_EQ(found.state, FrameState::measured) << found.reason;
             EXPECT_NEAR(found.radius, contact.semi_major, 0.5) << pull << ' ' << seed;
@@ -186,8 +203,8 @@ TEST(ContactFrame, WithSomethingThatIsNoDiscIsNotFound) {
     auto contact = at_snr_5(1);
     contact.contrast = 0;
     auto pixels = contact.make();
-    pixels.rightCols(40) += 60;                              // a straight edge
-    for (long i = 0; i < 90; ++i) pixels(i, i / 2) += 120;   // a scratch
+    pixels.rightCols(40) += 60;                             // a straight edge
+    for (long i = 0; i < 90; ++i) pixels(i, i / 2) += 120;  // a scratch
     const auto found = measure_contact_frame(pixels);
     EXPECT_EQ(found.state, FrameState::not_found);
     EXPECT_TRUE(std::isnan(found.radius));
@@ -198,8 +215,8 @@ TEST(ContactFrame, ToleratesDustAndGlareOnTheEdge) {
     auto contact = at_snr_5(6, 28);
     auto pixels = contact.make();
     const long x = std::lround(contact.centre_x), y = std::lround(contact.centre_y);
-    pixels.block(y - 4, x + 24, 9, 9) = 255;   // glare
-    pixels.block(y + 22, x - 6, 10, 6) = 20;   // dust
+    pixels.block(y - 4, x + 24, 9, 9) = 255;  // glare
+    pixels.block(y + 22, x - 6, 10, 6) = 20;  // dust
     const auto found = measure_contact_frame(pixels);
     ASSERT_EQ(found.state, FrameState::measured) << found.reason;
     EXPECT_NEAR(found.radius, contact.semi_major, 0.15);

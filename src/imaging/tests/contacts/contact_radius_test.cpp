@@ -3,10 +3,10 @@
 
 #include "recordings.hpp"
 #include "rendered_contact.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/table_file.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::imaging::tests {
 namespace {
@@ -19,7 +19,13 @@ double planted_radius(std::size_t frame) { return frame < 2 ? 0.0 : 8.0 + 2.35 *
 std::vector<FramePixels> growing(std::size_t n) {
     std::vector<FramePixels> frames;
     for (std::size_t k = 0; k < n; ++k) {
-        RenderedContact contact{.width = 90, .height = 80, .centre_x = 44.2, .centre_y = 40.6, .semi_major = std::max(1.0, planted_radius(k)), .noise = 6, .seed = static_cast<unsigned>(k + 1)};
+        RenderedContact contact{.width = 90,
+                                .height = 80,
+                                .centre_x = 44.2,
+                                .centre_y = 40.6,
+                                .semi_major = std::max(1.0, planted_radius(k)),
+                                .noise = 6,
+                                .seed = static_cast<unsigned>(k + 1)};
         if (planted_radius(k) == 0) contact.contrast = 0, contact.inside = 140;
         frames.push_back(contact.make());
     }
@@ -46,7 +52,8 @@ TEST(ContactRadii, AreTheSameForAnyNumberOfThreads) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
     const FrameSource source(folder / "stack.tif", options());
-    EXPECT_EQ(as_csv(measure_contact_radii(source, {.threads = {1}})), as_csv(measure_contact_radii(source, {.threads = {3}})));
+    EXPECT_EQ(as_csv(measure_contact_radii(source, {.threads = {1}})),
+              as_csv(measure_contact_radii(source, {.threads = {3}})));
 }
 
 TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
@@ -55,7 +62,8 @@ TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
     frames[4].setConstant(50);
     const auto bytes = PlainTiff{}.bytes(frames);
     write_bytes(folder / "stack.tif", bytes.substr(0, bytes.size() - 100));
-    const auto radii = measure_contact_radii(FrameSource(folder / "stack.tif", options()), {.excluded = {{4, "glare, left"}}});
+    const auto radii =
+        measure_contact_radii(FrameSource(folder / "stack.tif", options()), {.excluded = {{4, "glare, left"}}});
     EXPECT_EQ(radii.frames[3].contact.state, FrameState::excluded);
     EXPECT_EQ(radii.frames[3].contact.reason, "glare, left");
     EXPECT_EQ(radii.frames[4].contact.state, FrameState::bad_frame);
@@ -71,10 +79,18 @@ TEST(ContactRadii, HaveThePolarityOfMostFrames) {
     const Folder folder;
     std::vector<FramePixels> frames;
     for (int k = 0; k < 4; ++k) {
-        auto frame = RenderedContact{.width = 110, .height = 80, .centre_x = 32.3, .centre_y = 40.6, .semi_major = 15, .noise = 6, .seed = static_cast<unsigned>(k + 1)}.make();
+        auto frame = RenderedContact{.width = 110,
+                                     .height = 80,
+                                     .centre_x = 32.3,
+                                     .centre_y = 40.6,
+                                     .semi_major = 15,
+                                     .noise = 6,
+                                     .seed = static_cast<unsigned>(k + 1)}
+                         .make();
         for (long i = 0; k == 2 && i < 80; ++i)
             for (long j = 56; j < 110; ++j)
-                if (std::hypot(static_cast<double>(j) - 82, static_cast<double>(i) - 40) < 20) frame(i, j) += 90;  // a reflection, brighter and larger
+                if (std::hypot(static_cast<double>(j) - 82, static_cast<double>(i) - 40) < 20)
+                    frame(i, j) += 90;  // a reflection, brighter and larger
         frames.push_back(frame);
     }
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(frames));
@@ -98,7 +114,8 @@ TEST(ContactRadii, ReportMissingFramesAndKeepTheirTime) {
 TEST(ContactRadii, ReturnFromTheirFileAndJoinARecordOfForce) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
-    const auto radii = measure_contact_radii(FrameSource(folder / "stack.tif", options()), {.excluded = {{5, "glare"}}});
+    const auto radii =
+        measure_contact_radii(FrameSource(folder / "stack.tif", options()), {.excluded = {{5, "glare"}}});
     bytes::write_whole_file(folder / "a.csv", as_csv(radii));
     const auto table = tables::read_table(folder / "a.csv");
     const auto written = as_table(radii);
@@ -109,7 +126,9 @@ TEST(ContactRadii, ReturnFromTheirFileAndJoinARecordOfForce) {
             else EXPECT_DOUBLE_EQ(table.at(name)[i], expected) << name << i;
         }
     Table force;
-    force.columns = {{"time", "s", Array1D::LinSpaced(101, 0.0, 0.5)}, {"force", "N", Array1D::Zero(101)}, {"displacement", "m", Array1D::Zero(101)}};
+    force.columns = {{"time", "s", Array1D::LinSpaced(101, 0.0, 0.5)},
+                     {"force", "N", Array1D::Zero(101)},
+                     {"displacement", "m", Array1D::Zero(101)}};
     const auto merged = tables::merged_by_time(force, table, 0.0);
     EXPECT_DOUBLE_EQ(merged.at("contact_radius")[30], radii.frames[3].radius);
 }
@@ -119,7 +138,8 @@ TEST(ContactRadii, TakeTheRegionsPlaceBack) {
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
     auto part = options();
     part.region = Region{14, 12, 62, 60};
-    const auto whole = measure_contact_radii(FrameSource(folder / "stack.tif", options())), cut = measure_contact_radii(FrameSource(folder / "stack.tif", part));
+    const auto whole = measure_contact_radii(FrameSource(folder / "stack.tif", options())),
+               cut = measure_contact_radii(FrameSource(folder / "stack.tif", part));
     EXPECT_NEAR(cut.frames[5].contact.ellipse.centre_x, 44.2, 0.15);
     EXPECT_NEAR(cut.frames[5].contact.ellipse.centre_y, whole.frames[5].contact.ellipse.centre_y, 0.01);
 }
@@ -146,7 +166,8 @@ TEST(Overlay, DrawsWhatWasFoundInColour) {
     for (int k = 0; k < 90; ++k) {
         const double angle = 0.0698 * k;
         const auto place = [](double x) { return static_cast<int>(std::lround(8 * (x + 0.5) - 0.5)); };
-        const auto at = picture.at<cv::Vec3b>(place(ellipse.centre_y + ellipse.semi_major * std::sin(angle)), place(ellipse.centre_x + ellipse.semi_major * std::cos(angle)));
+        const auto at = picture.at<cv::Vec3b>(place(ellipse.centre_y + ellipse.semi_major * std::sin(angle)),
+                                              place(ellipse.centre_x + ellipse.semi_major * std::cos(angle)));
         coloured += at[2] > at[0] + 60 ? 1 : 0;
     }
     EXPECT_GT(coloured, 80);

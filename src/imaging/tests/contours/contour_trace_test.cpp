@@ -22,7 +22,8 @@ struct Errors {
 };
 
 /// Distances of a segment from where `distance` is 0, away from the picture's sides.
-Errors errors_of(const ContourSegment& segment, const EdgePicture& picture, const std::function<double(double, double)>& distance) {
+Errors errors_of(const ContourSegment& segment, const EdgePicture& picture,
+                 const std::function<double(double, double)>& distance) {
     Errors found;
     double count = 0;
     for (Index i = 0; i < segment.x.size(); ++i) {
@@ -49,7 +50,8 @@ TEST(ContourTrace, OfACleanPictureIsTheEdge) {
     EXPECT_LT(found.largest, 0.02);
     EXPECT_NEAR(trace.segments[0].edge_width, picture.blur, 0.01 * picture.blur);
     EXPECT_FALSE(trace.segments[0].fringe);
-    EXPECT_LT(trace.segments[0].x[0], trace.segments[0].x[trace.segments[0].x.size() - 1]);  // vacuum above: to the right
+    EXPECT_LT(trace.segments[0].x[0],
+              trace.segments[0].x[trace.segments[0].x.size() - 1]);  // vacuum above: to the right
 }
 
 TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
@@ -64,7 +66,8 @@ TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
         squares += found.rms * found.rms / seeds, share += found.within_two / seeds;
         density += trace.segments[0].noise_density / seeds;
     }
-    // one column fixes the edge to σ² 2√π w/step² (Cramér and Rao); a picture measures it to 30 %: sums over 17 neighbours, 260 places
+    // one column fixes the edge to σ² 2√π w/step² (Cramér and Rao); a picture measures it to 30 %: sums over 17
+    // neighbours, 260 places
     EXPECT_NEAR(density, 0.25 * 2 * std::sqrt(3.14159265) * 0.9, 0.3 * 0.8);
     EXPECT_LT(std::sqrt(squares), 0.4);
     EXPECT_GT(share, 0.88);  // of 95 % for normal errors; about 30 independent places a picture
@@ -76,7 +79,8 @@ TEST(ContourTrace, DarkVacuumIsToldByItsLackOfStructureOrByTheUser) {
     auto pixels = rendered(picture, wave);
     for (long row = 0; row < picture.height; ++row)
         for (long column = 0; column < picture.width; ++column)
-            if (wave(static_cast<double>(column), static_cast<double>(row)) < -1) pixels(row, column) += static_cast<float>(40 * std::cos(1.1 * static_cast<double>(column + row)));
+            if (wave(static_cast<double>(column), static_cast<double>(row)) < -1)
+                pixels(row, column) += static_cast<float>(40 * std::cos(1.1 * static_cast<double>(column + row)));
     const auto structured = trace_contour(pixels);
     EXPECT_EQ(structured.vacuum, Vacuum::dark);
     EXPECT_FALSE(has(structured, "VACUUM_ASSUMED"));
@@ -105,7 +109,9 @@ TEST(ContourTrace, AnEdgeWithoutContrastIsFoundByItsFringeAndStructure) {
         for (long column = 0; column < picture.width; ++column) {
             const double d = wave(static_cast<double>(column), static_cast<double>(row)), v = d / 3;
             pixels(row, column) += static_cast<float>(45 * v * std::exp(0.5 - 0.5 * v * v));
-            if (d < -2) pixels(row, column) += static_cast<float>(40 * std::cos(0.9 * static_cast<double>(column) - 0.5 * static_cast<double>(row)));
+            if (d < -2)
+                pixels(row, column) += static_cast<float>(
+                    40 * std::cos(0.9 * static_cast<double>(column) - 0.5 * static_cast<double>(row)));
         }
     const auto trace = trace_contour(pixels);
     const auto found = errors_of(trace.segments.at(0), picture, wave);
@@ -151,7 +157,8 @@ TEST(ContourTrace, PassesAnchors) {
         const auto at = static_cast<Index>(s.anchors[i]);
         double nearest = 1e9;  // of the polyline, not only its points
         for (Index k = std::max<Index>(0, at - 2); k < std::min(s.x.size() - 1, at + 2); ++k) {
-            const double ex = s.x[k + 1] - s.x[k], ey = s.y[k + 1] - s.y[k], px = anchors[i].x - s.x[k], py = anchors[i].y - s.y[k];
+            const double ex = s.x[k + 1] - s.x[k], ey = s.y[k + 1] - s.y[k], px = anchors[i].x - s.x[k],
+                         py = anchors[i].y - s.y[k];
             const double t = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
             nearest = std::min(nearest, std::hypot(px - t * ex, py - t * ey));
         }
@@ -165,7 +172,8 @@ TEST(ContourTrace, AnchorsInEitherOrderKeepVacuumOnTheLeft) {
     const Wave wave;
     const auto pixels = rendered({.noise = 30}, wave);
     const Anchor left{20, wave.height(20)}, right{200, wave.height(200)};
-    const auto forth = trace_contour(pixels, {.anchors = {{left, right}}}), back = trace_contour(pixels, {.anchors = {{right, left}}});
+    const auto forth = trace_contour(pixels, {.anchors = {{left, right}}}),
+               back = trace_contour(pixels, {.anchors = {{right, left}}});
     EXPECT_LT(forth.segments[0].x[0], forth.segments[0].x[forth.segments[0].x.size() - 1]);
     EXPECT_TRUE((forth.segments[0].x == back.segments[0].x).all());
 }
@@ -221,7 +229,8 @@ TEST(ContourTrace, OfAPictureWithoutEdgeIsRefused) {
     EXPECT_THROW((void)trace_contour(ramp), UndefinedDataError);
     EXPECT_THROW((void)trace_contour(lattice), UndefinedDataError);
     EXPECT_THROW((void)trace_contour(FramePixels::Constant(64, 64, 7)), UndefinedDataError);
-    EXPECT_THROW((void)trace_contour(FramePixels::Constant(64, 64, std::numeric_limits<float>::quiet_NaN())), UndefinedDataError);
+    EXPECT_THROW((void)trace_contour(FramePixels::Constant(64, 64, std::numeric_limits<float>::quiet_NaN())),
+                 UndefinedDataError);
 }
 
 TEST(ContourTrace, RefusesWhatLiesOutsideItsDomain) {
@@ -239,12 +248,13 @@ TEST(ContourTrace, OfAMaskEnclosesItsPixelsExactly) {
     const auto disc = [&](double cx, double cy, double radius, float value) {
         for (long row = 0; row < mask.rows(); ++row)
             for (long column = 0; column < mask.cols(); ++column)
-                if (std::hypot(static_cast<double>(column) - cx, static_cast<double>(row) - cy) < radius) mask(row, column) = value;
+                if (std::hypot(static_cast<double>(column) - cx, static_cast<double>(row) - cy) < radius)
+                    mask(row, column) = value;
     };
     disc(30, 30, 17, 255), disc(34, 30, 6, 0), disc(60, 20, 9, 255);
-    mask.block(28, 42, 2, 20) = 255;                              // a neck
-    mask(50, 70) = 255, mask(51, 71) = 255, mask(51, 70) = 0;     // joined by a corner alone
-    mask.block(55, 0, 5, 12) = 255;                               // at the picture's sides
+    mask.block(28, 42, 2, 20) = 255;                           // a neck
+    mask(50, 70) = 255, mask(51, 71) = 255, mask(51, 70) = 0;  // joined by a corner alone
+    mask.block(55, 0, 5, 12) = 255;                            // at the picture's sides
     const auto trace = trace_contour(mask);
     EXPECT_TRUE(trace.binary);
     EXPECT_EQ(trace.vacuum, Vacuum::dark);

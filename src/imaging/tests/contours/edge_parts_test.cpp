@@ -30,7 +30,8 @@ TEST(PlaneCurve, IsResampledOnACubicToFourthOrder) {
     for (const Index points : {40, 80}) {
         const auto curve = resampled(circle(30, points), 1.0, true);
         double most = 0;
-        for (Index i = 0; i < curve.size(); ++i) most = std::max(most, std::abs(std::hypot(curve.x[i] - 100, curve.y[i] - 100) - 30));
+        for (Index i = 0; i < curve.size(); ++i)
+            most = std::max(most, std::abs(std::hypot(curve.x[i] - 100, curve.y[i] - 100) - 30));
         (points == 40 ? coarse : fine) = most;
     }
     EXPECT_LT(coarse, 0.01);
@@ -85,7 +86,8 @@ TEST(EdgeShape, IsFoundFromItsProfile) {
 
 TEST(EdgeShape, SlopeIsTheDerivativeOfItsValue) {
     const EdgeShape shape{.step = 3, .width = 1.3, .fringe = -0.8, .fringe_width = 2.4};
-    for (const double d : {-3.0, -0.4, 0.0, 1.7}) EXPECT_NEAR(shape.slope(d), (shape.value(d + 1e-5) - shape.value(d - 1e-5)) / 2e-5, 1e-8);
+    for (const double d : {-3.0, -0.4, 0.0, 1.7})
+        EXPECT_NEAR(shape.slope(d), (shape.value(d + 1e-5) - shape.value(d - 1e-5)) / 2e-5, 1e-8);
 }
 
 TEST(EdgeShape, AStepAloneHasNoFringe) {

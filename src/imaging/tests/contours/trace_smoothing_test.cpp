@@ -21,14 +21,15 @@ Array1D white(Index n, double deviation, unsigned seed) {
 
 TEST(TraceSmoothing, LeavesHalfOfAWaveAtItsLength) {
     EXPECT_DOUBLE_EQ(spline_transfer(1.0, 0.0), 1.0);
-    EXPECT_NEAR(spline_transfer(1.0 / 20, 20), 0.5, 1e-3);                          // q ℓ = 1
-    EXPECT_NEAR(mean_spline_transfer(10) * 10, 1 / (2 * std::sqrt(2.0)), 1e-3);      // ∫_0^∞ dx/(1 + x⁴) = π/(2√2)
+    EXPECT_NEAR(spline_transfer(1.0 / 20, 20), 0.5, 1e-3);                       // q ℓ = 1
+    EXPECT_NEAR(mean_spline_transfer(10) * 10, 1 / (2 * std::sqrt(2.0)), 1e-3);  // ∫_0^∞ dx/(1 + x⁴) = π/(2√2)
 }
 
 TEST(TraceSmoothing, SpectrumOfWhiteNoiseIsItsVariance) {
     const auto places = place_spectrum(white(20000, 0.7, 3));
     double sum = 0, width = 0;
-    for (std::size_t i = 0; i < places.density.size(); ++i) sum += places.density[i] * places.width[i], width += places.width[i];
+    for (std::size_t i = 0; i < places.density.size(); ++i)
+        sum += places.density[i] * places.width[i], width += places.width[i];
     EXPECT_NEAR(sum / width, 0.49, 0.05);  // 288 modes, each to 100 %: 6 %
     EXPECT_NEAR(width, pi - 0.08, 1e-12);
 }
@@ -60,7 +61,8 @@ TEST(TraceSmoothing, LongRunVarianceCountsCorrelation) {
     EXPECT_NEAR(long_run_variance(noise), 1.0, 0.1);
     Array1D mean(noise.size() - 2);  // of three neighbours: variance 1/3, its longest waves still 1
     for (Index k = 0; k < mean.size(); ++k) mean[k] = (noise[k] + noise[k + 1] + noise[k + 2]) / 3;
-    EXPECT_NEAR(long_run_variance(mean), 3.0 / 9 + 2 * (8.0 / 9 * 2 / 9 + 7.0 / 9 * 1 / 9), 0.06);  // Bartlett's weights take a tenth
+    EXPECT_NEAR(long_run_variance(mean), 3.0 / 9 + 2 * (8.0 / 9 * 2 / 9 + 7.0 / 9 * 1 / 9),
+                0.06);  // Bartlett's weights take a tenth
 }
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace {
 struct Type {
     int data_type, element, bytes;
 };
-constexpr Type whole_types[] = {{9, 9, 1}, {6, 10, 1}, {14, 8, 1}, {1, 2, 2}, {10, 4, 2}, {7, 3, 4}, {11, 5, 4}, {39, 11, 8}, {40, 12, 8}};
+constexpr Type whole_types[] = {{9, 9, 1}, {6, 10, 1}, {14, 8, 1},  {1, 2, 2},  {10, 4, 2},
+                                {7, 3, 4}, {11, 5, 4}, {39, 11, 8}, {40, 12, 8}};
 
 DmFile whole_numbers(const Type& type, int version, bool big_endian) {
     DmFile file{.version = version, .big_endian = big_endian, .data_type = type.data_type, .element = type.element};
@@ -20,7 +21,8 @@ TEST(DigitalMicrograph, ReadsEveryWholeTypeInEitherVersionAndOrder) {
     for (const int version : {3, 4})
         for (const bool big_endian : {false, true})
             for (const auto& type : whole_types) {
-                SCOPED_TRACE(testing::Message() << "version " << version << " big endian " << big_endian << " type " << type.data_type);
+                SCOPED_TRACE(testing::Message()
+                             << "version " << version << " big endian " << big_endian << " type " << type.data_type);
                 const auto micrograph = read_bytes(whole_numbers(type, version, big_endian).bytes());
                 expect_common_picture(micrograph);
                 expect_pixel_size(micrograph, 0.5e-9, 0.25e-9);
@@ -31,7 +33,8 @@ TEST(DigitalMicrograph, ReadsEveryWholeTypeInEitherVersionAndOrder) {
 TEST(DigitalMicrograph, ReadsNegativeNumbers) {
     for (const auto& type : {Type{9, 9, 1}, Type{1, 2, 2}, Type{7, 3, 4}, Type{39, 11, 8}}) {
         DmFile file{.data_type = type.data_type, .element = type.element};
-        for (int i = 1; i <= columns * rows; ++i) file.pixels += file.order().whole(static_cast<std::uint64_t>(-i), type.bytes);
+        for (int i = 1; i <= columns * rows; ++i)
+            file.pixels += file.order().whole(static_cast<std::uint64_t>(-i), type.bytes);
         EXPECT_FLOAT_EQ(read_bytes(file.bytes()).pixels(1, 2), -6.0f) << type.data_type;
     }
 }
@@ -50,7 +53,8 @@ TEST(DigitalMicrograph, ReadsMagnitudesOfComplexNumbersWithAnAlert) {
     for (const int type : {3, 13}) {
         DmFile file{.data_type = type, .element = type == 3 ? 6 : 7, .pairs = true};
         for (int i = 1; i <= columns * rows; ++i)
-            for (const double part : {0.6 * i, -0.8 * i}) file.pixels += type == 3 ? file.order().real32(static_cast<float>(part)) : file.order().real64(part);
+            for (const double part : {0.6 * i, -0.8 * i})
+                file.pixels += type == 3 ? file.order().real32(static_cast<float>(part)) : file.order().real64(part);
         const auto micrograph = read_bytes(file.bytes());
         expect_common_picture(micrograph, 1e-6f);
         EXPECT_TRUE(has_alert(micrograph, "COMPLEX_MAGNITUDE"));
@@ -60,7 +64,8 @@ TEST(DigitalMicrograph, ReadsMagnitudesOfComplexNumbersWithAnAlert) {
 TEST(DigitalMicrograph, ReadsLuminanceOfPackedColours) {
     for (const bool big_endian : {false, true}) {
         DmFile file{.big_endian = big_endian, .data_type = 23, .element = 5};
-        for (std::uint64_t i = 0; i < columns * rows; ++i) file.pixels += file.order().whole(0xFF000000U | (200U << 16) | (100U << 8) | (10 * i), 4);
+        for (std::uint64_t i = 0; i < columns * rows; ++i)
+            file.pixels += file.order().whole(0xFF000000U | (200U << 16) | (100U << 8) | (10 * i), 4);
         EXPECT_NEAR(read_bytes(file.bytes()).pixels(1, 2), 0.299 * 200 + 0.587 * 100 + 0.114 * 50, 1e-4);
     }
 }
@@ -80,7 +85,8 @@ TEST(DigitalMicrograph, GivesEachAxisItsOwnScaleAndUnit) {
 
 TEST(DigitalMicrograph, StatesNoPixelSizeWhereTheUnitIsNoLength) {
     auto file = dm_file();
-    for (const auto& [unit, code] : {std::pair{"1/nm", "RECIPROCAL_UNITS"}, {"", ""}, {"pixels", ""}, {"mrad", "UNKNOWN_UNIT"}}) {
+    for (const auto& [unit, code] :
+         {std::pair{"1/nm", "RECIPROCAL_UNITS"}, {"", ""}, {"pixels", ""}, {"mrad", "UNKNOWN_UNIT"}}) {
         file.scales = {{1.0, unit}, {1.0, unit}};
         const auto micrograph = read_bytes(file.bytes());
         EXPECT_FALSE(micrograph.pixel_size) << unit;
@@ -139,10 +145,13 @@ TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
     DmFile nested;
     std::string deep = nested.members({});
     for (int i = 0; i < 200; ++i) deep = nested.members({nested.entry(20, "", deep)});
-    expect_refusal(Bytes{true}.whole(3, 4) + Bytes{true}.whole(deep.size(), 4) + Bytes{true}.whole(1, 4) + deep, "deep");
+    expect_refusal(Bytes{true}.whole(3, 4) + Bytes{true}.whole(deep.size(), 4) + Bytes{true}.whole(1, 4) + deep,
+                   "deep");
 }
 
-TEST(DigitalMicrograph, HasNoOtherImages) { EXPECT_THROW((void)read_bytes(dm_file().bytes(), {.image = 1}), InvalidArgument); }
+TEST(DigitalMicrograph, HasNoOtherImages) {
+    EXPECT_THROW((void)read_bytes(dm_file().bytes(), {.image = 1}), InvalidArgument);
+}
 
 }  // namespace
 }  // namespace setae::imaging::tests

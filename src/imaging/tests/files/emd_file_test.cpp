@@ -7,7 +7,8 @@ namespace setae::imaging::tests {
 namespace {
 
 TEST(EmdFile, ReadsEveryTypeOfNumberOfNcemsLayout) {
-    for (const hid_t type : {H5T_STD_I8LE, H5T_STD_U8LE, H5T_STD_I16BE, H5T_STD_U16LE, H5T_STD_I32LE, H5T_STD_U32BE, H5T_STD_I64LE, H5T_STD_U64LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE}) {
+    for (const hid_t type : {H5T_STD_I8LE, H5T_STD_U8LE, H5T_STD_I16BE, H5T_STD_U16LE, H5T_STD_I32LE, H5T_STD_U32BE,
+                             H5T_STD_I64LE, H5T_STD_U64LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE}) {
         const auto micrograph = read_bytes(EmdFile{.type = type}.bytes());
         expect_common_picture(micrograph);
         expect_pixel_size(micrograph, 0.5e-9, 0.25e-9);
@@ -47,7 +48,8 @@ TEST(EmdFile, ReadsTheFirstPlaneOfAStackAndRefusesSpectra) {
 }
 
 TEST(EmdFile, RefusesHugePicturesBeforeTheirPixelsAreRead) {
-    expect_refusal(EmdFile{.velox = true, .sides = {30000, 30000, 1}, .pixels_written = false}.bytes(), "30000 × 30000 pixels");
+    expect_refusal(EmdFile{.velox = true, .sides = {30000, 30000, 1}, .pixels_written = false}.bytes(),
+                   "30000 × 30000 pixels");
     expect_refusal(EmdFile{.sides = {30000, 30000}, .pixels_written = false}.bytes(), "30000 × 30000 pixels");
 }
 

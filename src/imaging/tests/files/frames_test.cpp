@@ -45,7 +45,9 @@ std::string message_of(Call call) {
     return "no error";
 }
 
-void expect_holds(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+void expect_holds(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 TEST(FrameSource, ReadsAnUncompressedTiffStack) {
     const Folder folder;
@@ -60,7 +62,8 @@ TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
         auto frames = patterns(3);
         for (auto& frame : frames) {
             if (type != CV_8U) frame *= 3.0f;
-            cv::Mat(static_cast<int>(frame.rows()), static_cast<int>(frame.cols()), CV_32F, frame.data()).convertTo(pages.emplace_back(), type);
+            cv::Mat(static_cast<int>(frame.rows()), static_cast<int>(frame.cols()), CV_32F, frame.data())
+                .convertTo(pages.emplace_back(), type);
         }
         cv::imwritemulti(folder / "stack.tif", pages);  // LZW
         expect_frames(FrameSource(folder / "stack.tif", at_20_a_second()), frames);
@@ -69,18 +72,23 @@ TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
 
 TEST(FrameSource, TakesPixelSizeAndFrameRateOfImageJ) {
     const Folder folder;
-    const PlainTiff tiff{.description = "ImageJ=1.53\nimages=3\nunit=micron\nfinterval=0.05\n", .resolution = 1000000, .resolution_below = 1820000};
+    const PlainTiff tiff{.description = "ImageJ=1.53\nimages=3\nunit=micron\nfinterval=0.05\n",
+                         .resolution = 1000000,
+                         .resolution_below = 1820000};
     write_bytes(folder / "stack.tif", tiff.bytes(patterns(3)));
     const FrameSource source(folder / "stack.tif");
     EXPECT_NEAR(*source.pixel_size(), 1.82e-6, 1e-15);
     expect_frames(source, patterns(3));
-    expect_holds(message_of([&] { FrameSource(folder / "stack.tif", {.pixel_size = 2e-6}); }), "the file states 1.820 µm a pixel, the options 2.000 µm");
-    EXPECT_DOUBLE_EQ(*FrameSource(folder / "stack.tif", {.pixel_size = 2e-6, .ignore_stated_pixel_size = true}).pixel_size(), 2e-6);
+    expect_holds(message_of([&] { FrameSource(folder / "stack.tif", {.pixel_size = 2e-6}); }),
+                 "the file states 1.820 µm a pixel, the options 2.000 µm");
+    EXPECT_DOUBLE_EQ(
+        *FrameSource(folder / "stack.tif", {.pixel_size = 2e-6, .ignore_stated_pixel_size = true}).pixel_size(), 2e-6);
 }
 
 TEST(FrameSource, FindsPagesOfImageJBeyondTheOnlyDirectory) {
     const Folder folder;
-    write_bytes(folder / "large.tif", PlainTiff{.description = "ImageJ=1.53\nimages=5\n", .first_directory_only = true}.bytes(patterns(5)));
+    write_bytes(folder / "large.tif",
+                PlainTiff{.description = "ImageJ=1.53\nimages=5\n", .first_directory_only = true}.bytes(patterns(5)));
     expect_frames(FrameSource(folder / "large.tif", at_20_a_second()), patterns(5));
 }
 
@@ -98,7 +106,8 @@ TEST(FrameSource, ReadsUncompressedAvi) {
     for (const int bytes : {1, 3, 4}) {
         std::vector<std::string> chunks;
         for (const auto& frame : frames) chunks.push_back(bitmap_rows(frame, bytes));
-        write_bytes(folder / "film.avi", avi(chunks, 37, 23, 8 * bytes, std::string(4, '\0'), 20, bytes == 1 ? grey_palette() : ""));
+        write_bytes(folder / "film.avi",
+                    avi(chunks, 37, 23, 8 * bytes, std::string(4, '\0'), 20, bytes == 1 ? grey_palette() : ""));
         expect_frames(FrameSource(folder / "film.avi"), frames, 1e-3f);  // luminance of equal parts, in float
     }
 }
@@ -122,7 +131,8 @@ TEST(FrameSource, SaysHowToConvertOtherCodecs) {
 
 TEST(FrameSource, TakesPicturesInNaturalOrderAndReportsMissingNumbers) {
     const Folder folder;
-    for (const int number : {2, 10, 1, 4}) write_bytes(folder / ("frame_" + std::to_string(number) + ".png"), encoded(pattern(number), ".png"));
+    for (const int number : {2, 10, 1, 4})
+        write_bytes(folder / ("frame_" + std::to_string(number) + ".png"), encoded(pattern(number), ".png"));
     write_bytes(folder / "notes.txt", "not a picture");
     const FrameSource source(folder.path(), at_20_a_second());
     ASSERT_EQ(source.size(), 4U);
@@ -191,7 +201,8 @@ TEST(FrameSource, FlagsACutDirectoryAndCutPictures) {
         EXPECT_EQ(pictures.read(0).fault, "") << ending;
         expect_holds(pictures.read(1).fault, "truncated");
     }
-    const auto film = avi({bitmap_rows(pattern(1), 3), bitmap_rows(pattern(2), 3)}, 37, 23, 24, std::string(4, '\0'), 20);
+    const auto film =
+        avi({bitmap_rows(pattern(1), 3), bitmap_rows(pattern(2), 3)}, 37, 23, 24, std::string(4, '\0'), 20);
     write_bytes(folder / "film.avi", film.substr(0, film.size() - 500));
     const FrameSource cut(folder / "film.avi");
     EXPECT_EQ(cut.read(0).fault, "");
@@ -203,7 +214,8 @@ TEST(FrameSource, RefusesFramesTooLargeBeforeReadingThem) {
     auto bytes = PlainTiff{}.bytes(patterns(1));
     bytes.replace(8 + 2 + 8, 4, number_bytes(30000, 4)).replace(8 + 2 + 12 + 8, 4, number_bytes(30000, 4));
     write_bytes(folder / "huge.tif", bytes);
-    expect_holds(message_of([&] { FrameSource(folder / "huge.tif", at_20_a_second()); }), "30000 × 30000 pixels, more than the 100000000 a frame may have");
+    expect_holds(message_of([&] { FrameSource(folder / "huge.tif", at_20_a_second()); }),
+                 "30000 × 30000 pixels, more than the 100000000 a frame may have");
     auto png = encoded(pattern(1), ".png");
     png.replace(16, 8, std::string("\0\0\x75\x30\0\0\x75\x30", 8));
     write_bytes(folder / "huge.png", png);
@@ -225,14 +237,19 @@ TEST(FrameSource, SurvivesDamagedFiles) {
     for (const auto& frame : patterns(2)) pages.push_back(as_bytes(frame));
     cv::imwritemulti(folder / "lzw.tif", pages);
     std::ifstream lzw(folder / "lzw.tif", std::ios::binary);
-    const std::vector<std::string> files{PlainTiff{.description = "ImageJ=1.53\nimages=2\n", .resolution = 3}.bytes(patterns(2)), std::string(std::istreambuf_iterator<char>(lzw), {}),
-                                         avi({bitmap_rows(pattern(1), 3), bitmap_rows(pattern(2), 3)}, 37, 23, 24, std::string(4, '\0'), 20), encoded(pattern(1), ".png")};
+    const std::vector<std::string> files{
+        PlainTiff{.description = "ImageJ=1.53\nimages=2\n", .resolution = 3}.bytes(patterns(2)),
+        std::string(std::istreambuf_iterator<char>(lzw), {}),
+        avi({bitmap_rows(pattern(1), 3), bitmap_rows(pattern(2), 3)}, 37, 23, 24, std::string(4, '\0'), 20),
+        encoded(pattern(1), ".png")};
     std::mt19937_64 generator(7);
     for (const auto& file : files)
         for (int round = 0; round < 40; ++round) {
             auto bytes = file;
             if (round % 3 == 0) bytes.resize(generator() % bytes.size());
-            else for (int k = 0; k < 4; ++k) bytes[generator() % std::min<std::size_t>(bytes.size(), 400)] = static_cast<char>(generator());
+            else
+                for (int k = 0; k < 4; ++k)
+                    bytes[generator() % std::min<std::size_t>(bytes.size(), 400)] = static_cast<char>(generator());
             write_bytes(folder / "damaged", bytes);
             read_all(folder / "damaged");
         }
@@ -241,7 +258,8 @@ TEST(FrameSource, SurvivesDamagedFiles) {
 TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
     const Folder folder;
     write_bytes(folder / "text.tif", "no picture at all");
-    expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_a_second()); }), "expected a TIFF, an AVI, or pictures");
+    expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_a_second()); }),
+                 "expected a TIFF, an AVI, or pictures");
     expect_holds(message_of([&] { FrameSource(folder / "missing.tif", at_20_a_second()); }), "cannot open");
     expect_holds(message_of([&] { FrameSource(folder.path(), at_20_a_second()); }), "no pictures");
     expect_holds(message_of([&] { FrameSource(std::vector<std::string>{}, at_20_a_second()); }), "no frames");

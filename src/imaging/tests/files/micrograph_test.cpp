@@ -23,7 +23,8 @@ TEST(Micrograph, TellsFormatsByContent) {
 TEST(Micrograph, ListsEveryFormatItReads) {
     std::vector<std::string> listed;
     for (const auto& format : micrograph_formats()) listed.push_back(format.identifier);
-    for (const auto& [format, bytes] : micrograph_samples()) EXPECT_TRUE(std::find(listed.begin(), listed.end(), read_bytes(bytes).format) != listed.end()) << format;
+    for (const auto& [format, bytes] : micrograph_samples())
+        EXPECT_TRUE(std::find(listed.begin(), listed.end(), read_bytes(bytes).format) != listed.end()) << format;
 }
 
 TEST(Micrograph, RefusesEveryTruncation) {

@@ -15,7 +15,9 @@ TEST(MrcFile, ReadsEveryModeInEitherOrder) {
                 const auto real = static_cast<float>(i);
                 if (mode == 2) file.pixels += file.order().real32(real);
                 else if (mode == 4) file.pixels += file.order().real32(0.6f * real) + file.order().real32(0.8f * real);
-                else if (mode == 3) file.pixels += file.order().whole(0, 2) + file.order().whole(static_cast<std::uint64_t>(-static_cast<std::int64_t>(i)), 2);
+                else if (mode == 3)
+                    file.pixels += file.order().whole(0, 2) +
+                                   file.order().whole(static_cast<std::uint64_t>(-static_cast<std::int64_t>(i)), 2);
                 else file.pixels += file.order().whole(mode == 12 ? halves[i - 1] : i, mode == 0 ? 1 : 2);
             }
             const auto micrograph = read_bytes(file.bytes());
@@ -30,12 +32,13 @@ TEST(MrcFile, ReadsSignedBytesAndSmallHalves) {
     MrcFile bytes{.mode = 0, .pixels = std::string(6, '\xFE')};
     EXPECT_FLOAT_EQ(read_bytes(bytes.bytes()).pixels(0, 0), -2.0f);
     MrcFile halves{.mode = 12};
-    for (const std::uint64_t half : {0x0001, 0x03FF, 0x0400, 0x7BFF, 0xC000, 0x8000}) halves.pixels += Bytes{}.whole(half, 2);
+    for (const std::uint64_t half : {0x0001, 0x03FF, 0x0400, 0x7BFF, 0xC000, 0x8000})
+        halves.pixels += Bytes{}.whole(half, 2);
     const auto pixels = read_bytes(halves.bytes()).pixels;
-    EXPECT_FLOAT_EQ(pixels(0, 0), 0x1p-24f);           // the smallest
-    EXPECT_FLOAT_EQ(pixels(0, 1), 1023 * 0x1p-24f);    // the largest without leading one
+    EXPECT_FLOAT_EQ(pixels(0, 0), 0x1p-24f);         // the smallest
+    EXPECT_FLOAT_EQ(pixels(0, 1), 1023 * 0x1p-24f);  // the largest without leading one
     EXPECT_FLOAT_EQ(pixels(0, 2), 0x1p-14f);
-    EXPECT_FLOAT_EQ(pixels(1, 0), 65504.0f);           // the largest
+    EXPECT_FLOAT_EQ(pixels(1, 0), 65504.0f);  // the largest
     EXPECT_FLOAT_EQ(pixels(1, 1), -2.0f);
     EXPECT_FLOAT_EQ(pixels(1, 2), 0.0f);
 }
@@ -56,7 +59,8 @@ TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {
     auto file = mrc_file();
     file.extended_kind = "FEI1";
     const auto entry = [&](double size) {
-        std::string text = Bytes{}.whole(768, 4) + std::string(80, '\0') + Bytes{}.real64(3e5) + std::string(64, '\0') + Bytes{}.real64(size) + Bytes{}.real64(2 * size);
+        std::string text = Bytes{}.whole(768, 4) + std::string(80, '\0') + Bytes{}.real64(3e5) + std::string(64, '\0') +
+                           Bytes{}.real64(size) + Bytes{}.real64(2 * size);
         text.resize(768, '\0');
         return text;
     };

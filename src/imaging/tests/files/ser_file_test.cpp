@@ -18,7 +18,9 @@ TEST(SerFile, ReadsEveryTypeOfNumberInEitherVersion) {
                 if (type <= 6) file.pixels += little.whole(i, bytes[type - 1]);
                 else if (type == 7) file.pixels += little.real32(static_cast<float>(real));
                 else if (type == 8) file.pixels += little.real64(real);
-                else if (type == 9) file.pixels += little.real32(static_cast<float>(0.6 * real)) + little.real32(static_cast<float>(0.8 * real));
+                else if (type == 9)
+                    file.pixels +=
+                        little.real32(static_cast<float>(0.6 * real)) + little.real32(static_cast<float>(0.8 * real));
                 else file.pixels += little.real64(-0.6 * real) + little.real64(0.8 * real);
             }
             const auto micrograph = read_bytes(file.bytes());
@@ -50,8 +52,9 @@ TEST(SerFile, TakesMicroscopeAndTimeOfTheEmiBesideIt) {
     const Folder folder;
     write_bytes(folder / "foil_1.ser", ser_file().bytes());
     EXPECT_EQ(read_micrograph(folder / "foil_1.ser").instrument, "");
-    const std::string xml = "<ObjectInfo><AcquireDate>Tue Oct 3 2017</AcquireDate><ExperimentalDescription><Root><Data><Label>Microscope</Label><Value>Tecnai 200 kV</Value><Unit/></Data>"
-                            "<Data><Label>High tension</Label><Value>200</Value><Unit>kV</Unit></Data></Root></ExperimentalDescription></ObjectInfo>";
+    const std::string xml =
+        "<ObjectInfo><AcquireDate>Tue Oct 3 2017</AcquireDate><ExperimentalDescription><Root><Data><Label>Microscope</Label><Value>Tecnai 200 kV</Value><Unit/></Data>"
+        "<Data><Label>High tension</Label><Value>200</Value><Unit>kV</Unit></Data></Root></ExperimentalDescription></ObjectInfo>";
     write_bytes(folder / "foil.emi", std::string("JK\0\2", 4) + xml + std::string(9, '\7'));
     const auto micrograph = read_micrograph(folder / "foil_1.ser");
     EXPECT_EQ(micrograph.instrument, "Tecnai 200 kV");

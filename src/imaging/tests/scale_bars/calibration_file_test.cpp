@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "recordings.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/bytes/digest.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::imaging::tests {
 namespace {
@@ -19,7 +19,16 @@ KeptCalibration example() {
     kept.calibration = {.pixel_size = {5e-9 / 90, 5e-9 / 89.7},
                         .relative_standard_error = 0.65 / 90,
                         .source = "scale bar 5 nm = 90.0 px",
-                        .scale_bar = ScaleBar{.begin_x = 15, .end_x = 105, .y = 492.5, .thickness = 7, .length = 90, .length_standard_error = 0.65, .label = "5 nm", .labelled_length = 5e-9, .annotation = {12, 467, 97, 33}, .confidence = 0.9},
+                        .scale_bar = ScaleBar{.begin_x = 15,
+                                              .end_x = 105,
+                                              .y = 492.5,
+                                              .thickness = 7,
+                                              .length = 90,
+                                              .length_standard_error = 0.65,
+                                              .label = "5 nm",
+                                              .labelled_length = 5e-9,
+                                              .annotation = {12, 467, 97, 33},
+                                              .confidence = 0.9},
                         .alerts = {{"SCALE_BAR_UNCONFIRMED", "soot", "the label was read as '5 nm'", "confirm it"}}};
     kept.picture = "soot \u00b5.tif";
     kept.picture_sha256 = bytes::sha256("bytes");
@@ -98,16 +107,23 @@ TEST(CalibrationFile, ErrorsNameFileAndKey) {
         }
         return std::string("no error");
     };
-    const auto expect_holds = [](const std::string& message, const std::string& part) { EXPECT_NE(message.find(part), std::string::npos) << message; };
+    const auto expect_holds = [](const std::string& message, const std::string& part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
     expect_holds(message_after("\"source\"", "\"sorce\""), "'source': missing");
-    expect_holds(message_after("\"source\"", "\"relative_standard_eror\": 1, \"source\""), "'relative_standard_eror': unknown key; did you mean 'relative_standard_error'?");
-    expect_holds(message_after("\"length_px\"", "\"lenght_px\": 1, \"length_px\""), "'scale_bar.lenght_px': unknown key; did you mean 'length_px'?");
-    expect_holds(message_after("\"setae_calibration\": 1", "\"setae_calibration\": 2"), "'setae_calibration': version 2, expected 1");
-    expect_holds(message_after("\"relative_standard_error\": ", "\"relative_standard_error\": -"), "'relative_standard_error': -0.00722222, expected a number of at least 0");
+    expect_holds(message_after("\"source\"", "\"relative_standard_eror\": 1, \"source\""),
+                 "'relative_standard_eror': unknown key; did you mean 'relative_standard_error'?");
+    expect_holds(message_after("\"length_px\"", "\"lenght_px\": 1, \"length_px\""),
+                 "'scale_bar.lenght_px': unknown key; did you mean 'length_px'?");
+    expect_holds(message_after("\"setae_calibration\": 1", "\"setae_calibration\": 2"),
+                 "'setae_calibration': version 2, expected 1");
+    expect_holds(message_after("\"relative_standard_error\": ", "\"relative_standard_error\": -"),
+                 "'relative_standard_error': -0.00722222, expected a number of at least 0");
     expect_holds(message_after("\"pixel_size_x_m\": ", "\"pixel_size_x_m\": -"), "'pixel_size_x_m'");
     expect_holds(message_after("\"label\": \"5 nm\"", "\"label\": 5"), "'scale_bar.label': 5, expected text");
     expect_holds(message_after("\"code\"", "\"cod\""), "'alerts[0].code': missing");
-    expect_holds(message_after("\"sha256\": \"", "\"sha256\": \"x"), "'picture.sha256': expected 64 hexadecimal digits");
+    expect_holds(message_after("\"sha256\": \"", "\"sha256\": \"x"),
+                 "'picture.sha256': expected 64 hexadecimal digits");
     expect_holds(message_after("{", "{,"), "JSON that does not parse");
     write_bytes(path, "[]");
     EXPECT_THROW((void)read_calibration(path), FormatError);

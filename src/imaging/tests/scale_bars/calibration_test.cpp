@@ -49,7 +49,9 @@ std::string message_of(const Micrograph& made, const CalibrationOptions& options
     }
     return "no error";
 }
-void expect_holds(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+void expect_holds(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 std::string codes(const Calibration& calibration) {
     std::string all;
@@ -58,7 +60,8 @@ std::string codes(const Calibration& calibration) {
 }
 
 TEST(Calibration, TakesWhatIsGivenFirst) {
-    const auto calibration = calibrate(stating(with_bar(), 1.004 * by_bar), {.pixel_size = PixelSize{by_bar, 1.001 * by_bar}});
+    const auto calibration =
+        calibrate(stating(with_bar(), 1.004 * by_bar), {.pixel_size = PixelSize{by_bar, 1.001 * by_bar}});
     EXPECT_EQ(calibration.source, "given");
     EXPECT_DOUBLE_EQ(calibration.pixel_size.x, by_bar);
     EXPECT_DOUBLE_EQ(calibration.pixel_size.y, 1.001 * by_bar);
@@ -99,12 +102,16 @@ TEST(Calibration, OfAFileWithoutBarIsTheFiles) {
 }
 
 TEST(Calibration, RefusesSizesThatContradictEachOther) {
-    expect_holds(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.02e-10, 1.02e-10}}), "folder/soot.tif: the option says 102.0 pm a pixel, the file 100.0 pm");
-    expect_holds(message_of(stating(without_bar(), 1e-10, 1.02e-10), {.pixel_size = PixelSize{1e-10, 1e-10}}), "the file 100.0 pm × 102.0 pm");
-    expect_holds(message_of(stating(with_bar(), 1.02 * by_bar)), "the file says 170.0 pm a pixel, the scale bar of 120.0 px, read as 20 nm, 166.7 pm");
+    expect_holds(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.02e-10, 1.02e-10}}),
+                 "folder/soot.tif: the option says 102.0 pm a pixel, the file 100.0 pm");
+    expect_holds(message_of(stating(without_bar(), 1e-10, 1.02e-10), {.pixel_size = PixelSize{1e-10, 1e-10}}),
+                 "the file 100.0 pm × 102.0 pm");
+    expect_holds(message_of(stating(with_bar(), 1.02 * by_bar)),
+                 "the file says 170.0 pm a pixel, the scale bar of 120.0 px, read as 20 nm, 166.7 pm");
     expect_holds(message_of(stating(without_label(), by_bar), {.scale_bar_length = 40e-9}), "given as 40 nm");
     expect_holds(message_of(with_bar(), {.pixel_size = PixelSize{2e-10, 2e-10}}), "--ignore-stated-pixel-size");
-    expect_holds(message_of(with_bar(), {.scale_bar_length = 50e-9}), "given as 50 nm, says 416.7 pm a pixel, the scale bar of 120.0 px, read as 20 nm,");
+    expect_holds(message_of(with_bar(), {.scale_bar_length = 50e-9}),
+                 "given as 50 nm, says 416.7 pm a pixel, the scale bar of 120.0 px, read as 20 nm,");
     // within one per cent, or three standard errors of the bar
     EXPECT_EQ(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.009e-10, 1.009e-10}}), "no error");
     EXPECT_EQ(message_of(stating(with_bar(), 1.009 * by_bar)), "no error");
@@ -118,7 +125,8 @@ TEST(Calibration, AllowsThreeStandardErrorsOfAShortBar) {
 }
 
 TEST(Calibration, GoesByOptionOrBarWhereTheFileIsToBeIgnored) {
-    const auto by_option = calibrate(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{2e-10, 2e-10}, .ignore_stated_pixel_size = true});
+    const auto by_option = calibrate(stating(without_bar(), 1e-10),
+                                     {.pixel_size = PixelSize{2e-10, 2e-10}, .ignore_stated_pixel_size = true});
     EXPECT_DOUBLE_EQ(by_option.pixel_size.x, 2e-10);
     EXPECT_EQ(codes(by_option), "PIXEL_SIZE_DISAGREES ");
     const auto by_label = calibrate(stating(with_bar(), 1.3 * by_bar), {.ignore_stated_pixel_size = true});
@@ -130,9 +138,11 @@ TEST(Calibration, GoesByOptionOrBarWhereTheFileIsToBeIgnored) {
 
 TEST(Calibration, SaysWhatIsMissing) {
     expect_holds(message_of(without_bar()), "the file states none and no scale bar was found; give the pixel size");
-    expect_holds(message_of(without_label()), "scale bar of 120.0 px at x 60, y 442 the label gives none (no letters beside the bar)");
+    expect_holds(message_of(without_label()),
+                 "scale bar of 120.0 px at x 60, y 442 the label gives none (no letters beside the bar)");
     expect_holds(message_of(micrograph(picture_with_bar({}, {.label = U"5 1/nm"}))), "diffraction pattern");
-    expect_holds(message_of(without_bar(), {.scale_bar_length = 5e-9}), "no scale bar found, the options say that it stands for 5 nm");
+    expect_holds(message_of(without_bar(), {.scale_bar_length = 5e-9}),
+                 "no scale bar found, the options say that it stands for 5 nm");
 }
 
 TEST(Calibration, RefusesSizesThatAreNotPositive) {
@@ -165,7 +175,9 @@ TEST(Calibration, ServesPicturesOfTheSameMagnificationAlone) {
         }
         return std::string("no error");
     };
-    expect_holds(refused(stating(without_bar(), 1.02 * by_bar)), "folder/soot.tif: the file says 170.0 pm a pixel, the calibration (scale bar 20 nm = 120.0 px) 166.7 pm");
+    expect_holds(
+        refused(stating(without_bar(), 1.02 * by_bar)),
+        "folder/soot.tif: the file says 170.0 pm a pixel, the calibration (scale bar 20 nm = 120.0 px) 166.7 pm");
     expect_holds(refused(micrograph(picture_with_bar({}, {.label = U"50 nm"}))), "read as 50 nm");
 }
 

@@ -22,7 +22,8 @@ TEST(LabelMeaning, IsALengthInTheUnitsOfMicroscopes) {
 }
 
 TEST(LabelMeaning, IsNoneWhereNumbersAreUnusualOrMalformed) {
-    for (const auto* text : {"3nm", "51nm", "05um", "101nm", "0nm", ".5um", "5.0.1nm", "-5nm", "5", "nm", "5 kV", "5n", "", "1e5nm", "5 nmnm"}) {
+    for (const auto* text : {"3nm", "51nm", "05um", "101nm", "0nm", ".5um", "5.0.1nm", "-5nm", "5", "nm", "5 kV", "5n",
+                             "", "1e5nm", "5 nmnm"}) {
         const auto meaning = meaning_of_label(text);
         EXPECT_FALSE(meaning.length) << text;
         EXPECT_NE(meaning.fault, "") << text;

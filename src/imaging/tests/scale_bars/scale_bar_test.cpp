@@ -34,7 +34,8 @@ const std::vector<Style>& styles() {
         {"ticks", {.begin_x = 61, .thickness = 3, .tick_width = 3, .tick_reach = 6, .label_y = 405}},
         {"white ticks", {.thickness = 2, .level = 255, .tick_width = 2, .tick_reach = 5, .label_y = 405}},
         {"black on a data bar", {.top = 480, .label_x = 200, .label_y = 472, .data_bar = 50}},
-        {"white on a data bar", {.top = 480, .level = 255, .label_x = 200, .label_y = 472, .data_bar = 50, .data_bar_level = 0}},
+        {"white on a data bar",
+         {.top = 480, .level = 255, .label_x = 200, .label_y = 472, .data_bar = 50, .data_bar_level = 0}},
         {"between pixels", {.begin_x = 60.2, .length = 119.7}},
         {"JPEG", {}, 0, 85},
         {"JPEG, outlined", {.begin_x = 61, .level = 255, .outline = 1, .outline_level = 0}, 0, 85},
@@ -60,7 +61,8 @@ TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
     auto style = styles()[index];
     style.bar.label.clear();  // the reader is looked at elsewhere
     for (unsigned seed = 1; seed <= 3; ++seed) {
-        const auto bars = find_scale_bars(rendered(style, {.noise = noise, .seed = seed + 10 * static_cast<unsigned>(index)}));
+        const auto bars =
+            find_scale_bars(rendered(style, {.noise = noise, .seed = seed + 10 * static_cast<unsigned>(index)}));
         ASSERT_EQ(bars.size(), 1U) << style.name;
         const auto& bar = bars.front();
         EXPECT_NEAR(bar.length, style.bar.length, 0.5) << style.name;
@@ -71,7 +73,8 @@ TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
         EXPECT_FALSE(bar.labelled_length) << style.name;
     }
 }
-INSTANTIATE_TEST_SUITE_P(Noise, BarsOfAllStyles, testing::Combine(testing::Range<std::size_t>(0, 16), testing::Values(0.0, 10.0, 25.0)));
+INSTANTIATE_TEST_SUITE_P(Noise, BarsOfAllStyles,
+                         testing::Combine(testing::Range<std::size_t>(0, 16), testing::Values(0.0, 10.0, 25.0)));
 
 TEST(ScaleBars, AreFoundUnderNoiseThatCoversThem) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -88,7 +91,9 @@ TEST(ScaleBars, AreFoundUnderNoiseThatCoversThem) {
 
 TEST(ScaleBars, OfWholePixelsAreExact) {
     for (int length = 20; length < 320; length += 61) {
-        const auto bars = find_scale_bars(picture_with_bar({.noise = 15, .seed = static_cast<unsigned>(length)}, {.begin_x = 30.5, .length = static_cast<double>(length), .top = 300, .label = U""}));
+        const auto bars = find_scale_bars(
+            picture_with_bar({.noise = 15, .seed = static_cast<unsigned>(length)},
+                             {.begin_x = 30.5, .length = static_cast<double>(length), .top = 300, .label = U""}));
         ASSERT_EQ(bars.size(), 1U);
         EXPECT_DOUBLE_EQ(bars.front().begin_x, 30.5);
         EXPECT_DOUBLE_EQ(bars.front().length, length);
@@ -97,9 +102,11 @@ TEST(ScaleBars, OfWholePixelsAreExact) {
 }
 
 TEST(ScaleBars, EndWithinPixelsWhereTheGroundIsEven) {
-    // without texture the covered share of the last pixel is known to a grey level in 150: 0.01 px, and the steps of 0.05 px
+    // without texture the covered share of the last pixel is known to a grey level in 150: 0.01 px, and the steps of
+    // 0.05 px
     for (const double begin : {60.1, 60.25, 60.8}) {
-        const auto bars = find_scale_bars(picture_with_bar({.vacuum = 150, .sample = 150, .layers = 0, .noise = 0}, {.begin_x = begin, .length = 100.3, .label = U""}));
+        const auto bars = find_scale_bars(picture_with_bar({.vacuum = 150, .sample = 150, .layers = 0, .noise = 0},
+                                                           {.begin_x = begin, .length = 100.3, .label = U""}));
         ASSERT_EQ(bars.size(), 1U);
         EXPECT_NEAR(bars.front().length, 100.3, 0.08);
     }
@@ -109,7 +116,9 @@ TEST(ScaleBars, AreFoundAnywhereInAPictureOfAnyDepth) {
     for (const int left : {4, 200, 375})
         for (const int top : {4, 250, 500}) {
             const RenderedGround ground{.seed = static_cast<unsigned>(left + top)};
-            const FramePixels pixels = picture_with_bar(ground, {.begin_x = left + 0.5, .length = 130, .top = top, .label = U""}) * 17.0f + 300.0f;
+            const FramePixels pixels =
+                picture_with_bar(ground, {.begin_x = left + 0.5, .length = 130, .top = top, .label = U""}) * 17.0f +
+                300.0f;
             const auto bars = find_scale_bars(pixels);
             ASSERT_EQ(bars.size(), 1U) << left << ' ' << top;
             EXPECT_DOUBLE_EQ(bars.front().length, 130);
@@ -128,13 +137,21 @@ const std::vector<Barless>& barless() {
         {"one level", [](double, double, int k, double) { return 12.0 * k; }},
         {"noise", [](double, double, int k, double noise) { return 128 + 2 * k * noise; }},
         {"fringes along rows", [](double, double y, int k, double noise) { return fringe(y, k) + k * noise; }},
-        {"a grain with fringes", [](double x, double y, int k, double noise) { return (x > 60 && x < 190 && y > 80 && y < 200 ? fringe(y, k) : 128.0) + 0.5 * (k - 1) * noise; }},
-        {"the edge of a foil, tilted a little, with a bright fringe", [](double x, double y, int k, double noise) {
+        {"a grain with fringes",
+         [](double x, double y, int k, double noise) {
+             return (x > 60 && x < 190 && y > 80 && y < 200 ? fringe(y, k) : 128.0) + 0.5 * (k - 1) * noise;
+         }},
+        {"the edge of a foil, tilted a little, with a bright fringe",
+         [](double x, double y, int k, double noise) {
              const double distance = y - 120 - 0.002 * (k - 1) * x;
              return (distance > 0 ? 90.0 : 150.0) + 60 * std::exp(-0.5 * distance * distance / 4) + 2 * (k - 1) * noise;
          }},
-        {"a line across a mask", [](double x, double y, int k, double) { return std::abs(y - 120 - 0.002 * (k - 1) * x) < 2 ? 255.0 : 0.0; }},
-        {"a mask of particles", [](double x, double y, int k, double) { return std::hypot(x - 100 - 3 * k, y - 120) < 20 + k || std::hypot(x - 160, y - 90 - k) < 30 ? 255.0 : 0.0; }},
+        {"a line across a mask",
+         [](double x, double y, int k, double) { return std::abs(y - 120 - 0.002 * (k - 1) * x) < 2 ? 255.0 : 0.0; }},
+        {"a mask of particles",
+         [](double x, double y, int k, double) {
+             return std::hypot(x - 100 - 3 * k, y - 120) < 20 + k || std::hypot(x - 160, y - 90 - k) < 30 ? 255.0 : 0.0;
+         }},
     };
     return all;
 }
@@ -149,7 +166,9 @@ TEST_P(PicturesWithoutBar, HaveNone) {
         std::normal_distribution<double> normal;
         FramePixels pixels(size, size);
         for (long y = 0; y < size; ++y)
-            for (long x = 0; x < size; ++x) pixels(y, x) = static_cast<float>(picture.level(static_cast<double>(x), static_cast<double>(y), k, normal(generator)));
+            for (long x = 0; x < size; ++x)
+                pixels(y, x) = static_cast<float>(
+                    picture.level(static_cast<double>(x), static_cast<double>(y), k, normal(generator)));
         EXPECT_TRUE(find_scale_bars(pixels).empty()) << picture.name << ' ' << k;
     }
 }
@@ -157,7 +176,11 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PicturesWithoutBar, testing::Range<std::size_t>(
 
 TEST(ScaleBars, AreNotSeenInSamples) {
     for (unsigned seed = 1; seed <= 20; ++seed)
-        EXPECT_TRUE(find_scale_bars(eight_bits(RenderedGround{.width = 256, .height = 256, .noise = 2.0 * (seed - 1), .seed = seed}.make())).empty()) << seed;
+        EXPECT_TRUE(
+            find_scale_bars(
+                eight_bits(RenderedGround{.width = 256, .height = 256, .noise = 2.0 * (seed - 1), .seed = seed}.make()))
+                .empty())
+            << seed;
 }
 
 TEST(ScaleBars, AreNotSeenInStreaks) {
@@ -191,8 +214,10 @@ TEST_P(LabelsOfBars, AreRead) {
     EXPECT_DOUBLE_EQ(*bars.front().labelled_length, expected.length);
 }
 INSTANTIATE_TEST_SUITE_P(Units, LabelsOfBars,
-                         testing::Values(Labelled{U"5 nm", "5 nm", 5e-9}, Labelled{U"200nm", "200 nm", 200e-9}, Labelled{U"0.5 \u00b5m", "0.5 µm", 0.5e-6}, Labelled{U"2 um", "2 µm", 2e-6},
-                                         Labelled{U"5 \u00c5", "5 Å", 5e-10}, Labelled{U"500 pm", "500 pm", 500e-12}, Labelled{U"1 mm", "1 mm", 1e-3}, Labelled{U"2.5 nm", "2.5 nm", 2.5e-9}));
+                         testing::Values(Labelled{U"5 nm", "5 nm", 5e-9}, Labelled{U"200nm", "200 nm", 200e-9},
+                                         Labelled{U"0.5 \u00b5m", "0.5 µm", 0.5e-6}, Labelled{U"2 um", "2 µm", 2e-6},
+                                         Labelled{U"5 \u00c5", "5 Å", 5e-10}, Labelled{U"500 pm", "500 pm", 500e-12},
+                                         Labelled{U"1 mm", "1 mm", 1e-3}, Labelled{U"2.5 nm", "2.5 nm", 2.5e-9}));
 
 TEST(ScaleBars, FindLabelsAboveBelowAndBeside) {
     for (const auto& [x, y] : std::vector<std::pair<int, int>>{{70, 408}, {70, 450}, {200, 432}}) {
@@ -241,8 +266,22 @@ TEST(ScaleBars, StandWithoutLabelWhereTheReaderHasNoData) {
 
 TEST(ScaleBars, JoinHalvesWithTheLabelBetween) {
     auto picture = RenderedGround{}.make();
-    RenderedBar left{.begin_x = 200.5, .length = 60, .top = 480, .thickness = 3, .level = 255, .label = U"", .data_bar = 50, .data_bar_level = 0};
-    RenderedBar right{.begin_x = 340.5, .length = 60, .top = 480, .thickness = 3, .level = 255, .label = U"200 nm", .label_x = 266, .label_y = 470};
+    RenderedBar left{.begin_x = 200.5,
+                     .length = 60,
+                     .top = 480,
+                     .thickness = 3,
+                     .level = 255,
+                     .label = U"",
+                     .data_bar = 50,
+                     .data_bar_level = 0};
+    RenderedBar right{.begin_x = 340.5,
+                      .length = 60,
+                      .top = 480,
+                      .thickness = 3,
+                      .level = 255,
+                      .label = U"200 nm",
+                      .label_x = 266,
+                      .label_y = 470};
     left.draw(picture);
     right.draw(picture);
     const auto bars = find_scale_bars(eight_bits(picture));
@@ -264,13 +303,16 @@ TEST(ScaleBars, AreTheSameEveryTime) {
 
 bool holds(const std::vector<Region>& regions, const Region& part) {
     for (const auto& region : regions)
-        if (region.x <= part.x && region.y <= part.y && region.x + region.width >= part.x + part.width && region.y + region.height >= part.y + part.height) return true;
+        if (region.x <= part.x && region.y <= part.y && region.x + region.width >= part.x + part.width &&
+            region.y + region.height >= part.y + part.height)
+            return true;
     return false;
 }
 
 TEST(Annotations, HoldBarsLabelsAndDataBars) {
     EXPECT_TRUE(holds(annotations(picture_with_bar({}, {})), {61, 412, 120, 34}));
-    const auto on_data_bar = annotations(picture_with_bar({}, {.top = 480, .label_x = 200, .label_y = 472, .data_bar = 50}));
+    const auto on_data_bar =
+        annotations(picture_with_bar({}, {.top = 480, .label_x = 200, .label_y = 472, .data_bar = 50}));
     EXPECT_TRUE(holds(on_data_bar, {0, 462, 512, 50}));
     EXPECT_FALSE(holds(on_data_bar, {0, 455, 512, 50}));
 }

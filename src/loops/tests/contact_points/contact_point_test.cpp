@@ -37,18 +37,22 @@ TEST(ContactPoints, OfAnIdealLoopAgree) {
         ASSERT_TRUE(analysis.contact_points) << analysis.contact_points.reason;
         const ContactPoints& points = *analysis.contact_points;
         ASSERT_EQ(points.estimates.size(), 7u);
-        for (const ContactPointMethod method : {ContactPointMethod::force_displacement, ContactPointMethod::zero_force}) {
+        for (const ContactPointMethod method :
+             {ContactPointMethod::force_displacement, ContactPointMethod::zero_force}) {
             ASSERT_TRUE(points.of(method).contact_point) << contact_point_name(method);
             // the parabola through the zero of force is exact to third order
             EXPECT_NEAR(points.of(method).contact_point->value, origin, 2e-9) << contact_point_name(method);
         }
-        for (const ContactPointMethod method : {ContactPointMethod::force_departure, ContactPointMethod::jump_in, ContactPointMethod::pull_off}) {
+        for (const ContactPointMethod method :
+             {ContactPointMethod::force_departure, ContactPointMethod::jump_in, ContactPointMethod::pull_off}) {
             // the jumps are sampled at their very ends, half a step of free flight, 16 nm, from its middle
-            ASSERT_TRUE(points.of(method).contact_point) << contact_point_name(method) << points.of(method).contact_point.reason;
+            ASSERT_TRUE(points.of(method).contact_point)
+                << contact_point_name(method) << points.of(method).contact_point.reason;
             EXPECT_NEAR(points.of(method).contact_point->value, origin, 8.1e-9) << contact_point_name(method);
         }
         EXPECT_FALSE(points.of(ContactPointMethod::broken_line).contact_point);
-        EXPECT_NE(points.of(ContactPointMethod::broken_line).contact_point.reason.find("jumps into contact"), std::string::npos);
+        EXPECT_NE(points.of(ContactPointMethod::broken_line).contact_point.reason.find("jumps into contact"),
+                  std::string::npos);
         EXPECT_EQ(points.of(ContactPointMethod::pointwise).contact_point.value.has_value(), radius_measured);
         EXPECT_EQ(points.chosen, ContactPointMethod::force_displacement);
         EXPECT_LT(points.spread_share, 0.01);
@@ -86,8 +90,12 @@ TEST(ContactPoints, SayHowModulusAndWorkMoveWithThem) {
         return *analyse(shifted(smooth.make()), rubber_on_diamond(), options).loading.force_displacement;
     };
     const JkrFit above = held(points.contact_point.value + step), below = held(points.contact_point.value - step);
-    EXPECT_NEAR((above.work_of_adhesion.value - below.work_of_adhesion.value) / (2.0 * step) / points.work_by_contact_point, 1.0, 0.01);
-    EXPECT_NEAR((above.contact_modulus.value - below.contact_modulus.value) / (2.0 * step) / points.modulus_by_contact_point, 1.0, 0.01);
+    EXPECT_NEAR(
+        (above.work_of_adhesion.value - below.work_of_adhesion.value) / (2.0 * step) / points.work_by_contact_point,
+        1.0, 0.01);
+    EXPECT_NEAR(
+        (above.contact_modulus.value - below.contact_modulus.value) / (2.0 * step) / points.modulus_by_contact_point,
+        1.0, 0.01);
     EXPECT_NE(points.work_by_contact_point, 0.0);
 }
 
@@ -115,7 +123,9 @@ TEST(ContactPointChoice, OfAnEstimatorPassesItsErrorOn) {
     EXPECT_EQ(analysis.contact_points->chosen, ContactPointMethod::jump_in);
     EXPECT_EQ(fit.contact_point.value, point.value);
     // noise-free: the error of W is that of the contact point times its slope
-    EXPECT_NEAR(fit.work_of_adhesion.standard_error / std::abs(point.standard_error * analysis.contact_points->work_by_contact_point), 1.0, 0.1);
+    EXPECT_NEAR(fit.work_of_adhesion.standard_error /
+                    std::abs(point.standard_error * analysis.contact_points->work_by_contact_point),
+                1.0, 0.1);
 }
 
 TEST(ContactPointChoice, ThatSaysNothingIsAnAlertNotASubstitute) {
@@ -135,7 +145,8 @@ TEST(ContactPointChoice, IsReadFromText) {
     EXPECT_EQ(parse_contact_point("fit").mode, Mode::fit);
     EXPECT_EQ(parse_contact_point("zero_force").estimator, ContactPointMethod::zero_force);
     EXPECT_DOUBLE_EQ(parse_contact_point("1.25 um").value, 1.25e-6);
-    EXPECT_NE(tests::refusal_of<InvalidArgument>([] { (void)parse_contact_point("1.25"); }).find("zero_force"), std::string::npos);
+    EXPECT_NE(tests::refusal_of<InvalidArgument>([] { (void)parse_contact_point("1.25"); }).find("zero_force"),
+              std::string::npos);
 }
 
 TEST(FitWithContactPoint, RecoversModulusAndWorkOnAnyBranch) {

@@ -28,7 +28,8 @@ TEST(SpringJumps, UnderFixedGripsCostMaugisNumber) {
 }
 
 TEST(SpringJumps, OfAStiffMachineApproachFixedGripsInFirstOrder) {
-    // before the jump out the spring holds F²/2k; after the jump in it does, too, but F²/k less is in the contact, F dδ of dδ = −F/k
+    // before the jump out the spring holds F²/2k; after the jump in it does, too, but F²/k less is in the contact, F dδ
+    // of dδ = −F/k
     const SpringJumps rigid = spring_jumps(rubber, fixed_grips), stiff = spring_jumps(rubber, 1e8);
     const auto spring = [](double force) { return force * force / 2e8; };
     EXPECT_NEAR((stiff.jump_in_loss - rigid.jump_in_loss) / spring(rigid.after_jump_in.force), 1.0, 1e-3);
@@ -45,7 +46,8 @@ TEST(SpringJumps, OfASoftSpringAreThoseOfADeadLoad) {
     EXPECT_NEAR(jumps.jump_out_loss / (load.force * load.force / (2.0 * stiffness)), 1.0, 1e-6);
     // at zero load only the contact's own energy is lost on the way in
     const double a = contact::jkr::contact_radius_at_force(0.0, rubber);
-    EXPECT_NEAR(jumps.jump_in_loss / -contact::jkr::total_energy(a, contact::jkr::displacement(a, rubber), rubber), 1.0, 1e-9);
+    EXPECT_NEAR(jumps.jump_in_loss / -contact::jkr::total_energy(a, contact::jkr::displacement(a, rubber), rubber), 1.0,
+                1e-9);
 }
 
 TEST(SpringJumps, PartWhereTheContactIsAsSoftAsTheMachine) {
@@ -53,9 +55,11 @@ TEST(SpringJumps, PartWhereTheContactIsAsSoftAsTheMachine) {
         const SpringJumps jumps = spring_jumps(rubber, stiffness);
         const double a = jumps.before_jump_out.contact_radius, step = 1e-5 * a;
         const auto change = [&](auto function) { return function(a + step, rubber) - function(a - step, rubber); };
-        const double slope = change(contact::jkr::force) / change([](double at, const auto& c) { return contact::jkr::displacement(at, c); });
+        const double slope = change(contact::jkr::force) /
+                             change([](double at, const auto& c) { return contact::jkr::displacement(at, c); });
         EXPECT_NEAR(slope / stiffness, -1.0, 1e-6) << stiffness;
-        EXPECT_NEAR(jumps.after_jump_in.force / (-stiffness * jumps.after_jump_in.displacement), 1.0, 1e-10) << stiffness;
+        EXPECT_NEAR(jumps.after_jump_in.force / (-stiffness * jumps.after_jump_in.displacement), 1.0, 1e-10)
+            << stiffness;
     }
 }
 

@@ -24,18 +24,22 @@ LedgerInputs inputs_of(const SyntheticLoop& shape) {
             .machine_stiffness = std::numeric_limits<double>::infinity()};
 }
 
-EnergyLedger ledger_of(const Loop& loop, const LedgerInputs& inputs = inputs_of(rough)) { return energy_ledger(loop, find_segments(loop), 0, inputs); }
+EnergyLedger ledger_of(const Loop& loop, const LedgerInputs& inputs = inputs_of(rough)) {
+    return energy_ledger(loop, find_segments(loop), 0, inputs);
+}
 
 /// U_E − πWa² of JKR's equilibrium.
-double stored(double a, const contact::jkr::Contact& contact) { return contact::jkr::total_energy(a, contact::jkr::displacement(a, contact), contact); }
+double stored(double a, const contact::jkr::Contact& contact) {
+    return contact::jkr::total_energy(a, contact::jkr::displacement(a, contact), contact);
+}
 
 TEST(EnergyLedger, HasPartsThatAddUp) {
     std::mt19937_64 generator(3);
     Loop loop = rough.make();
     loop.force = tests::with_noise(loop.force, 1e-7, generator) + 1e-9 * loop.time;
     const EnergyLedger ledger = ledger_of(loop);
-    const double sum = ledger.before_contact.energy + ledger.jump_in->energy + ledger.approach.energy + ledger.retraction.energy + ledger.jump_out->energy +
-                       ledger.after_contact.energy;
+    const double sum = ledger.before_contact.energy + ledger.jump_in->energy + ledger.approach.energy +
+                       ledger.retraction.energy + ledger.jump_out->energy + ledger.after_contact.energy;
     EXPECT_NEAR(sum / ledger.loop.energy, 1.0, 1e-12);
     EXPECT_EQ(ledger.before_contact.range.last, ledger.jump_in->range.first);
     EXPECT_EQ(ledger.jump_in->range.last, ledger.approach.range.first);
@@ -77,7 +81,8 @@ TEST(EnergyLedger, OwesTheMachineNothingOverTheClosedLoop) {
     Loop stiffer = loop;
     stiffer.displacement += loop.force * (1.0 / stiffness - 1.0 / (stiffness + error));
     const EnergyLedger moved = ledger_of(stiffer, inputs);
-    EXPECT_NEAR(ledger.approach.standard_error.compliance / std::abs(moved.approach.energy - ledger.approach.energy), 1.0, error / stiffness * 1.1);
+    EXPECT_NEAR(ledger.approach.standard_error.compliance / std::abs(moved.approach.energy - ledger.approach.energy),
+                1.0, error / stiffness * 1.1);
     EXPECT_GT(ledger.approach.standard_error.compliance, 1e-3 * ledger.approach.energy);
     EXPECT_NEAR(moved.loop.energy / ledger.loop.energy, 1.0, 1e-12);
     EXPECT_EQ(ledger.loop.standard_error.compliance, 0.0);
@@ -91,13 +96,16 @@ TEST(EnergyLedger, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
         coarse.even_in_displacement = fine.even_in_displacement = even_in_displacement;
         const EnergyLedger once = ledger_of(coarse.make()), twice = ledger_of(fine.make());
         const LoopErrorBudget& budget = once.loop.standard_error;
-        EXPECT_LT(std::abs(twice.loop.energy - once.loop.energy), std::hypot(budget.sampling, budget.discretisation)) << even_in_displacement;
+        EXPECT_LT(std::abs(twice.loop.energy - once.loop.energy), std::hypot(budget.sampling, budget.discretisation))
+            << even_in_displacement;
     }
 }
 
 CourseInputs course_inputs(const SyntheticLoop& shape) { return {.contact = shape.approach, .contact_point = 0.0}; }
 
-EnergyCourse course_of(const Loop& loop, const SyntheticLoop& shape = rough) { return energy_course(loop, find_segments(loop).contacts[0], course_inputs(shape)); }
+EnergyCourse course_of(const Loop& loop, const SyntheticLoop& shape = rough) {
+    return energy_course(loop, find_segments(loop).contacts[0], course_inputs(shape));
+}
 
 TEST(EnergyCourse, AccountsForEveryJoule) {
     for (const bool radius_measured : {true, false}) {
@@ -105,7 +113,8 @@ TEST(EnergyCourse, AccountsForEveryJoule) {
         if (!radius_measured) loop.contact_radius = Array1D();
         const EnergyCourse course = course_of(loop);
         EXPECT_EQ(course.radius_measured, radius_measured);
-        EXPECT_LT((course.work - course.elastic - course.surface - course.dissipated).abs().maxCoeff(), 1e-15 * rough.loss());
+        EXPECT_LT((course.work - course.elastic - course.surface - course.dissipated).abs().maxCoeff(),
+                  1e-15 * rough.loss());
         // work = stored − released between the jumps, within the trapezoid rule of 800 steps
         EXPECT_LT(std::abs(course.residual), 1e-4 * rough.loss()) << radius_measured;
         EXPECT_NEAR(course.dissipated[course.dissipated.size() - 1] / rough.loss(), 1.0, 1e-4);

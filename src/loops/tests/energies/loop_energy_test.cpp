@@ -31,7 +31,8 @@ TEST(LoopEnergy, OfARectangleIsItsArea) {
     loop.displacement.resize(4 * side);
     const Array1D rise = Array1D::LinSpaced(side, 0.0, 1.0);
     loop.displacement << rise - 1.0, rise, rise.reverse(), -rise;
-    Segments segments{.contacts = {{.extent = {0, 4 * side - 1}, .unloading = IndexRange{2 * side, 3 * side - 1},
+    Segments segments{.contacts = {{.extent = {0, 4 * side - 1},
+                                    .unloading = IndexRange{2 * side, 3 * side - 1},
                                     .pull_off = IndexRange{3 * side - 1, 3 * side}}}};
     EXPECT_NEAR(loop_energy(loop, segments).energy, 3.0, 1e-12);
 }
@@ -88,7 +89,8 @@ TEST(LoopEnergy, OfAReversiblePartialReleaseIsZero) {
     const auto keep = [&](Index i) { series.add(whole.force[i], whole.displacement[i], whole.contact_radius[i]); };
     for (Index i = 0; i < 802; ++i) keep(i);
     tests::detail::add_branch(series, shape.approach, shape.largest_radius, 0.8 * shape.largest_radius, 100, false);
-    tests::detail::add_branch(series, shape.approach, 0.8 * shape.largest_radius, 1.1 * shape.largest_radius, 150, false);
+    tests::detail::add_branch(series, shape.approach, 0.8 * shape.largest_radius, 1.1 * shape.largest_radius, 150,
+                              false);
     for (Index i = 802; i < whole.force.size(); ++i) keep(i);
     const Loop loop{.force = tests::detail::Series::array(series.force),
                     .displacement = tests::detail::Series::array(series.displacement)};

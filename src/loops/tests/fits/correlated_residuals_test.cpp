@@ -74,7 +74,9 @@ void expect_honest(const Coverage& found) {
 }
 
 const auto radius_force = [](const BranchData& data) { return fit_radius_force(data, tests::rubber_on_diamond()); };
-const auto force_displacement = [](const BranchData& data) { return fit_force_displacement(data, tests::rubber_on_diamond()); };
+const auto force_displacement = [](const BranchData& data) {
+    return fit_force_displacement(data, tests::rubber_on_diamond());
+};
 
 TEST(CorrelatedResiduals, LeaveIntervalsOfIndependentNoiseAsTheyAre) {
     const auto found = coverage(0.0, radius_force);
@@ -89,9 +91,7 @@ TEST(CorrelatedResiduals, WidenTheIntervalsUntilTheyCover) {
     EXPECT_NEAR(found.correlated_samples, 9.0, 1.5);
 }
 
-TEST(CorrelatedResiduals, WidenTheIntervalsOfDepth) {
-    expect_honest(coverage(0.8, force_displacement));
-}
+TEST(CorrelatedResiduals, WidenTheIntervalsOfDepth) { expect_honest(coverage(0.8, force_displacement)); }
 
 TEST(CorrelatedResiduals, CountForLessThanTheirNumber) {
     std::mt19937_64 generator(1);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr contact::crack_speed::Law rubber{.threshold = 0.05, .reference_speed = 2e-7, .exponent = 0.6};
 
-CrackSpeedPoints points_of(const contact::crack_speed::Law& law, double slowest = 1e-8, double fastest = 1e-4, Index n = 40) {
+CrackSpeedPoints points_of(const contact::crack_speed::Law& law, double slowest = 1e-8, double fastest = 1e-4,
+                           Index n = 40) {
     const Array1D speed = Array1D::LinSpaced(n, std::log(slowest), std::log(fastest)).exp();
     return {.speed = speed, .energy_release_rate = contact::crack_speed::energy_release_rate(speed, law)};
 }
@@ -85,8 +86,10 @@ TEST(CrackSpeedFit, RefusesWhatHoldsNoLaw) {
     CrackSpeedPoints power = points_of(rubber);
     power.energy_release_rate = power.speed.pow(0.6);
     EXPECT_NE(reason(power).find("G0"), std::string::npos);
-    EXPECT_NE(reason({.speed = Array1D::Constant(9, -1e-6), .energy_release_rate = Array1D::Ones(9)}).find("0 of 9"), std::string::npos);
-    EXPECT_THROW((void)fit_crack_speed({.speed = Array1D::Ones(3), .energy_release_rate = Array1D::Ones(4)}), InvalidArgument);
+    EXPECT_NE(reason({.speed = Array1D::Constant(9, -1e-6), .energy_release_rate = Array1D::Ones(9)}).find("0 of 9"),
+              std::string::npos);
+    EXPECT_THROW((void)fit_crack_speed({.speed = Array1D::Ones(3), .energy_release_rate = Array1D::Ones(4)}),
+                 InvalidArgument);
     EXPECT_THROW((void)fit_crack_speed(points_of(rubber), {.exponent = -1.0}), InvalidArgument);
 }
 

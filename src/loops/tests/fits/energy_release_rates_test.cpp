@@ -34,11 +34,13 @@ TEST(EnergyReleaseRates, ScatterByTheirBand) {
             for (Index i = 0; i < repeats; ++i) {
                 const double common = normal(generator);
                 data.force[i] += data.force_noise * common;
-                data.displacement[i] += data.displacement_noise * (shared * common + std::sqrt(1.0 - shared * shared) * normal(generator));
+                data.displacement[i] +=
+                    data.displacement_noise * (shared * common + std::sqrt(1.0 - shared * shared) * normal(generator));
                 if (measured) data.contact_radius[i] += data.contact_radius_noise * normal(generator);
             }
-            const EnergyReleaseRate rates = energy_release_rates(data, lens.radius, {.value = lens.contact_modulus, .standard_error = 0.0},
-                                                                 {.value = tests::contact_point, .standard_error = 0.0});
+            const EnergyReleaseRate rates =
+                energy_release_rates(data, lens.radius, {.value = lens.contact_modulus, .standard_error = 0.0},
+                                     {.value = tests::contact_point, .standard_error = 0.0});
             const double mean = rates.energy_release_rate.mean();
             const double scatter = std::sqrt((rates.energy_release_rate - mean).square().mean());
             // the standard deviation of a standard deviation of 4000 numbers is 1.1 % of it
@@ -52,7 +54,8 @@ TEST(EnergyReleaseRates, MoveTogetherByTheirSystematicError) {
         BranchData data = branch_of(lens, BranchShape::loading, 20);
         if (!measured) data.contact_radius = Array1D();
         const auto at = [&](double modulus, double point) {
-            return energy_release_rates(data, lens.radius, {.value = modulus, .standard_error = 1e3}, {.value = point, .standard_error = 1e-9});
+            return energy_release_rates(data, lens.radius, {.value = modulus, .standard_error = 1e3},
+                                        {.value = point, .standard_error = 1e-9});
         };
         const auto change = [](const EnergyReleaseRate& high, const EnergyReleaseRate& low) -> Array1D {
             return 0.5 * (high.energy_release_rate - low.energy_release_rate);

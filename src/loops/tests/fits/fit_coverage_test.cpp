@@ -24,7 +24,9 @@ struct Case {
     double signal_to_noise;
 };
 
-JkrFit effective_variance(const BranchData& data) { return fit_radius_force(data, tests::rubber_on_diamond(), RadiusErrors::effective_variance); }
+JkrFit effective_variance(const BranchData& data) {
+    return fit_radius_force(data, tests::rubber_on_diamond(), RadiusErrors::effective_variance);
+}
 JkrFit force_displacement(const BranchData& data) { return fit_force_displacement(data, tests::rubber_on_diamond()); }
 JkrFit joint(const BranchData& data) { return fit_joint(data, tests::rubber_on_diamond()); }
 
@@ -60,7 +62,8 @@ std::vector<Case> cases() {
         JkrFit (*fit)(const BranchData&);
     };
     std::vector<Case> all;
-    for (const Named& route : {Named{"effective_variance", effective_variance}, Named{"force_displacement", force_displacement}, Named{"joint", joint}})
+    for (const Named& route : {Named{"effective_variance", effective_variance},
+                               Named{"force_displacement", force_displacement}, Named{"joint", joint}})
         for (const auto shape : {BranchShape::loading, BranchShape::unloading})
             for (const double ratio : {5.0, 10.0, 30.0, 100.0}) all.push_back({route.name, route.fit, shape, ratio});
     return all;

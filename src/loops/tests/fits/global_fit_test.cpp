@@ -18,7 +18,8 @@ using tests::rubber_on_diamond;
 
 constexpr double modulus = 0.92e6;
 
-GlobalBranch branch(const Contact& contact, double noise_share, std::mt19937_64& generator, double point, const std::string& name) {
+GlobalBranch branch(const Contact& contact, double noise_share, std::mt19937_64& generator, double point,
+                    const std::string& name) {
     const double least = 1.1 * contact::jkr::pull_off_at_fixed_load(contact).contact_radius;
     const double largest = contact::jkr::contact_radius_at_force(1e-3, contact);
     GlobalBranch result{.name = name, .bodies = rubber_on_diamond(contact.radius)};
@@ -39,9 +40,11 @@ GlobalBranch branch(const Contact& contact, double noise_share, std::mt19937_64&
 TEST(GlobalFit, RecoversSharedModulusAndOwnWorksOfSpheresOfTwoSizes) {
     std::mt19937_64 generator(1);
     const std::vector<GlobalBranch> branches{
-        branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.0, generator, 1e-6, "small"),
+        branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.0, generator, 1e-6,
+               "small"),
         branch({.radius = 2e-3, .contact_modulus = modulus, .work_of_adhesion = 0.10}, 0.0, generator, -2e-6, "large")};
-    for (const Channels channels : {Channels::force_radius, Channels::force_displacement, Channels::force_displacement_radius}) {
+    for (const Channels channels :
+         {Channels::force_radius, Channels::force_displacement, Channels::force_displacement_radius}) {
         const GlobalFit fit = fit_globally(branches, {.fit = {.channels = channels}});
         EXPECT_TRUE(fit.converged);
         EXPECT_NEAR(fit.contact_modulus->value / modulus, 1.0, 1e-8);
@@ -59,7 +62,8 @@ TEST(GlobalFit, ErrorsShrinkAsTheRootOfTheNumberOfBranches) {
     std::mt19937_64 generator(7);
     const Contact contact{.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04};
     std::vector<GlobalBranch> branches;
-    for (int i = 0; i < 16; ++i) branches.push_back(branch(contact, 0.01, generator, 1e-6 * i, "loop " + std::to_string(i)));
+    for (int i = 0; i < 16; ++i)
+        branches.push_back(branch(contact, 0.01, generator, 1e-6 * i, "loop " + std::to_string(i)));
     const GlobalOptions both{.share_work_of_adhesion = true, .fit = {.channels = Channels::force_radius}};
     double alone = 0.0;
     const GlobalFit fit = fit_globally(branches, both);
@@ -76,14 +80,17 @@ TEST(GlobalFit, ErrorsShrinkAsTheRootOfTheNumberOfBranches) {
 TEST(GlobalFit, TellsThatBranchesDiffer) {
     std::mt19937_64 generator(3);
     const std::vector<GlobalBranch> branches{
-        branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.003, generator, 0.0, "first"),
-        branch({.radius = 1.25e-3, .contact_modulus = 1.1 * modulus, .work_of_adhesion = 0.04}, 0.003, generator, 0.0, "second")};
+        branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.003, generator, 0.0,
+               "first"),
+        branch({.radius = 1.25e-3, .contact_modulus = 1.1 * modulus, .work_of_adhesion = 0.04}, 0.003, generator, 0.0,
+               "second")};
     EXPECT_LT(fit_globally(branches).sharing.p_value, 1e-6);
 }
 
 TEST(GlobalFit, OfOneBranchIsItsOwnFit) {
     std::mt19937_64 generator(5);
-    const GlobalBranch one = branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01, generator, 0.0, "one");
+    const GlobalBranch one =
+        branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01, generator, 0.0, "one");
     const GlobalFit fit = fit_globally({one});
     const ModelFit own = fit_model(one.data, one.bodies);
     EXPECT_NEAR(fit.contact_modulus->value / own.contact_modulus.value, 1.0, 1e-7);
@@ -93,7 +100,8 @@ TEST(GlobalFit, OfOneBranchIsItsOwnFit) {
 
 TEST(GlobalFit, RefusesNothingToShareAndNamesTheBranch) {
     std::mt19937_64 generator(5);
-    GlobalBranch one = branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01, generator, 0.0, "spot 7");
+    GlobalBranch one = branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01,
+                              generator, 0.0, "spot 7");
     EXPECT_THROW((void)fit_globally({}), InvalidArgument);
     EXPECT_THROW((void)fit_globally({one}, {.share_contact_modulus = false}), InvalidArgument);
     EXPECT_THROW((void)fit_globally({one}, {.fit = {.model = ContactModel::transition}}), InvalidArgument);

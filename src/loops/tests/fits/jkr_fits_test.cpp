@@ -181,7 +181,8 @@ TEST(JkrFits, SayWhatIsMissing) {
     data.displacement = Array1D();
     EXPECT_THROW((void)fit_force_displacement(data, rubber_on_diamond()), UndefinedDataError);
     EXPECT_THROW((void)fit_force_displacement(branch(lens), rubber_on_diamond(0.0)), InvalidArgument);
-    EXPECT_THROW((void)fit_radius_force(branch(lens), rubber_on_diamond(), RadiusErrors::effective_variance), InvalidArgument);
+    EXPECT_THROW((void)fit_radius_force(branch(lens), rubber_on_diamond(), RadiusErrors::effective_variance),
+                 InvalidArgument);
     EXPECT_THROW((void)fit_force_displacement(branch(lens, -0.8, 3), rubber_on_diamond()), UndefinedDataError);
 }
 

@@ -40,9 +40,11 @@ TEST(JointFit, RecoversModulusWorkAndContactPointFromNoiseFreeData) {
             const JkrFit joint = fit_joint(data, rubber_on_diamond());
             EXPECT_TRUE(joint.converged);
             EXPECT_NEAR(joint.contact_point.value / contact_point, 1.0, 1e-8);
-            for (const JkrFit& fit : {joint, fit_radius_force(data, rubber_on_diamond(), RadiusErrors::effective_variance),
-                                      fit_force_displacement(data, rubber_on_diamond())}) {
-                EXPECT_NEAR(fit.contact_modulus.value / contact.contact_modulus, 1.0, 1e-8) << fit.method << " W " << work;
+            for (const JkrFit& fit :
+                 {joint, fit_radius_force(data, rubber_on_diamond(), RadiusErrors::effective_variance),
+                  fit_force_displacement(data, rubber_on_diamond())}) {
+                EXPECT_NEAR(fit.contact_modulus.value / contact.contact_modulus, 1.0, 1e-8)
+                    << fit.method << " W " << work;
                 EXPECT_NEAR(fit.work_of_adhesion.value / work, 1.0, 1e-8) << fit.method << " W " << work;
             }
         }
@@ -71,10 +73,14 @@ TEST(JointFit, GivesResidualsOfThePairOfForceAndDepth) {
     double force = 0.0, depth = 0.0;
     for (Index i = 0; i < n; ++i) {
         const double a = truth.contact_radius[i], step = 1e-4 * a;
-        const double by_force = (contact::jkr::force(a + step, lens) - contact::jkr::force(a - step, lens)) / (2.0 * step);
-        const double by_depth = (contact::jkr::displacement(a + step, lens) - contact::jkr::displacement(a - step, lens)) / (2.0 * step);
-        force += std::pow(fit.residuals[i], 2) / (std::pow(data.force_noise, 2) + std::pow(by_force * data.contact_radius_noise, 2)) / n;
-        depth += std::pow(fit.depth_residuals[i], 2) / (std::pow(data.displacement_noise, 2) + std::pow(by_depth * data.contact_radius_noise, 2)) / n;
+        const double by_force =
+            (contact::jkr::force(a + step, lens) - contact::jkr::force(a - step, lens)) / (2.0 * step);
+        const double by_depth =
+            (contact::jkr::displacement(a + step, lens) - contact::jkr::displacement(a - step, lens)) / (2.0 * step);
+        force += std::pow(fit.residuals[i], 2) /
+                 (std::pow(data.force_noise, 2) + std::pow(by_force * data.contact_radius_noise, 2)) / n;
+        depth += std::pow(fit.depth_residuals[i], 2) /
+                 (std::pow(data.displacement_noise, 2) + std::pow(by_depth * data.contact_radius_noise, 2)) / n;
     }
     // standard deviation of the mean of 2000 squares: 3.2 %
     EXPECT_NEAR(force, 1.0, 0.1);

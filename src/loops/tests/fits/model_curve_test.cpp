@@ -29,14 +29,16 @@ TEST(ModelCurve, DerivativesAreThoseOfTheCurve) {
             const double dt = 1e-4 * t;
             const CurvePoint right = curve.at(t + dt, at), left = curve.at(t - dt, at);
             expect_slope(point.force_slope * t, right.force, left.force, 1e-4, scale(4e-4), what + " F'");
-            expect_slope(point.displacement_slope * t, right.displacement, left.displacement, 1e-4, scale(4e-6), what + " δ'");
+            expect_slope(point.displacement_slope * t, right.displacement, left.displacement, 1e-4, scale(4e-6),
+                         what + " δ'");
             for (int slot = 0; slot < curve.parameters(); ++slot) {
                 const double step = 1e-4 * std::max(0.01, std::abs(at[slot]) / 10.0);
                 CurveParameters more = at, less = at;
                 more[slot] += step, less[slot] -= step;
                 const CurvePoint above = curve.at(t, more), below = curve.at(t, less);
                 const auto k = static_cast<std::size_t>(slot);
-                expect_slope(point.force_by[k], above.force, below.force, step, scale(4e-4), what + " F by " + std::to_string(slot));
+                expect_slope(point.force_by[k], above.force, below.force, step, scale(4e-4),
+                             what + " F by " + std::to_string(slot));
                 expect_slope(point.displacement_by[k], above.displacement, below.displacement, step, scale(4e-6),
                              what + " δ by " + std::to_string(slot));
             }

@@ -13,9 +13,7 @@
 namespace setae::loops {
 namespace {
 
-double between(double lower, double upper) {
-    return lower + (upper - lower) * *rc::gen::inRange(0, 1000001) * 1e-6;
-}
+double between(double lower, double upper) { return lower + (upper - lower) * *rc::gen::inRange(0, 1000001) * 1e-6; }
 
 double decades(double lower, double upper) { return std::pow(10.0, between(std::log10(lower), std::log10(upper))); }
 
@@ -27,8 +25,8 @@ LensAndCounterBody on_rigid(double radius) {
 BranchData branch(const contact::jkr::Contact& contact, double multiple, double point) {
     const auto pull_off = contact::jkr::pull_off_at_fixed_load(contact);
     BranchData data;
-    data.contact_radius = Array1D::LinSpaced(40, 1.05 * pull_off.contact_radius,
-                                             contact::jkr::contact_radius_at_force(-multiple * pull_off.force, contact));
+    data.contact_radius = Array1D::LinSpaced(
+        40, 1.05 * pull_off.contact_radius, contact::jkr::contact_radius_at_force(-multiple * pull_off.force, contact));
     data.force = data.displacement = data.contact_radius;
     for (Index i = 0; i < 40; ++i) {
         data.force[i] = contact::jkr::force(data.contact_radius[i], contact);
@@ -38,7 +36,8 @@ BranchData branch(const contact::jkr::Contact& contact, double multiple, double 
 }
 
 contact::jkr::Contact any_contact() {
-    return {.radius = decades(1e-7, 1e-2), .contact_modulus = decades(1e3, 1e11), .work_of_adhesion = decades(1e-4, 1.0)};
+    return {
+        .radius = decades(1e-7, 1e-2), .contact_modulus = decades(1e3, 1e11), .work_of_adhesion = decades(1e-4, 1.0)};
 }
 
 TEST(ModelFitProperties, JkrIsRecoveredAtEveryScale) {
@@ -46,11 +45,13 @@ TEST(ModelFitProperties, JkrIsRecoveredAtEveryScale) {
         const contact::jkr::Contact contact = any_contact();
         const double height = contact::jkr::maugis_units(contact).height, point = between(-10.0, 10.0) * height;
         const BranchData data = branch(contact, decades(0.5, 30.0), point);
-        for (const Channels channels : {Channels::force_radius, Channels::force_displacement, Channels::force_displacement_radius}) {
+        for (const Channels channels :
+             {Channels::force_radius, Channels::force_displacement, Channels::force_displacement_radius}) {
             const ModelFit fit = fit_model(data, on_rigid(contact.radius), {.channels = channels});
             RC_ASSERT(std::abs(fit.contact_modulus.value / contact.contact_modulus - 1.0) < 1e-8);
             RC_ASSERT(std::abs(fit.work_of_adhesion->value / contact.work_of_adhesion - 1.0) < 1e-8);
-            if (channels != Channels::force_radius) RC_ASSERT(std::abs(fit.contact_point.value - point) < 1e-8 * height);
+            if (channels != Channels::force_radius)
+                RC_ASSERT(std::abs(fit.contact_point.value - point) < 1e-8 * height);
         }
     }));
 }
@@ -98,8 +99,9 @@ TEST(GlobalFitProperties, OfTwinsIsTheFitOfOne) {
         BranchData data = branch(contact, 5.0, 0.0);
         for (Index i = 0; i < 40; ++i) data.force[i] *= 1.0 + 0.01 * std::sin(2.3 * static_cast<double>(i));
         const LensAndCounterBody bodies = on_rigid(contact.radius);
-        const GlobalFit fit = fit_globally({{.name = "one", .data = data, .bodies = bodies}, {.name = "two", .data = data, .bodies = bodies}},
-                                           {.share_work_of_adhesion = true});
+        const GlobalFit fit = fit_globally(
+            {{.name = "one", .data = data, .bodies = bodies}, {.name = "two", .data = data, .bodies = bodies}},
+            {.share_work_of_adhesion = true});
         const ModelFit& own = fit.branches.front().separate;
         RC_ASSERT(std::abs(fit.contact_modulus->value / own.contact_modulus.value - 1.0) < 1e-6);
         RC_ASSERT(std::abs(fit.work_of_adhesion->value / own.work_of_adhesion->value - 1.0) < 1e-6);
@@ -109,11 +111,12 @@ TEST(GlobalFitProperties, OfTwinsIsTheFitOfOne) {
 
 TEST(CrackSpeedFitProperties, TheLawIsRecoveredAtEveryScale) {
     EXPECT_TRUE(rc::check([] {
-        const contact::crack_speed::Law law{.threshold = decades(1e-3, 1.0), .reference_speed = decades(1e-9, 1e-3), .exponent = between(0.2, 1.0)};
+        const contact::crack_speed::Law law{
+            .threshold = decades(1e-3, 1.0), .reference_speed = decades(1e-9, 1e-3), .exponent = between(0.2, 1.0)};
         const double slowest = law.reference_speed * decades(1e-3, 0.3);
         const Array1D speed = Array1D::LinSpaced(30, std::log(slowest), std::log(slowest * decades(1e2, 1e5))).exp();
-        const CrackSpeedFit fit =
-            fit_crack_speed({.speed = speed, .energy_release_rate = contact::crack_speed::energy_release_rate(speed, law)});
+        const CrackSpeedFit fit = fit_crack_speed(
+            {.speed = speed, .energy_release_rate = contact::crack_speed::energy_release_rate(speed, law)});
         RC_ASSERT(std::abs(fit.law.threshold / law.threshold - 1.0) < 1e-8);
         RC_ASSERT(std::abs(fit.law.reference_speed / law.reference_speed - 1.0) < 1e-7);
         RC_ASSERT(std::abs(fit.law.exponent / law.exponent - 1.0) < 1e-8);

@@ -42,7 +42,8 @@ BranchData branch(double least, double largest, const Force& force, const Displa
 BranchData jkr_branch(const AdhesiveContact& contact = lens, Index n = 150) {
     const double least = 1.1 * contact::jkr::pull_off_at_fixed_load(contact).contact_radius;
     return branch(
-        least, contact::jkr::contact_radius_at_force(1e-3, contact), [&](double a) { return contact::jkr::force(a, contact); },
+        least, contact::jkr::contact_radius_at_force(1e-3, contact),
+        [&](double a) { return contact::jkr::force(a, contact); },
         [&](double a) { return contact::jkr::displacement(a, contact); }, n);
 }
 
@@ -78,7 +79,8 @@ std::string named(ContactModel model, Channels channels, FitErrors errors) {
 void expect_recovered_by_all(const BranchData& data, const LensAndCounterBody& bodies, ContactModel model,
                              const AdhesiveContact& contact) {
     for (const Channels channels : all_channels)
-        for (const FitErrors errors : {FitErrors::force_only, FitErrors::effective_variance, FitErrors::orthogonal_distance}) {
+        for (const FitErrors errors :
+             {FitErrors::force_only, FitErrors::effective_variance, FitErrors::orthogonal_distance}) {
             if (errors == FitErrors::force_only && channels == Channels::force_displacement_radius) continue;
             // without measured radii the two are one
             if (errors == FitErrors::effective_variance && channels == Channels::force_displacement) continue;
@@ -94,7 +96,8 @@ TEST(ModelFits, RecoverJkrFromNoiseFreeData) {
 TEST(ModelFits, RecoverHertzFromNoiseFreeData) {
     const contact::SphereOnFlat dry{.radius = lens.radius, .contact_modulus = lens.contact_modulus};
     const BranchData data = branch(
-        1e-5, contact::hertz::contact_radius(1e-3, dry), [&](double a) { return contact::hertz::force(a * a / dry.radius, dry); },
+        1e-5, contact::hertz::contact_radius(1e-3, dry),
+        [&](double a) { return contact::hertz::force(a * a / dry.radius, dry); },
         [&](double a) { return a * a / dry.radius; });
     expect_recovered_by_all(data, rubber_on_diamond(), ContactModel::hertz, lens);
 }
@@ -133,7 +136,8 @@ TEST_P(MaugisDugdaleFits, RecoverNoiseFreeData) {
     const auto contact = zone_contact(lambda);
     const BranchData data = zone_branch(contact, 80);
     for (const Channels channels : all_channels) {
-        const ModelFit fit = fit_model(data, rubber_on_diamond(), {.model = ContactModel::maugis_dugdale, .channels = channels});
+        const ModelFit fit =
+            fit_model(data, rubber_on_diamond(), {.model = ContactModel::maugis_dugdale, .channels = channels});
         const std::string what = named(fit.model, channels, fit.errors);
         expect_recovered(fit, lens, what);
         ASSERT_TRUE(fit.transition_parameter) << what << fit.transition_parameter.reason;
@@ -151,13 +155,16 @@ TEST(ModelFits, RecoverTransitionFromNoiseFreeData) {
         BranchData data;
         data.force = Array1D::LinSpaced(150, 0.95 * curve.pull_off_force, 1e-3);
         data.contact_radius = contact::transition::contact_radius(data.force, curve);
-        for (const FitErrors errors : {FitErrors::force_only, FitErrors::effective_variance, FitErrors::orthogonal_distance}) {
-            const ModelFit fit = fit_model(data, rubber_on_diamond(), {.model = ContactModel::transition, .errors = errors});
+        for (const FitErrors errors :
+             {FitErrors::force_only, FitErrors::effective_variance, FitErrors::orthogonal_distance}) {
+            const ModelFit fit =
+                fit_model(data, rubber_on_diamond(), {.model = ContactModel::transition, .errors = errors});
             const std::string what = named(fit.model, fit.channels, errors) + " λ = " + std::to_string(lambda);
             expect_recovered(fit, lens, what);
             ASSERT_TRUE(fit.cohesive_stress) << what << fit.cohesive_stress.reason;
             EXPECT_NEAR(fit.transition_share->value / curve.transition_share, 1.0, 1e-8) << what;
-            EXPECT_NEAR(fit.cohesive_stress->value / contact.cohesive_stress, 1.0, 1e-7) << what;  // the inverse keeps 1e-8 of W
+            EXPECT_NEAR(fit.cohesive_stress->value / contact.cohesive_stress, 1.0, 1e-7)
+                << what;  // the inverse keeps 1e-8 of W
         }
     }
 }
@@ -182,7 +189,8 @@ TEST(ModelFits, OrthogonalDistanceIsUnbiasedAndKnowsItsErrors) {
         double sum = 0.0, squares = 0.0, chi2 = 0.0;
         for (int k = 0; k < repetitions; ++k) {
             const ModelFit fit = fit_model(noisy(exact, 0.03, generator), rubber_on_diamond(), {.channels = channels});
-            const double pull = (fit.work_of_adhesion->value - lens.work_of_adhesion) / fit.work_of_adhesion->standard_error;
+            const double pull =
+                (fit.work_of_adhesion->value - lens.work_of_adhesion) / fit.work_of_adhesion->standard_error;
             sum += pull, squares += pull * pull, chi2 += fit.chi2_reduced / repetitions;
         }
         EXPECT_LT(std::abs(sum / repetitions), 4.0 / std::sqrt(repetitions));
@@ -197,7 +205,8 @@ TEST(ModelFits, LeastSquaresInForceAloneIsBiasedByErrorsOfRadiusWhereOrthogonalD
     std::mt19937_64 generator(5);
     const BranchData data = noisy(exact, 0.06, generator);
     const auto pull = [&](FitErrors errors) {
-        const ModelFit fit = fit_model(data, rubber_on_diamond(), {.channels = Channels::force_radius, .errors = errors});
+        const ModelFit fit =
+            fit_model(data, rubber_on_diamond(), {.channels = Channels::force_radius, .errors = errors});
         return std::abs(fit.contact_modulus.value - lens.contact_modulus) / fit.contact_modulus.standard_error;
     };
     EXPECT_GT(pull(FitErrors::force_only), 4.0);
@@ -207,18 +216,21 @@ TEST(ModelFits, LeastSquaresInForceAloneIsBiasedByErrorsOfRadiusWhereOrthogonalD
 TEST(ModelFits, EffectiveVarianceOfForceAndRadiusIsALinearFitInModulusAndRootOfItsProductWithWork) {
     std::mt19937_64 generator(8);
     const BranchData data = noisy(jkr_branch(), 0.02, generator);
-    const Array1D dry = 4.0 * data.contact_radius.cube() / (3.0 * lens.radius), edge = (8.0 * pi * data.contact_radius.cube()).sqrt();
+    const Array1D dry = 4.0 * data.contact_radius.cube() / (3.0 * lens.radius),
+                  edge = (8.0 * pi * data.contact_radius.cube()).sqrt();
     Eigen::Vector2d found(lens.contact_modulus, std::sqrt(lens.contact_modulus * lens.work_of_adhesion));
     for (int round = 0; round < 60; ++round) {
         const Array1D slope = (3.0 * found[0] * dry - 1.5 * found[1] * edge) / data.contact_radius;
-        const Array1D weight = (data.force_noise * data.force_noise + (slope * data.contact_radius_noise).square()).rsqrt();
+        const Array1D weight =
+            (data.force_noise * data.force_noise + (slope * data.contact_radius_noise).square()).rsqrt();
         Eigen::Matrix2d normal;
-        normal << (weight * dry).square().sum(), -(weight.square() * dry * edge).sum(), -(weight.square() * dry * edge).sum(),
-            (weight * edge).square().sum();
-        found = normal.inverse() *
-                Eigen::Vector2d((weight.square() * dry * data.force).sum(), -(weight.square() * edge * data.force).sum());
+        normal << (weight * dry).square().sum(), -(weight.square() * dry * edge).sum(),
+            -(weight.square() * dry * edge).sum(), (weight * edge).square().sum();
+        found = normal.inverse() * Eigen::Vector2d((weight.square() * dry * data.force).sum(),
+                                                   -(weight.square() * edge * data.force).sum());
     }
-    const ModelFit fit = fit_model(data, rubber_on_diamond(), {.channels = Channels::force_radius, .errors = FitErrors::effective_variance});
+    const ModelFit fit = fit_model(data, rubber_on_diamond(),
+                                   {.channels = Channels::force_radius, .errors = FitErrors::effective_variance});
     EXPECT_NEAR(fit.contact_modulus.value / found[0], 1.0, 1e-8);
     EXPECT_NEAR(fit.work_of_adhesion->value / (found[1] * found[1] / found[0]), 1.0, 1e-8);
 }
@@ -247,14 +259,16 @@ TEST(ModelFits, HeldParametersStayAndCountAsExact) {
 TEST(ModelFits, SaysThatTheRangeOfAttractionIsNotDeterminedFarFromTheTransition) {
     std::mt19937_64 generator(3);
     const BranchData data = noisy(jkr_branch(lens, 100), 0.005, generator);
-    const ModelFit zone = fit_model(data, rubber_on_diamond(), {.model = ContactModel::maugis_dugdale, .channels = Channels::force_radius});
+    const ModelFit zone = fit_model(data, rubber_on_diamond(),
+                                    {.model = ContactModel::maugis_dugdale, .channels = Channels::force_radius});
     EXPECT_FALSE(zone.transition_parameter);
     EXPECT_FALSE(zone.cohesive_stress);
     ASSERT_FALSE(zone.undetermined.empty());
     EXPECT_NE(zone.undetermined.front().find("does not tell"), std::string::npos) << zone.undetermined.front();
     ASSERT_TRUE(zone.work_of_adhesion) << zone.work_of_adhesion.reason;
     EXPECT_NEAR(zone.work_of_adhesion->value / lens.work_of_adhesion, 1.0, 0.1);
-    const ModelFit curve = fit_model(data, rubber_on_diamond(), {.model = ContactModel::transition, .channels = Channels::force_radius});
+    const ModelFit curve =
+        fit_model(data, rubber_on_diamond(), {.model = ContactModel::transition, .channels = Channels::force_radius});
     EXPECT_FALSE(curve.cohesive_stress);
     EXPECT_NEAR(curve.work_of_adhesion->value / lens.work_of_adhesion, 1.0, 0.1);
 }
@@ -266,7 +280,8 @@ TEST(ModelFits, WithoutRadiiAndNearPullOffWOfMaugisDugdaleIsNotToldEither) {
     const ModelFitOptions zone{.model = ContactModel::maugis_dugdale, .channels = Channels::force_displacement};
     const ModelFit fit = fit_model(data, rubber_on_diamond(), zone);
     ASSERT_FALSE(fit.work_of_adhesion);
-    EXPECT_NE(fit.work_of_adhesion.reason.find("give the cohesive stress"), std::string::npos) << fit.work_of_adhesion.reason;
+    EXPECT_NE(fit.work_of_adhesion.reason.find("give the cohesive stress"), std::string::npos)
+        << fit.work_of_adhesion.reason;
     // no more than an order of preference: correlated residuals leave few samples to decide by
     const ModelComparison comparison = compare_models(data, rubber_on_diamond(), zone);
     for (const ComparedModel& model : comparison.models)
@@ -277,12 +292,16 @@ TEST(ModelFits, ResidualsAreThoseOfTheNearestPoint) {
     std::mt19937_64 generator(9);
     const BranchData data = noisy(jkr_branch(lens, 60), 0.02, generator);
     const ModelFit fit = fit_model(data, rubber_on_diamond());
-    const AdhesiveContact found{.radius = lens.radius, .contact_modulus = fit.contact_modulus.value, .work_of_adhesion = fit.work_of_adhesion->value};
+    const AdhesiveContact found{.radius = lens.radius,
+                                .contact_modulus = fit.contact_modulus.value,
+                                .work_of_adhesion = fit.work_of_adhesion->value};
     double chi2 = 0.0;
     for (Index i = 0; i < 60; ++i) {
         const auto distance = [&](double t) {
             return std::pow((data.force[i] - contact::jkr::force(t, found)) / data.force_noise, 2) +
-                   std::pow((data.displacement[i] - fit.contact_point.value - contact::jkr::displacement(t, found)) / data.displacement_noise, 2) +
+                   std::pow((data.displacement[i] - fit.contact_point.value - contact::jkr::displacement(t, found)) /
+                                data.displacement_noise,
+                            2) +
                    std::pow((data.contact_radius[i] - t) / data.contact_radius_noise, 2);
         };
         const double foot = fit.fitted_radius[i], step = 1e-4 * foot;
@@ -307,7 +326,8 @@ TEST(ModelFits, ErrorOfTheZeroOfForceIsAdded) {
 TEST(ModelFits, ComparisonFindsTheModelTheDataCameFrom) {
     std::mt19937_64 generator(17);
     LensAndCounterBody bodies = rubber_on_diamond();
-    const ModelComparison sticky = compare_models(noisy(jkr_branch(lens, 120), 0.003, generator), bodies, {.channels = Channels::force_radius});
+    const ModelComparison sticky =
+        compare_models(noisy(jkr_branch(lens, 120), 0.003, generator), bodies, {.channels = Channels::force_radius});
     // Maugis–Dugdale at large λ and large strain at small a/R are the same curve with as many or more parameters
     ASSERT_TRUE(sticky.best);
     const auto& models = sticky.models;
@@ -320,7 +340,8 @@ TEST(ModelFits, ComparisonFindsTheModelTheDataCameFrom) {
     double weights = 0.0;
     for (const ComparedModel& model : models) weights += model.akaike_weight;
     EXPECT_NEAR(weights, 1.0, 1e-12);
-    const ModelComparison between = compare_models(noisy(zone_branch(zone_contact(0.7), 120), 0.002, generator), bodies);
+    const ModelComparison between =
+        compare_models(noisy(zone_branch(zone_contact(0.7), 120), 0.002, generator), bodies);
     EXPECT_EQ(between.best, ContactModel::maugis_dugdale);
     EXPECT_NE(between.sentence.find("maugis_dugdale fits best"), std::string::npos) << between.sentence;
     EXPECT_FALSE(between.models[static_cast<std::size_t>(ContactModel::transition)].fit);
@@ -340,10 +361,12 @@ TEST(ModelFits, RefuseWhatTheyCannotFit) {
     const BranchData data = jkr_branch();
     const LensAndCounterBody bodies = rubber_on_diamond();
     EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::layer}), InvalidArgument);
-    EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::transition}), InvalidArgument);  // of three channels
+    EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::transition}),
+                 InvalidArgument);  // of three channels
     EXPECT_THROW((void)fit_model(data, bodies, {.errors = FitErrors::force_only}), InvalidArgument);
     EXPECT_THROW((void)fit_model(data, bodies, {.cohesive_stress = 1e5}), InvalidArgument);
-    EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::hertz, .work_of_adhesion = 0.1}), InvalidArgument);
+    EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::hertz, .work_of_adhesion = 0.1}),
+                 InvalidArgument);
     EXPECT_THROW((void)fit_model(data, bodies, {.contact_modulus = -1.0}), InvalidArgument);
     BranchData alone = data;
     alone.displacement = alone.contact_radius = Array1D();

@@ -26,16 +26,19 @@ BranchData branch(double signal_to_noise, std::uint64_t seed, Index samples = 40
     return tests::noisy(branch_of(lens, BranchShape::loading, samples), signal_to_noise, generator);
 }
 
-constexpr ProfiledFit all_fits[] = {ProfiledFit::effective_variance, ProfiledFit::force_displacement, ProfiledFit::joint};
+constexpr ProfiledFit all_fits[] = {ProfiledFit::effective_variance, ProfiledFit::force_displacement,
+                                    ProfiledFit::joint};
 
 TEST(ProfileLikelihood, OfLittleNoiseIsTheParabolaOfTheStandardError) {
     for (const auto fit : all_fits) {
-        const ProfileLikelihood found = profile_likelihood(branch(300.0, 1), rubber_on_diamond(), {.fit = fit, .points = 9});
+        const ProfileLikelihood found =
+            profile_likelihood(branch(300.0, 1), rubber_on_diamond(), {.fit = fit, .points = 9});
         for (const ParameterProfile* profile : {&found.contact_modulus, &found.work_of_adhesion}) {
             const double best = profile->estimate.value, error = profile->estimate.standard_error;
             for (Index i = 0; i < profile->values.size(); ++i) {
                 const double parabola = std::pow((profile->values[i] - best) / error, 2);
-                // the third order is that of the relative error, below 1 %, the information that noise pretends a few per cent
+                // the third order is that of the relative error, below 1 %, the information that noise pretends a few
+                // per cent
                 EXPECT_NEAR(profile->chi2_rise[i], parabola, 0.06 * parabola + 1e-3) << found.fit.method;
             }
             ASSERT_TRUE(profile->estimate.interval);
@@ -49,7 +52,8 @@ TEST(ProfileLikelihood, OfLittleNoiseIsTheParabolaOfTheStandardError) {
 TEST(ProfileLikelihood, IsLeastAtTheFitAndCrossesItsThresholdAtTheEnds) {
     for (const auto fit : all_fits) {
         const BranchData data = branch(20.0, 3);
-        const ProfileLikelihood found = profile_likelihood(data, rubber_on_diamond(), {.fit = fit, .points = 3, .reach = 1.0});
+        const ProfileLikelihood found =
+            profile_likelihood(data, rubber_on_diamond(), {.fit = fit, .points = 3, .reach = 1.0});
         for (const ParameterProfile* profile : {&found.contact_modulus, &found.work_of_adhesion}) {
             ASSERT_TRUE(profile->estimate.interval) << found.fit.method;
             // the first and last of three points are the ends, the middle one their centre
@@ -62,7 +66,8 @@ TEST(ProfileLikelihood, IsLeastAtTheFitAndCrossesItsThresholdAtTheEnds) {
 }
 
 TEST(ProfileLikelihood, OfWorkLeansToLargerValuesWhereTheNoiseIsLarge) {
-    const ProfileLikelihood found = profile_likelihood(branch(10.0, 4), rubber_on_diamond(), {.fit = ProfiledFit::force_displacement, .points = 3});
+    const ProfileLikelihood found =
+        profile_likelihood(branch(10.0, 4), rubber_on_diamond(), {.fit = ProfiledFit::force_displacement, .points = 3});
     const Estimate& work = found.work_of_adhesion.estimate;
     ASSERT_TRUE(work.interval);
     EXPECT_GT(work.interval->upper - work.value, 1.1 * (work.value - work.interval->lower));
@@ -73,7 +78,8 @@ TEST(ProfileLikelihood, CoversTheTruth) {
     int modulus = 0, work = 0;
     for (int seed = 0; seed < seeds; ++seed) {
         const BranchData data = branch(20.0, static_cast<std::uint64_t>(seed));
-        const ProfileLikelihood found = profile_likelihood(data, rubber_on_diamond(), {.fit = ProfiledFit::joint, .points = 3});
+        const ProfileLikelihood found =
+            profile_likelihood(data, rubber_on_diamond(), {.fit = ProfiledFit::joint, .points = 3});
         modulus += tests::covers(found.contact_modulus.estimate, lens.contact_modulus);
         work += tests::covers(found.work_of_adhesion.estimate, lens.work_of_adhesion);
     }
@@ -93,7 +99,8 @@ TEST(ProfileLikelihood, RefusesImpossibleOptions) {
 }
 
 JkrFit fit_with(double freedom) {
-    JkrFit fit{.contact_modulus = {.value = 1e6, .standard_error = 1e4}, .work_of_adhesion = {.value = 0.04, .standard_error = 1e-3}};
+    JkrFit fit{.contact_modulus = {.value = 1e6, .standard_error = 1e4},
+               .work_of_adhesion = {.value = 0.04, .standard_error = 1e-3}};
     fit.contact_modulus.degrees_of_freedom = freedom;
     fit.covariance.resize(2, 2);
     fit.covariance << 1e8, 6.0, 6.0, 1e-6;

@@ -15,7 +15,9 @@ namespace {
 using tests::rubber_on_diamond;
 using tests::SyntheticLoop;
 
-LoopAnalysis analysed(const Loop& loop, const AnalysisOptions& options = {}) { return analyse(loop, rubber_on_diamond(), options); }
+LoopAnalysis analysed(const Loop& loop, const AnalysisOptions& options = {}) {
+    return analyse(loop, rubber_on_diamond(), options);
+}
 
 /// The loop without its contact radius, noisy in force and displacement.
 Loop noisy_depth_record(double share) {
@@ -77,7 +79,8 @@ TEST(BranchSamples, LeaveOutWhatTheFitsIgnore) {
     AnalysisOptions options;
     for (const BranchAnalysis* branch : {&whole.loading, &*whole.unloading.value}) {
         const Index first = branch->range.first + 20;
-        options.segments.edits.ignored.push_back({.range = IndexRange{.first = first, .last = first + 9}, .reason = "a knock"});
+        options.segments.edits.ignored.push_back(
+            {.range = IndexRange{.first = first, .last = first + 9}, .reason = "a knock"});
     }
     const LoopAnalysis analysis = analysed(shape.make(), options);
     ASSERT_EQ(analysis.loading.range.n, whole.loading.range.n - 10);

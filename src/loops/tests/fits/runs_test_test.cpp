@@ -35,7 +35,8 @@ TEST(RunsTest, OfFewResidualsIsExact) {
 }
 
 TEST(RunsTest, JoinsTheNormalApproximation) {
-    // 25 of each sign are counted exactly, one residual more is not: the two agree to what an odd sign and the normal leave
+    // 25 of each sign are counted exactly, one residual more is not: the two agree to what an odd sign and the normal
+    // leave
     const std::string pairs = "++--+-+--+";
     std::string text;
     for (int i = 0; i < 5; ++i) text += pairs;

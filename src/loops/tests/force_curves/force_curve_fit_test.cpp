@@ -23,11 +23,14 @@ constexpr AdhesiveContact gel{.radius = 5e-6, .contact_modulus = 8e3, .work_of_a
 constexpr double first_touch = 1.3e-6;
 
 LensAndCounterBody tip_on_gel() {
-    return {.radius = gel.radius, .lens_poisson_ratio = 0.5, .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
+    return {.radius = gel.radius,
+            .lens_poisson_ratio = 0.5,
+            .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
 }
 
 /// Approach from 1.3 µm above, retraction along another law; a constant and a slope under both.
-Table curve(const std::function<double(double)>& approach, const std::function<double(double)>& retract, double noise = 0.0, Index n = 600) {
+Table curve(const std::function<double(double)>& approach, const std::function<double(double)>& retract,
+            double noise = 0.0, Index n = 600) {
     std::mt19937_64 generator(4);
     const Array1D way = Array1D::LinSpaced(n, 0.0, 2.1e-6);
     Array1D displacement(2 * n), force(2 * n), segment(2 * n);
@@ -40,7 +43,9 @@ Table curve(const std::function<double(double)>& approach, const std::function<d
             .metadata = {{"segments", "extend, retract"}}};
 }
 
-double dry_force(double depth) { return depth > 0.0 ? 4.0 / 3.0 * gel.contact_modulus * std::sqrt(gel.radius) * std::pow(depth, 1.5) : 0.0; }
+double dry_force(double depth) {
+    return depth > 0.0 ? 4.0 / 3.0 * gel.contact_modulus * std::sqrt(gel.radius) * std::pow(depth, 1.5) : 0.0;
+}
 
 double sticky_force(double depth) {
     const double force = contact::jkr::force_at_displacement(depth, gel);
@@ -79,21 +84,27 @@ TEST(ForceCurve, HertzIsRecoveredFromNoiseFreeApproach) {
     EXPECT_NEAR(fit.youngs_modulus.value / (0.75 * gel.contact_modulus), 1.0, 1e-8);
     EXPECT_NEAR(fit.contact_point.value / first_touch, 1.0, 1e-8);
     EXPECT_NEAR(static_cast<double>(fit.n), 600.0 * 1.6 / 2.1, 2.0);  // as far before contact as into it
-    const ForceCurveFit held = fit_force_curve(segment, tip_on_gel(), {.contact_point = first_touch, .fit_contact_point = false});
+    const ForceCurveFit held =
+        fit_force_curve(segment, tip_on_gel(), {.contact_point = first_touch, .fit_contact_point = false});
     EXPECT_NEAR(held.contact_modulus.value / gel.contact_modulus, 1.0, 1e-8);
     EXPECT_EQ(held.contact_point.standard_error, 0.0);
     EXPECT_EQ(held.parameters, std::vector<std::string>{"contact_modulus"});
 }
 
 TEST(ForceCurve, ConeAndPyramidAreRecovered) {
-    for (const auto& [shape, factor] : {std::pair(TipShape::cone, 2.0 / pi), std::pair(TipShape::three_sided_pyramid, 0.887)}) {
+    for (const auto& [shape, factor] :
+         {std::pair(TipShape::cone, 2.0 / pi), std::pair(TipShape::three_sided_pyramid, 0.887)}) {
         const double angle = 0.6;
-        const auto force = [&](double depth) { return depth > 0.0 ? factor * std::tan(angle) * gel.contact_modulus * depth * depth : 0.0; };
+        const auto force = [&](double depth) {
+            return depth > 0.0 ? factor * std::tan(angle) * gel.contact_modulus * depth * depth : 0.0;
+        };
         const CurveSegment segment = segments_of_curve(curve(force, force)).front();
         const ForceCurveFit fit = fit_force_curve(segment, tip_on_gel(), {.shape = shape, .half_angle = angle});
         EXPECT_NEAR(fit.contact_modulus.value / gel.contact_modulus, 1.0, 1e-8) << to_string(shape);
-        EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(), {.shape = shape, .half_angle = 0.0}), InvalidArgument);
-        EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(), {.shape = shape, .half_angle = angle, .model = ContactModel::jkr}),
+        EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(), {.shape = shape, .half_angle = 0.0}),
+                     InvalidArgument);
+        EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(),
+                                           {.shape = shape, .half_angle = angle, .model = ContactModel::jkr}),
                      InvalidArgument);
     }
 }
@@ -111,7 +122,9 @@ TEST(ForceCurve, JkrIsRecoveredFromNoiseFreeRetraction) {
 }
 
 TEST(ForceCurve, DmtIsRecoveredFromNoiseFreeRetraction) {
-    const auto force = [](double depth) { return depth >= 0.0 ? contact::dmt::force_at_displacement(depth, gel) : 0.0; };
+    const auto force = [](double depth) {
+        return depth >= 0.0 ? contact::dmt::force_at_displacement(depth, gel) : 0.0;
+    };
     const CurveSegment segment = segments_of_curve(curve(dry_force, force)).back();
     const ForceCurveFit fit = fit_force_curve(segment, tip_on_gel(), {.model = ContactModel::dmt});
     EXPECT_NEAR(fit.contact_modulus.value / gel.contact_modulus, 1.0, 1e-8);
@@ -122,20 +135,23 @@ TEST(ForceCurve, RangeChoosesSamplesByIndentationForceOrShare) {
     const CurveSegment segment = segments_of_curve(curve(dry_force, sticky_force)).front();
     const double top = segment.force.maxCoeff();
     using Measure = CurveRange::Measure;
-    for (const CurveRange& range : {CurveRange{Measure::indentation, 0.1e-6, 0.5e-6}, CurveRange{Measure::force, 0.1 * top, 0.6 * top},
-                                    CurveRange{Measure::share_of_indentation, 0.2, 0.7}}) {
-        const ForceCurveFit fit = fit_force_curve(segment, tip_on_gel(), {.range = range, .contact_point = first_touch});
+    for (const CurveRange& range :
+         {CurveRange{Measure::indentation, 0.1e-6, 0.5e-6}, CurveRange{Measure::force, 0.1 * top, 0.6 * top},
+          CurveRange{Measure::share_of_indentation, 0.2, 0.7}}) {
+        const ForceCurveFit fit =
+            fit_force_curve(segment, tip_on_gel(), {.range = range, .contact_point = first_touch});
         EXPECT_NEAR(fit.contact_modulus.value / gel.contact_modulus, 1.0, 1e-7);
         EXPECT_GT(fit.indentation_from, 0.05e-6);
         EXPECT_LT(fit.indentation_to, 0.62e-6);
     }
-    EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(), {.range = {Measure::force, 2.0 * top, 3.0 * top}}), UndefinedDataError);
+    EXPECT_THROW((void)fit_force_curve(segment, tip_on_gel(), {.range = {Measure::force, 2.0 * top, 3.0 * top}}),
+                 UndefinedDataError);
 }
 
 TEST(ForceCurve, StandardErrorsFollowTheNoise) {
     constexpr double noise = 5e-12;
-    const ForceCurveFit fit = fit_force_curve(segments_of_curve(curve(dry_force, sticky_force, noise)).front(), tip_on_gel(),
-                                              {.fit_force_offset = true});
+    const ForceCurveFit fit = fit_force_curve(segments_of_curve(curve(dry_force, sticky_force, noise)).front(),
+                                              tip_on_gel(), {.fit_force_offset = true});
     EXPECT_NEAR(fit.rms_residual / noise, 1.0, 0.1);
     EXPECT_LT(std::abs(fit.contact_modulus.value - gel.contact_modulus), 3.0 * fit.contact_modulus.standard_error);
     EXPECT_LT(fit.contact_modulus.standard_error, 0.02 * gel.contact_modulus);

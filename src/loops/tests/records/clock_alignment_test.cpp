@@ -9,7 +9,8 @@
 namespace setae::loops::tests {
 namespace {
 
-/// Frames every `step` seconds of a camera that began `offset` before the time it thinks it is: t_force = t_camera + offset.
+/// Frames every `step` seconds of a camera that began `offset` before the time it thinks it is: t_force = t_camera +
+/// offset.
 CameraRecord filmed(const Loop& loop, double step, double offset) {
     std::vector<double> times, radii;
     Index at = 0;

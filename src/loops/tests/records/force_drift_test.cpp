@@ -43,7 +43,8 @@ TEST(ForceDrift, GoesOnWithTheSlopeOfTheFirstBaselineOnRequest) {
     const Index peak = 2 * smooth.samples + 1;
     loop.force += rate * loop.time.min(loop.time[peak]);
     const auto error_of = [&](const AnalysisOptions& options) {
-        return std::abs(analyse(loop, rubber_on_diamond(), options).loading.radius_force->work_of_adhesion.value / 0.040 - 1.0);
+        return std::abs(
+            analyse(loop, rubber_on_diamond(), options).loading.radius_force->work_of_adhesion.value / 0.040 - 1.0);
     };
     EXPECT_LT(error_of({.extrapolate_force_drift = true}), 1e-8);
     EXPECT_GT(error_of({}), 1e-4);
@@ -78,7 +79,8 @@ TEST(ForceDrift, HasTheErrorOfItsBaselinesInTheEnergy) {
     Segments steeper = segments;
     steeper.before.force_slope += segments.before.force_slope_standard_error;
     const double by_slope = loop_energy(loop, steeper, 0, DriftModel::extrapolated).energy - extrapolated.energy;
-    EXPECT_NEAR(extrapolated.standard_error.drift / std::abs(by_slope), 1.0, 0.05);  // the opening times the zero's error is the rest
+    EXPECT_NEAR(extrapolated.standard_error.drift / std::abs(by_slope), 1.0,
+                0.05);  // the opening times the zero's error is the rest
 }
 
 TEST(DisplacementDrift, IsTakenOffAtAKnownRate) {
@@ -86,7 +88,9 @@ TEST(DisplacementDrift, IsTakenOffAtAKnownRate) {
     loop.displacement += 1e-9 * loop.time;
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond(), {.displacement_drift_rate = 1e-9});
     EXPECT_NEAR(analysis.loading.force_displacement->work_of_adhesion.value / 0.040, 1.0, 1e-7);
-    EXPECT_GT(std::abs(analyse(loop, rubber_on_diamond()).loading.force_displacement->work_of_adhesion.value / 0.040 - 1.0), 1e-4);
+    EXPECT_GT(
+        std::abs(analyse(loop, rubber_on_diamond()).loading.force_displacement->work_of_adhesion.value / 0.040 - 1.0),
+        1e-4);
     loop.time = Array1D();
     EXPECT_THROW((void)analyse(loop, rubber_on_diamond(), {.displacement_drift_rate = 1e-9}), InvalidArgument);
 }

@@ -19,7 +19,8 @@ using tests::SyntheticLoop;
 
 constexpr double stiffness = 250.0;
 
-/// A rigid contact: the stage pushes the machine's spring from 0 on and back, adhesion holds it a little on the way out.
+/// A rigid contact: the stage pushes the machine's spring from 0 on and back, adhesion holds it a little on the way
+/// out.
 Loop rigid_loop(double extra_slope_out = 0.0) {
     constexpr Index n = 300;
     const Array1D in = Array1D::LinSpaced(n, 0.0, 4e-6), out = in.reverse();
@@ -28,7 +29,8 @@ Loop rigid_loop(double extra_slope_out = 0.0) {
     loop.displacement.resize(4 * n);
     loop.displacement << free, in, out, free.reverse();
     loop.force.resize(4 * n);
-    loop.force << Array1D::Zero(n), stiffness * in, (stiffness + extra_slope_out) * (out - 4e-6) + stiffness * 4e-6, Array1D::Zero(n);
+    loop.force << Array1D::Zero(n), stiffness * in, (stiffness + extra_slope_out) * (out - 4e-6) + stiffness * 4e-6,
+        Array1D::Zero(n);
     loop.force.segment(3 * n - 1, 4) = Array1D::Constant(4, -1e-4);  // pull-off
     return loop;
 }
@@ -74,7 +76,8 @@ TEST(MachineStiffness, ReportsTheBranchesAndTheirHysteresis) {
 TEST(MachineStiffness, RefusesASoftContact) {
     Loop loop = SyntheticLoop{.samples = 400}.make();
     loop.displacement += loop.force / 5000.0;
-    const std::string message = tests::refusal_of<UndefinedDataError>([&] { (void)machine_stiffness_from_rigid_contact(loop); });
+    const std::string message =
+        tests::refusal_of<UndefinedDataError>([&] { (void)machine_stiffness_from_rigid_contact(loop); });
     EXPECT_NE(message.find("this contact is soft"), std::string::npos) << message;
     loop.displacement = Array1D();
     EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop), UndefinedDataError);
@@ -92,8 +95,12 @@ TEST(MachineStiffness, PassesItsErrorOnToModulusAndWork) {
     // noise-free: the whole error is the stiffness's
     EXPECT_NEAR(fit.contact_modulus.standard_error / std::abs(analysis.compliance->modulus_change), 1.0, 1e-3);
     const LoopAnalysis other = analyse(loop, tests::rubber_on_diamond(), {.machine_stiffness = stiffness + 10.0});
-    EXPECT_NEAR((other.loading.force_displacement->contact_modulus.value - fit.contact_modulus.value) / analysis.compliance->modulus_change, 1.0, 1e-3);
-    EXPECT_NEAR((other.loading.force_displacement->work_of_adhesion.value - fit.work_of_adhesion.value) / analysis.compliance->work_change, 1.0, 1e-3);
+    EXPECT_NEAR((other.loading.force_displacement->contact_modulus.value - fit.contact_modulus.value) /
+                    analysis.compliance->modulus_change,
+                1.0, 1e-3);
+    EXPECT_NEAR((other.loading.force_displacement->work_of_adhesion.value - fit.work_of_adhesion.value) /
+                    analysis.compliance->work_change,
+                1.0, 1e-3);
     EXPECT_GT(analysis.compliance->energy_change, 0.0);
 }
 

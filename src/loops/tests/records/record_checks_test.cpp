@@ -31,15 +31,19 @@ Loop noisy() {
 
 /// The message of an alert, empty where there is none.
 std::string alert_of(const LoopAnalysis& analysis, const std::string& code) {
-    const auto found = std::find_if(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& a) { return a.code == code; });
+    const auto found =
+        std::find_if(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& a) { return a.code == code; });
     return found == analysis.alerts.end() ? "" : found->message;
 }
 
-std::string alert_of(const Loop& loop, const std::string& code, const LensAndCounterBody& bodies = rubber_on_diamond()) {
+std::string alert_of(const Loop& loop, const std::string& code,
+                     const LensAndCounterBody& bodies = rubber_on_diamond()) {
     return alert_of(analyse(loop, bodies), code);
 }
 
-void expect_says(const std::string& message, const std::string& words) { EXPECT_NE(message.find(words), std::string::npos) << "'" << message << "'"; }
+void expect_says(const std::string& message, const std::string& words) {
+    EXPECT_NE(message.find(words), std::string::npos) << "'" << message << "'";
+}
 
 TEST(RecordFaults, AreNoneInASoundRecord) {
     for (const Loop& loop : {smooth.make(), noisy()}) {
@@ -49,7 +53,9 @@ TEST(RecordFaults, AreNoneInASoundRecord) {
         EXPECT_EQ(faults.frames_missing, 0);
         EXPECT_FALSE(faults.longest_gap);
         EXPECT_FALSE(faults.time_backwards);
-        for (const char* code : {"FORCE_SATURATED", "FRAME_MISSING", "TIME_BACKWARDS", "UNITS_IMPLAUSIBLE", "TWO_CONTACTS"}) EXPECT_EQ(alert_of(loop, code), "") << code;
+        for (const char* code :
+             {"FORCE_SATURATED", "FRAME_MISSING", "TIME_BACKWARDS", "UNITS_IMPLAUSIBLE", "TWO_CONTACTS"})
+            EXPECT_EQ(alert_of(loop, code), "") << code;
     }
 }
 
@@ -62,7 +68,8 @@ TEST(SaturatedForce, IsFoundNamedAndLeftOutOfTheFits) {
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
     const std::string message = alert_of(analysis, "FORCE_SATURATED");
     expect_says(message, "largest");
-    expect_says(message, std::to_string(faults.saturated_high[0].first) + " to " + std::to_string(faults.saturated_high[0].last));
+    expect_says(message, std::to_string(faults.saturated_high[0].first) + " to " +
+                             std::to_string(faults.saturated_high[0].last));
     EXPECT_LT(analysis.loading.range.last, faults.saturated_high[0].first);
     EXPECT_NEAR(analysis.loading.force_displacement->work_of_adhesion.value / 0.040, 1.0, 0.01);
     // the pull-off, too
@@ -110,7 +117,9 @@ TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
     // contact radii in µm read as m: larger than the sphere
     Loop loop = smooth.make();
     loop.contact_radius *= 1e6;
-    expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "more than the sphere radius 1.250 mm: one of them is off, the likely factor of the contact radius is 10^-6");
+    expect_says(
+        alert_of(loop, "UNITS_IMPLAUSIBLE"),
+        "more than the sphere radius 1.250 mm: one of them is off, the likely factor of the contact radius is 10^-6");
     // forces in mN read as N
     loop = smooth.make();
     loop.force *= 1e3;
@@ -135,7 +144,8 @@ TEST(ImplausibleUnits, OfTheSphereShowToo) {
 TEST(ChannelsOfDifferentLength, AreRefusedByName) {
     Loop loop = smooth.make();
     loop.time.conservativeResize(10);
-    expect_says(tests::refusal_of<InvalidArgument>([&] { (void)analyse(loop, rubber_on_diamond()); }), "time has 10 samples, force has");
+    expect_says(tests::refusal_of<InvalidArgument>([&] { (void)analyse(loop, rubber_on_diamond()); }),
+                "time has 10 samples, force has");
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 
 GivenRange some_range(Index samples) {
     const auto first = *rc::gen::inRange<Index>(-2, samples), last = *rc::gen::inRange<Index>(-2, samples + 2);
-    if (*rc::gen::inRange(0, 4) == 0) return TimeRange{0.1 * static_cast<double>(first), 0.1 * static_cast<double>(last)};
+    if (*rc::gen::inRange(0, 4) == 0)
+        return TimeRange{0.1 * static_cast<double>(first), 0.1 * static_cast<double>(last)};
     return IndexRange{first, last};
 }
 
@@ -25,7 +26,8 @@ SegmentEdits some_edits(Index samples) {
     maybe(edits.baseline_before);
     maybe(edits.baseline_after);
     ContactEdits contact;
-    for (auto* range : {&contact.jump_in, &contact.loading, &contact.hold, &contact.unloading, &contact.pull_off}) maybe(*range);
+    for (auto* range : {&contact.jump_in, &contact.loading, &contact.hold, &contact.unloading, &contact.pull_off})
+        maybe(*range);
     if (*rc::gen::inRange(0, 2) == 0) contact.cuts.push_back(*rc::gen::inRange<Index>(0, samples));
     if (contact != ContactEdits{}) edits.contacts.push_back(contact);
     if (*rc::gen::inRange(0, 2) == 0) edits.ignored.push_back({some_range(samples), "a reason"});

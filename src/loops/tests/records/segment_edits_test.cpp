@@ -25,15 +25,25 @@ SegmentEdits edits_of(const std::vector<std::string>& texts) {
     return edits;
 }
 
-Segments edited(const Loop& loop, const std::vector<std::string>& texts) { return find_segments(loop, {.edits = edits_of(texts)}); }
+Segments edited(const Loop& loop, const std::vector<std::string>& texts) {
+    return find_segments(loop, {.edits = edits_of(texts)});
+}
 
 std::string refused(const Loop& loop, const std::vector<std::string>& texts) {
     return refusal_of<InvalidArgument>([&] { (void)edited(loop, texts); });
 }
 
 TEST(SegmentEditText, ComesBackAsItWentIn) {
-    const std::vector<std::string> texts{"baseline=0s:12.5s", "baseline_after=1500:1600", "jump_in=399:401",  "loading=401:900", "hold=790:820",
-                                         "unloading=900:1000", "pull_off=1000:1004",      "cut=600",          "cut=700",         "loading@3=5s:6.25s",
+    const std::vector<std::string> texts{"baseline=0s:12.5s",
+                                         "baseline_after=1500:1600",
+                                         "jump_in=399:401",
+                                         "loading=401:900",
+                                         "hold=790:820",
+                                         "unloading=900:1000",
+                                         "pull_off=1000:1004",
+                                         "cut=600",
+                                         "cut=700",
+                                         "loading@3=5s:6.25s",
                                          "ignore=30:35 (door slammed)"};
     const SegmentEdits edits = edits_of(texts);
     EXPECT_EQ(segment_edit_texts(edits), texts);

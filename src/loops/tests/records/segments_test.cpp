@@ -103,7 +103,8 @@ TEST(Segments, CountPartialReleasesAsCycles) {
     const Loop partial{.force = tests::detail::Series::array(middle.force),
                        .displacement = tests::detail::Series::array(middle.displacement),
                        .contact_radius = tests::detail::Series::array(middle.radius)};
-    const Segments segments = find_segments(without_radius(joined(joined(piece(whole, 0, 802), partial), from(whole, 802))));
+    const Segments segments =
+        find_segments(without_radius(joined(joined(piece(whole, 0, 802), partial), from(whole, 802))));
     ASSERT_EQ(segments.contacts.size(), 1u);
     ASSERT_EQ(segments.cycles.size(), 2u);
     EXPECT_FALSE(segments.cycles[0].ends_in_pull_off);
@@ -176,7 +177,8 @@ TEST(Segments, RefuseASensorThatMovesAlone) {
 
 TEST(Segments, RefuseAStartInContact) {
     const Loop loop = without_radius(SyntheticLoop{.samples = 400}.make());
-    EXPECT_NE(refusal<UndefinedDataError>(from(loop, 500), {.baseline_share = 0.2}).find("no free flight"), std::string::npos);
+    EXPECT_NE(refusal<UndefinedDataError>(from(loop, 500), {.baseline_share = 0.2}).find("no free flight"),
+              std::string::npos);
 }
 
 TEST(Segments, RefuseARadiusThatIsNeverPositive) {

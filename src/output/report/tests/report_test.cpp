@@ -14,15 +14,17 @@
 namespace setae::report {
 namespace {
 
+using output::Json;
 using tests::Folder;
 using tests::hostile_name;
-using output::Json;
 
 const RunRecord run{"setae study study.toml", "2026-11-21T18:40:20Z"};
 
 std::string unescaped(std::string text) {
-    for (const auto& [entity, letter] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}})
-        for (auto at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1)) text.replace(at, std::string(entity).size(), letter);
+    for (const auto& [entity, letter] :
+         {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}})
+        for (auto at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+            text.replace(at, std::string(entity).size(), letter);
     return text;
 }
 
@@ -35,7 +37,8 @@ std::string visible(const std::string& page) {
 /// The page without the JSON in it.
 std::string without_data(std::string page) {
     const std::string head = "<script type=\"application/json\"", tail = "</script>";
-    for (auto from = page.find(head); from != std::string::npos; from = page.find(head, from)) page.erase(from, page.find(tail, from) + tail.size() - from);
+    for (auto from = page.find(head); from != std::string::npos; from = page.find(head, from))
+        page.erase(from, page.find(tail, from) + tail.size() - from);
     return page;
 }
 
@@ -55,7 +58,8 @@ std::string limits_of(const study::StudyResult& result) {
 std::size_t numbers_that_agree(const std::string& page, const Json& study) {
     static const std::regex number("data-pointer=\"([^\"]*)\" data-part=\"([^\"]*)\" data-value=\"([^\"]*)\">([^<]*)<");
     std::size_t count = 0;
-    for (auto it = std::sregex_iterator(page.begin(), page.end(), number); it != std::sregex_iterator(); ++it, ++count) {
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), number); it != std::sregex_iterator();
+         ++it, ++count) {
         const Json::json_pointer pointer(unescaped((*it)[1]));
         if (!study.contains(pointer)) {
             ADD_FAILURE() << pointer.to_string() << " is not in the JSON";
@@ -72,10 +76,13 @@ TEST(Report, NumbersOfThePublishedStudyAreThoseOfItsJson) {
     const auto page = visible(as_html(result, {}, run));
     // 4 surfaces of 5 quantities with ± and interval alone are 80
     EXPECT_GT(numbers_that_agree(page, output::to_json(result)), 400u);
-    EXPECT_NE(words(page).find("By approach, balance (7): Wint = 37.1 ± 2.1 mJ m⁻² (95 % interval 32.6 to 41.6 mJ m⁻²), R² = 0.510, from 16 pairs of 4 surfaces and 4 elastomers."),
-              std::string::npos);
+    EXPECT_NE(
+        words(page).find(
+            "By approach, balance (7): Wint = 37.1 ± 2.1 mJ m⁻² (95 % interval 32.6 to 41.6 mJ m⁻²), R² = 0.510, from 16 pairs of 4 surfaces and 4 elastomers."),
+        std::string::npos);
     EXPECT_NE(page.find("Reported for (7): <i>W</i><sub>int</sub> ="), std::string::npos);
-    EXPECT_NE(limits_of(result).find("The spectra of PUNCD, UNCD, NCD and MCD are self-affine reconstructions"), std::string::npos);
+    EXPECT_NE(limits_of(result).find("The spectra of PUNCD, UNCD, NCD and MCD are self-affine reconstructions"),
+              std::string::npos);
 }
 
 TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
@@ -101,17 +108,24 @@ TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
 TEST(Report, EveryColumnOfNumbersSaysItsUnit) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto page = visible(as_html(result, {}, run));
-    EXPECT_NE(page.find("data-name=\"h_rms\" data-unit=\"m\" class=\"number\"><button type=\"button\"><i>h</i><sub>rms</sub> [nm]</button>"), std::string::npos);
+    EXPECT_NE(
+        page.find(
+            "data-name=\"h_rms\" data-unit=\"m\" class=\"number\"><button type=\"button\"><i>h</i><sub>rms</sub> [nm]</button>"),
+        std::string::npos);
     // 37.09 mJ/m²: shown number times unit is the full one
     std::smatch found;
-    ASSERT_TRUE(std::regex_search(page, found, std::regex("data-pointer=\"/fits/modified/work_of_adhesion/value\" data-part=\"value\" data-value=\"([^\"]*)\">([^<]*)<")));
+    ASSERT_TRUE(std::regex_search(
+        page, found,
+        std::regex(
+            "data-pointer=\"/fits/modified/work_of_adhesion/value\" data-part=\"value\" data-value=\"([^\"]*)\">([^<]*)<")));
     EXPECT_NEAR(std::stod(found[2]) * 1e-3, std::stod(found[1]), 0.5e-4);
 }
 
 TEST(Report, HostileNamesAreTextAndNothingElse) {
     const Folder folder("hostile");
     folder.write_scan("a.csv", 20e-9);
-    study::StudyResult result = folder.run("[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n");
+    study::StudyResult result =
+        folder.run("[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n");
     result.study.title = result.study.description = hostile_name;
     result.surfaces[0].name = result.study.surfaces[0].name = hostile_name;
     result.surfaces[0].measurements[0].file = std::string("bytes \xff\x01 ") + hostile_name;
@@ -129,18 +143,21 @@ TEST(Report, HostileNamesAreTextAndNothingElse) {
 TEST(Report, JsonInThePageIsTheStudyWithoutItsCurves) {
     const Folder folder("json");
     folder.write_scan("a.csv", 20e-9);
-    const auto result = folder.run("[surfaces.\"</script>\"]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n");
+    const auto result = folder.run(
+        "[surfaces.\"</script>\"]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n");
     const auto page = as_html(result, {}, run);
     const std::string head = "id=\"study\">";
     const auto from = page.find(head) + head.size();
     const auto embedded = Json::parse(page.substr(from, page.find("</script>", from) - from));
-    EXPECT_EQ(embedded.at("surfaces").at("</script>").at("rms_height"), output::to_json(result).at("surfaces").at("</script>").at("rms_height"));
+    EXPECT_EQ(embedded.at("surfaces").at("</script>").at("rms_height"),
+              output::to_json(result).at("surfaces").at("</script>").at("rms_height"));
 }
 
 TEST(Report, SaysWhatFailedAndWhy) {
     const Folder folder("failed");
     folder.write_scan("a.csv", 20e-9);
-    const auto result = folder.run("[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\" }, { file = \"lost.csv\", instrument = \"stylus\" }]\n");
+    const auto result = folder.run(
+        "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\" }, { file = \"lost.csv\", instrument = \"stylus\" }]\n");
     ASSERT_EQ(result.failures(), 1);
     const auto page = visible(as_html(result, {}, run));
     EXPECT_NE(words(page).find("1 failed: measurement "), std::string::npos);
@@ -154,21 +171,30 @@ TEST(Report, SaysWhatFailedAndWhy) {
 TEST(Report, OfAnEmptyStudyNothingIsConcluded) {
     study::StudyResult result;
     result.work_of_adhesion = decltype(result.work_of_adhesion)::missing("no pair");
-    EXPECT_NE(limits_of(result).find("Empty study: it names no surface and no experiment, so nothing can be concluded"), std::string::npos);
-    EXPECT_NE(words(as_html(result, {}, run)).find("This study holds no surfaces with no measurements"), std::string::npos);
+    EXPECT_NE(limits_of(result).find("Empty study: it names no surface and no experiment, so nothing can be concluded"),
+              std::string::npos);
+    EXPECT_NE(words(as_html(result, {}, run)).find("This study holds no surfaces with no measurements"),
+              std::string::npos);
 }
 
 TEST(Report, WithoutExperimentsPredictsOnlyWithAGivenWorkOfAdhesion) {
     const Folder folder("predicted");
     folder.write_scan("a.csv", 20e-9);
-    const std::string surface = "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n";
+    const std::string surface =
+        "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n";
     const auto without = limits_of(folder.run(surface));
-    EXPECT_NE(without.find("No experiment: roughness is known, but Wapp is predicted only with a given Wint"), std::string::npos) << without;
+    EXPECT_NE(without.find("No experiment: roughness is known, but Wapp is predicted only with a given Wint"),
+              std::string::npos)
+        << without;
     auto given = folder.run(surface);
     given.study.work_of_adhesion = Estimate{0.037, 0.004};
     given.work_of_adhesion = *given.study.work_of_adhesion;
     const auto with = limits_of(given);
-    EXPECT_NE(with.find("No experiment: Wapp is predicted with the given Wint = 37.0 ± 4.0 mJ m⁻²; nothing measured tests it."), std::string::npos) << with;
+    EXPECT_NE(
+        with.find(
+            "No experiment: Wapp is predicted with the given Wint = 37.0 ± 4.0 mJ m⁻²; nothing measured tests it."),
+        std::string::npos)
+        << with;
     EXPECT_NE(with.find("Of A there is one measurement"), std::string::npos);
 }
 
@@ -176,8 +202,12 @@ TEST(Report, WithoutExperimentsPredictsOnlyWithAGivenWorkOfAdhesion) {
 std::string published(const std::vector<std::string>& surfaces, const std::vector<std::string>& elastomers) {
     std::string toml;
     for (const auto& name : surfaces)
-        toml += "[surfaces." + name + "]\nmoments = { rms_height = \"5 nm\", rms_slope = \"0.3\", rms_curvature = \"1 1/nm\", short_wavevector = \"1.6e10 1/m\" }\n";
-    for (const auto& name : elastomers) toml += "[elastomers." + name + "]\nyoungs_modulus = \"0.7 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
+        toml +=
+            "[surfaces." + name +
+            "]\nmoments = { rms_height = \"5 nm\", rms_slope = \"0.3\", rms_curvature = \"1 1/nm\", short_wavevector = \"1.6e10 1/m\" }\n";
+    for (const auto& name : elastomers)
+        toml += "[elastomers." + name +
+                "]\nyoungs_modulus = \"0.7 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
     std::string columns, works;
     for (const auto& name : elastomers) {
         columns += (columns.empty() ? "\"" : ", \"") + name + "\"";
@@ -190,28 +220,42 @@ std::string published(const std::vector<std::string>& surfaces, const std::vecto
 
 TEST(Report, OfOneSurfaceSaysThatRoughnessIsNotTested) {
     const auto limits = limits_of(Folder("one_surface").run(published({"A"}, {"soft", "hard", "other"})));
-    EXPECT_NE(limits.find("One surface: Wint rests on 3 pairs of one surface, A; the balance is not tested against roughness."), std::string::npos) << limits;
+    EXPECT_NE(limits.find(
+                  "One surface: Wint rests on 3 pairs of one surface, A; the balance is not tested against roughness."),
+              std::string::npos)
+        << limits;
 }
 
 TEST(Report, OfOneElastomerSaysThatModulusIsNotTested) {
     const auto limits = limits_of(Folder("one_elastomer").run(published({"A", "B"}, {"soft"})));
-    EXPECT_NE(limits.find("One elastomer: every pair is on soft; that the stored energy grows with the modulus is not tested."), std::string::npos) << limits;
+    EXPECT_NE(limits.find(
+                  "One elastomer: every pair is on soft; that the stored energy grows with the modulus is not tested."),
+              std::string::npos)
+        << limits;
 }
 
 TEST(Report, OfOnePairSaysThatItTestsNothing) {
     const auto limits = limits_of(Folder("one_pair").run(published({"A"}, {"soft"})));
-    EXPECT_NE(limits.find("One pair: a single measured work of adhesion can always be matched by some Wint"), std::string::npos) << limits;
+    EXPECT_NE(limits.find("One pair: a single measured work of adhesion can always be matched by some Wint"),
+              std::string::npos)
+        << limits;
     EXPECT_NE(limits.find("No prediction: "), std::string::npos) << limits;
 }
 
 TEST(Report, OfOneExperimentSaysThatScatterIsUnknown) {
-    const auto limits = limits_of(Folder("one_experiment").run(published({"A"}, {"soft"}) + "[[experiments]]\nfile = \"lost.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n"));
+    const auto limits =
+        limits_of(Folder("one_experiment")
+                      .run(published({"A"}, {"soft"}) +
+                           "[[experiments]]\nfile = \"lost.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n"));
     EXPECT_NE(limits.find("One experiment: there is no scatter between loops"), std::string::npos) << limits;
 }
 
 TEST(Report, AsksNoNetworkForAnything) {
     const auto page = as_html(study::StudyResult{}, tests::sample_figures(), run);
-    EXPECT_NE(page.find("content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\""), std::string::npos);
+    EXPECT_NE(
+        page.find(
+            "content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\""),
+        std::string::npos);
     EXPECT_FALSE(std::regex_search(visible(page), std::regex("(src|href)=\"(https?:)?//")));
 }
 
@@ -238,7 +282,8 @@ TEST(Report, IsTheSameBytesEachTime) {
 }
 
 TEST(Report, HeadingsAreInOrder) {
-    const auto page = visible(as_html(study::run_study(study::read_study("examples/nanodiamond/published.toml")), tests::sample_figures(), run));
+    const auto page = visible(as_html(study::run_study(study::read_study("examples/nanodiamond/published.toml")),
+                                      tests::sample_figures(), run));
     int before = 0;
     const std::regex heading("<h([1-6])");
     for (auto it = std::sregex_iterator(page.begin(), page.end(), heading); it != std::sregex_iterator(); ++it) {
@@ -271,7 +316,8 @@ TEST(Numbers, TakeTheUnitThatPutsTheLargestBelowAThousand) {
 }
 
 TEST(Markup, SetsNumbersAndSymbolsOfSentencesAndLeavesNamesAlone) {
-    EXPECT_EQ(prose("the tip of 5e-06 m hides wavelengths below 1.038e-06 m"), "the tip of 5×10⁻⁶ m hides wavelengths below 1.038×10⁻⁶ m");
+    EXPECT_EQ(prose("the tip of 5e-06 m hides wavelengths below 1.038e-06 m"),
+              "the tip of 5×10⁻⁶ m hides wavelengths below 1.038×10⁻⁶ m");
     EXPECT_EQ(prose("between 1e8 and 1e+09 1/m"), "between 10⁸ and 10⁹ 1/m");
     EXPECT_EQ(prose("W_app of A_w_int <37 mJ/m2>"), "<i>W</i><sub>app</sub> of A_w_int &lt;37 mJ\u00A0m⁻²&gt;");
     EXPECT_EQ(prose("scans/1e5.csv, run_2e3, 3e4_b"), "scans/1e5.csv, run_2e3, 3e4_b");

@@ -12,7 +12,8 @@ StudyResult study_of_loops() {
     result.surfaces = {given_surface("smooth"), given_surface("rough")};
     result.elastomers = {elastomer("soft", 0.7e6), elastomer("hard", 2e6)};
     for (const auto& e : result.elastomers) result.study.elastomers.push_back(e.input);
-    result.experiments = {jkr_experiment("smooth", result.elastomers[0], 0.04), jkr_experiment("smooth", result.elastomers[1], 0.04),
+    result.experiments = {jkr_experiment("smooth", result.elastomers[0], 0.04),
+                          jkr_experiment("smooth", result.elastomers[1], 0.04),
                           jkr_experiment("rough", result.elastomers[1], 0.03)};
     return result;
 }
@@ -21,7 +22,8 @@ StudyResult study_of_loops() {
 double at(const figures::Series& curve, double x) {
     for (Index i = 1; i < curve.x.size(); ++i)
         if ((curve.x[i - 1] - x) * (curve.x[i] - x) <= 0.0)
-            return curve.y[i - 1] + (curve.y[i] - curve.y[i - 1]) * (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
+            return curve.y[i - 1] +
+                   (curve.y[i] - curve.y[i - 1]) * (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
     return undefined;
 }
 
@@ -107,7 +109,8 @@ TEST(FigureS6, ShowsReferencesByStage) {
     EXPECT_EQ(study_figure(result, "2").reason, "the study has no loop on a rough surface");
     const auto drawn = study_figure(result, "S6");
     ASSERT_EQ(drawn.figure.panels.size(), 2u);
-    EXPECT_NE(series_of(drawn.figure.panels[1], "before, loading").colour, series_of(drawn.figure.panels[1], "after, loading").colour);
+    EXPECT_NE(series_of(drawn.figure.panels[1], "before, loading").colour,
+              series_of(drawn.figure.panels[1], "after, loading").colour);
     EXPECT_NO_THROW((void)series_of(drawn.figure.panels[1], "after, JKR of loading"));
 }
 

@@ -12,7 +12,8 @@ StudyResult measured_study() {
     StudyResult result;
     auto surface = given_surface("rough");
     const Array1D q = Array1D::LinSpaced(2000, 1e6, 2e9);
-    for (const char* name : {"first", "second"}) surface.measurements.push_back(measurement(name, "afm", q, 1e-6 * q.pow(-3.0), {2e6, 5e8}));
+    for (const char* name : {"first", "second"})
+        surface.measurements.push_back(measurement(name, "afm", q, 1e-6 * q.pow(-3.0), {2e6, 5e8}));
     const Array1D stylus = Array1D::LinSpaced(50, 1e4, 5e5);
     surface.measurements.push_back(measurement("scan", "stylus", stylus, Array1D::Constant(50, 1e-20), {1e4, 4e5}));
     auto& scan = surface.measurements.back();
@@ -20,8 +21,13 @@ StudyResult measured_study() {
     scan.preview.heights = 1e-8 * (scan.preview.positions * 1e6).sin();
     scan.preview.heights[500] = 5e-8;
     scan.preview.size = {5e-4, 0.0};
-    surface.combined = spectra::CombinedSpectrum{.wavevector = Array1D{{1e5, 1e6}}, .C1D = Array1D{{1e-20, 2e-20}}, .standard_error = Array1D{{1e-21, undefined}},
-                                                 .count = Array1D{{3.0, 1.0}}, .instrument_count = Array1D{{1.0, 1.0}}, .q_min = 1e5, .q_max = 1e6};
+    surface.combined = spectra::CombinedSpectrum{.wavevector = Array1D{{1e5, 1e6}},
+                                                 .C1D = Array1D{{1e-20, 2e-20}},
+                                                 .standard_error = Array1D{{1e-21, undefined}},
+                                                 .count = Array1D{{3.0, 1.0}},
+                                                 .instrument_count = Array1D{{1.0, 1.0}},
+                                                 .q_min = 1e5,
+                                                 .q_max = 1e6};
     surface.average.curve = {surface.combined->wavevector, surface.combined->C1D, {1e5, 1e6}, roughness::Density::C1D};
     result.surfaces = {surface};
     return result;
@@ -53,11 +59,13 @@ TEST(Figure1, ShowsAReconstructionAsTheAbelIntegralOfItsSpectrum) {
     const auto drawn = study_figure(result, "1");
     const auto& curve = series_of(drawn.figure.panels[0], "published (reconstruction)");
     ASSERT_EQ(curve.x.size(), 3);  // at the spectrum's end the integral is 0
-    const Array1D expected = spectra::profile_from_isotropic(surface.average.curve.wavevector, surface.average.curve.values, curve.x);
+    const Array1D expected =
+        spectra::profile_from_isotropic(surface.average.curve.wavevector, surface.average.curve.values, curve.x);
     EXPECT_TRUE((curve.y == expected).all());
     EXPECT_NE(drawn.caption.find("published reconstructed from published moments"), std::string::npos) << drawn.caption;
     const auto isotropic = study_figure(result, "S3");
-    EXPECT_TRUE((series_of(isotropic.figure.panels[0], "published (reconstruction)").y == surface.average.curve.values).all());
+    EXPECT_TRUE(
+        (series_of(isotropic.figure.panels[0], "published (reconstruction)").y == surface.average.curve.values).all());
 }
 
 TEST(Figure1, ShowsFittedSpectraWithTheirLogarithmicError) {
@@ -75,7 +83,8 @@ TEST(Figure1, ShowsFittedSpectraWithTheirLogarithmicError) {
     result.surfaces = {surface};
     const auto one = study_figure(result, "1"), isotropic = study_figure(result, "S3");
     EXPECT_NEAR(std::log(series_of(one.figure.panels[0], "fitted, 95 %").upper[1] / 1e-21), 1.959964 * 0.2, 1e-6);
-    EXPECT_NEAR(std::log(series_of(isotropic.figure.panels[0], "fitted, 95 %").lower[0] / 1e-25), -1.959964 * 0.3, 1e-6);
+    EXPECT_NEAR(std::log(series_of(isotropic.figure.panels[0], "fitted, 95 %").lower[0] / 1e-25), -1.959964 * 0.3,
+                1e-6);
 }
 
 TEST(FigureS3, ConvertsAveragesAsTheStudySays) {

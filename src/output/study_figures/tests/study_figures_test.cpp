@@ -12,7 +12,9 @@ namespace {
 
 using study::StudyResult;
 
-std::string reason_of(const StudyResult& result, const std::string& identifier) { return study_figure(result, identifier).reason; }
+std::string reason_of(const StudyResult& result, const std::string& identifier) {
+    return study_figure(result, identifier).reason;
+}
 
 TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
     const StudyResult empty;
@@ -55,7 +57,8 @@ TEST(StudyFigures, AreFoundByIdentifierOrTheNearestIsNamed) {
         (void)study_figure(result, "scale");
         FAIL();
     } catch (const InvalidArgument& error) {
-        EXPECT_NE(std::string(error.what()).find("unknown figure 'scale'; did you mean 'scales'?"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("unknown figure 'scale'; did you mean 'scales'?"), std::string::npos)
+            << error.what();
     }
 }
 
@@ -104,11 +107,15 @@ TEST(Figure4, ShowsLossAgainstTrueAreaOnALineThroughTheOrigin) {
     std::vector<adhesion::PairPoint> points;
     // 40 mJ/m2 exactly: 4e-8 m2 lose 1.6 nJ
     for (const double area : {4e-8, 8e-8}) {
-        adhesion::PairPoint point{.surface = "rough", .elastomer = area < 5e-8 ? "hard" : "soft", .measured = {0.04 * area, 1e-11}, .slope = area};
+        adhesion::PairPoint point{.surface = "rough",
+                                  .elastomer = area < 5e-8 ? "hard" : "soft",
+                                  .measured = {0.04 * area, 1e-11},
+                                  .slope = area};
         point.floored = false;
         points.push_back(point);
     }
-    result.loop = loops::Outcome<study::LoopFits>(study::LoopFits{.through_origin = adhesion::fit_work_of_adhesion(points)});
+    result.loop =
+        loops::Outcome<study::LoopFits>(study::LoopFits{.through_origin = adhesion::fit_work_of_adhesion(points)});
     const auto drawn = study_figure(result, "4");
     ASSERT_EQ(drawn.figure.panels.size(), 4u);
     const auto& point = series_of(drawn.figure.panels[2], "rough on hard");
@@ -129,14 +136,20 @@ TEST(Figure4, SaysWhatAReconstructionThatIsFlooredMeans) {
     const auto caption = study_figure(result, "4").caption;
     EXPECT_NE(caption.find("Reconstruction: the spectrum of rough"), std::string::npos);
     // (37 · 1.5 − 25 · 0.5) mJ/m² over 2.667 MPa
-    EXPECT_NE(caption.find("rough on hard (measured 20.0 ± 2.0 mJ/m2; 16.12 nm, not 33.75 nm)"), std::string::npos) << caption;
+    EXPECT_NE(caption.find("rough on hard (measured 20.0 ± 2.0 mJ/m2; 16.12 nm, not 33.75 nm)"), std::string::npos)
+        << caption;
     EXPECT_EQ(caption.find("smooth on"), std::string::npos);
 }
 
 TEST(FigureS8, UsesTheFitOfItsOwnBalance) {
     auto result = study_of_pairs();
     std::vector<adhesion::PairPoint> points;
-    for (const auto& pair : result.pairs) points.push_back({.surface = pair.surface, .elastomer = pair.elastomer, .measured = *pair.approach, .slope = 1.5, .offset = 0.01});
+    for (const auto& pair : result.pairs)
+        points.push_back({.surface = pair.surface,
+                          .elastomer = pair.elastomer,
+                          .measured = *pair.approach,
+                          .slope = 1.5,
+                          .offset = 0.01});
     result.persson_tosatti = loops::Outcome<adhesion::WorkFit>(adhesion::fit_work_of_adhesion(points));
     const double expected = 1e3 * (1.5 * result.persson_tosatti->work_of_adhesion.value - 0.01);
     const auto drawn = study_figure(result, "S8");
@@ -183,7 +196,9 @@ TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
     auto result = study_of_pairs();
     EXPECT_EQ(reason_of(result, "agreement"), "no surface's spectrum was fitted to its measurements by likelihood");
     study::FittedSpectrum fitted;
-    fitted.agreement = {{.instrument = "afm", .decade = 6, .ratio = 1.1, .standard_error = 0.2, .chi_squared = 5.0, .groups = 4}, {.instrument = "tem", .decade = 8, .ratio = 0.9}};
+    fitted.agreement = {
+        {.instrument = "afm", .decade = 6, .ratio = 1.1, .standard_error = 0.2, .chi_squared = 5.0, .groups = 4},
+        {.instrument = "tem", .decade = 8, .ratio = 0.9}};
     result.surfaces[0].fitted = fitted;
     const auto drawn = study_figure(result, "agreement");
     ASSERT_EQ(drawn.figure.panels.size(), 1u);
@@ -196,8 +211,10 @@ TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
 TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     auto result = study_of_pairs();
     std::vector<study::PredictionResidual> residuals;
-    for (const auto& pair : result.pairs) residuals.push_back({pair.surface, pair.elastomer, *pair.approach, pair.modified->estimate});
-    result.prediction_test = study::prediction_test(residuals, Array2D((Eigen::MatrixXd::Identity(3, 3) * 4e-6).array()), std::nullopt);
+    for (const auto& pair : result.pairs)
+        residuals.push_back({pair.surface, pair.elastomer, *pair.approach, pair.modified->estimate});
+    result.prediction_test =
+        study::prediction_test(residuals, Array2D((Eigen::MatrixXd::Identity(3, 3) * 4e-6).array()), std::nullopt);
     const auto drawn = study_figure(result, "prediction");
     ASSERT_TRUE(drawn.drawable()) << drawn.reason;
     ASSERT_EQ(drawn.figure.panels.size(), 2u);
@@ -221,7 +238,9 @@ TEST(ReplicatesFigure, HasAPanelForEachElastomerWithItsExcludedLoops) {
     EXPECT_EQ(reason_of(result, "replicates"), "no loop names a lens, a spot or an exclusion");
     for (const char* name : {"soft", "hard"}) {
         study::ElastomerReplicates replicates{.elastomer = name, .symbol = "W_app"};
-        replicates.data.rows = {{0.03, 0.001, {"smooth", "1", "1"}, "a"}, {0.04, 0.001, {"smooth", "2", "1"}, "b"}, {0.09, 0.001, {"smooth", "2", "2"}, "c"}};
+        replicates.data.rows = {{0.03, 0.001, {"smooth", "1", "1"}, "a"},
+                                {0.04, 0.001, {"smooth", "2", "1"}, "b"},
+                                {0.09, 0.001, {"smooth", "2", "2"}, "c"}};
         replicates.data.exclusions = {{2, "dust"}};
         replicates.model = statistics::mixed_model(replicates.data);
         result.replicates.push_back(replicates);

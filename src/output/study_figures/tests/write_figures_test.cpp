@@ -8,15 +8,17 @@
 #include <map>
 
 #include "setae/core/errors.hpp"
-#include "setae/study_figures/true_area_of_maps.hpp"
 #include "setae/roughness/true_area.hpp"
+#include "setae/study_figures/true_area_of_maps.hpp"
 #include "small_studies.hpp"
 
 namespace setae::study_figures {
 namespace {
 
 struct Folder {
-    std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("setae_gallery_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) /
+        ("setae_gallery_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     Folder() {
         std::filesystem::remove_all(path);
         std::filesystem::create_directories(path);
@@ -36,7 +38,9 @@ std::map<std::string, std::string> files_in(const std::string& folder) {
 
 bool there_is_gnuplot() { return !figures::drawing_program().empty(); }
 
-std::vector<StudyFigure> two_figures() { return {study_figure(study_of_pairs(), "1"), study_figure(study_of_pairs(), "4")}; }
+std::vector<StudyFigure> two_figures() {
+    return {study_figure(study_of_pairs(), "1"), study_figure(study_of_pairs(), "4")};
+}
 
 TEST(WriteFigures, GivesTheSameBytesForAnyNumberOfThreadsAndFromTheStore) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
@@ -64,7 +68,10 @@ TEST(WriteFigures, OneThatFailsDoesNotLoseTheOthers) {
     figures[0].figure.panels[0].series[0].y = Array1D::Ones(1);
     figures.push_back({.identifier = "2", .name = "figure_2", .reason = "no loops"});
     std::vector<std::string> told;
-    const auto written = write_figures(figures, {.folder = folder / "out", .study = "a.toml", .endings = {"csv"}, .threads = {2},
+    const auto written = write_figures(figures, {.folder = folder / "out",
+                                                 .study = "a.toml",
+                                                 .endings = {"csv"},
+                                                 .threads = {2},
                                                  .progress = [&](const std::string& name) { told.push_back(name); }});
     ASSERT_EQ(written.size(), 2u);
     EXPECT_NE(written[0].error.find("expected as many"), std::string::npos) << written[0].error;
@@ -96,14 +103,25 @@ TEST(WriteFigures, RefuseAFolderThatCannotBe) {
 TEST(FigureNumbers, SayHowTheyAreMadeAgain) {
     const auto figure = study_figure(study_of_pairs(), "4");
     const auto text = data_of(figure, "my study.toml", FigureWidth::single_column);
-    EXPECT_EQ(text.rfind("# title: Work of adhesion measured and predicted, and energy lost\n# figure: 4\n# caption: ", 0), 0u) << text.substr(0, 200);
+    EXPECT_EQ(
+        text.rfind("# title: Work of adhesion measured and predicted, and energy lost\n# figure: 4\n# caption: ", 0),
+        0u)
+        << text.substr(0, 200);
     EXPECT_NE(text.find("\n# written by: setae "), std::string::npos);
-    EXPECT_NE(text.find("\n# made again by: setae plot 'my study.toml' --figure 4 --width single -o figure_4.svg\npanel,series,name,"), std::string::npos);
-    EXPECT_NE(text.find("\nA,smooth on soft,smooth on soft,predicted *W*_{app},mJ/m2,30,measured *W*_{app},mJ/m2,33,31,35,28,32\n"), std::string::npos) << text;
+    EXPECT_NE(
+        text.find(
+            "\n# made again by: setae plot 'my study.toml' --figure 4 --width single -o figure_4.svg\npanel,series,name,"),
+        std::string::npos);
+    EXPECT_NE(
+        text.find(
+            "\nA,smooth on soft,smooth on soft,predicted *W*_{app},mJ/m2,30,measured *W*_{app},mJ/m2,33,31,35,28,32\n"),
+        std::string::npos)
+        << text;
 }
 
 TEST(TrueAreaOfMaps, IsThatOfGaussianSlopesAndTheSameForAnyNumberOfThreads) {
-    const auto one = true_area_of_maps({.points = 128, .threads = {1}}), two = true_area_of_maps({.points = 128, .threads = {2}});
+    const auto one = true_area_of_maps({.points = 128, .threads = {1}}),
+               two = true_area_of_maps({.points = 128, .threads = {2}});
     ASSERT_EQ(one.size(), 60u);
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].area_ratio, two[i].area_ratio) << i;
     const auto rows = means(one);

@@ -11,8 +11,8 @@
 #include "record_number.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::processing {
 namespace {
@@ -34,7 +34,8 @@ std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed)
     std::mt19937 engine(seed);
     std::set<Index> planted;
     while (static_cast<Index>(planted.size()) < count) {
-        const auto i = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.rows())), j = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.cols()));
+        const auto i = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.rows())),
+                   j = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.cols()));
         if (!planted.insert(i * map.heights.cols() + j).second) continue;
         map.heights(i, j) += planted.size() % 2 == 0 ? height : -height;
     }
@@ -75,7 +76,9 @@ TEST(FindSpikes, TakesTiltsAndStepsAndSmoothWavesForNoSpikes) {
     std::normal_distribution<double> normal(0.0, 1e-10);
     HeightMap map{Array2D(80, 60), {1.0, 1.0}};
     for (Index i = 0; i < 80; ++i)
-        for (Index j = 0; j < 60; ++j) map.heights(i, j) = 1e-8 * static_cast<double>(i) + 1e-7 * static_cast<double>(j) + (i > 40 ? 5e-8 : 0.0) + normal(engine);
+        for (Index j = 0; j < 60; ++j)
+            map.heights(i, j) =
+                1e-8 * static_cast<double>(i) + 1e-7 * static_cast<double>(j) + (i > 40 ? 5e-8 : 0.0) + normal(engine);
     EXPECT_EQ(find_spikes(map).count, 0);
     map.heights.block(10, 20, 15, 15) += 3e-7;  // an island with corners
     EXPECT_EQ(find_spikes(map).count, 0);
@@ -121,7 +124,8 @@ TEST(FindSpikes, LooksPastUndefinedPoints) {
 
 TEST(FindSpikes, OfALineHasAColumnOfPoints) {
     LineScan scan{Array1D(400), 1.0};
-    for (Index i = 0; i < 400; ++i) scan.heights[i] = std::sin(0.05 * static_cast<double>(i)) + 0.001 * std::sin(7.0 * static_cast<double>(i));
+    for (Index i = 0; i < 400; ++i)
+        scan.heights[i] = std::sin(0.05 * static_cast<double>(i)) + 0.001 * std::sin(7.0 * static_cast<double>(i));
     scan.heights[33] += 0.5;
     scan.heights[398] -= 0.5;
     const auto spikes = find_spikes(scan);
@@ -176,7 +180,8 @@ TEST(Despike, RefusesWhatItCannotDo) {
     EXPECT_THROW((void)apply(Despike{.threshold = 0.0}, map), InvalidArgument);
     EXPECT_THROW((void)apply(Despike{.reach = 0}, map), InvalidArgument);
     EXPECT_THROW((void)apply(Despike{.reach = 11}, map), InvalidArgument);
-    EXPECT_THROW((void)apply(Despike{}, topography::Profile{Array1D::LinSpaced(5, 0.0, 1.0), Array1D::Zero(5), {}}), InvalidArgument);
+    EXPECT_THROW((void)apply(Despike{}, topography::Profile{Array1D::LinSpaced(5, 0.0, 1.0), Array1D::Zero(5), {}}),
+                 InvalidArgument);
     EXPECT_EQ(find_spikes(LineScan{Array1D::Random(2), 1.0}).count, 0);
     EXPECT_EQ(find_spikes(HeightMap{Array2D::Random(1, 9), {1.0, 1.0}}).count, 0);
 }

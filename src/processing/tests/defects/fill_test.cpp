@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "setae/core/errors.hpp"
 #include "setae/processing/fill.hpp"
@@ -60,12 +60,13 @@ TEST(FillUndefined, SolvesLaplacesEquationOfAllPointsAtOnce) {
         for (const double aspect : {1.0, 0.4, 5.0}) {
             HeightMap map{noise(17, 14), {17.0, 14.0 * aspect}, periodic, {}};
             map.heights.block(3, 3, 5, 6).setConstant(undefined_height);
-            map.heights(4, 4) = 0.3;                                            // an island in the hole
-            map.heights.row(10).setConstant(undefined_height);                  // a whole row
-            map.heights.block(14, 9, 3, 5).setConstant(undefined_height);       // a corner
+            map.heights(4, 4) = 0.3;                                       // an island in the hole
+            map.heights.row(10).setConstant(undefined_height);             // a whole row
+            map.heights.block(14, 9, 3, 5).setConstant(undefined_height);  // a corner
             map.heights(0, 0) = map.heights(12, 0) = map.heights(12, 13) = undefined_height;
             const HeightMap full = filled(map);
-            EXPECT_LT(difference(full.heights, by_definition(map)), 1e-12) << "periodic " << periodic << ", aspect " << aspect;
+            EXPECT_LT(difference(full.heights, by_definition(map)), 1e-12)
+                << "periodic " << periodic << ", aspect " << aspect;
         }
 }
 
@@ -86,7 +87,8 @@ TEST(FillUndefined, TakesSingleRowsAndTwoPoints) {
         for (const bool periodic : {false, true}) {
             HeightMap map{noise(nx, ny), {1.5 * static_cast<double>(nx), static_cast<double>(ny)}, periodic, {}};
             map.heights.block(0, 0, std::min<Index>(nx, 3), std::min<Index>(ny, 4)).setConstant(undefined_height);
-            EXPECT_LT(difference(filled(map).heights, by_definition(map)), 1e-13) << nx << " x " << ny << ", periodic " << periodic;
+            EXPECT_LT(difference(filled(map).heights, by_definition(map)), 1e-13)
+                << nx << " x " << ny << ", periodic " << periodic;
         }
 }
 
@@ -94,7 +96,10 @@ TEST(FillUndefined, TakesSingleRowsAndTwoPoints) {
 void dig(HeightMap& map, double centre_x, double centre_y, double radius_x, double radius_y) {
     for (Index i = 0; i < map.heights.rows(); ++i)
         for (Index j = 0; j < map.heights.cols(); ++j)
-            if (std::pow((static_cast<double>(i) - centre_x) / radius_x, 2.0) + std::pow((static_cast<double>(j) - centre_y) / radius_y, 2.0) < 1.0) map.heights(i, j) = undefined_height;
+            if (std::pow((static_cast<double>(i) - centre_x) / radius_x, 2.0) +
+                    std::pow((static_cast<double>(j) - centre_y) / radius_y, 2.0) <
+                1.0)
+                map.heights(i, j) = undefined_height;
 }
 
 TEST(FillUndefined, IsExactForHarmonicHeightsWhateverThePixels) {
@@ -119,12 +124,22 @@ TEST(FillUndefined, FillsWhereHolesCrossTheWrap) {
     // cos(2πx/L) cosh(2πy/L) in steps: the discrete harmonic cosine has cosh(κ) = 2 − cos(2π/n)
     const Index n = 128, ny = 200;
     const double k = 2.0 * std::numbers::pi / static_cast<double>(n), kappa = std::acosh(2.0 - std::cos(k));
-    HeightMap map{Array2D::NullaryExpr(n, ny, [&](Index i, Index j) { return std::cos(k * static_cast<double>(i)) * std::cosh(kappa * (static_cast<double>(j) - 100.0)); }), {128.0, 200.0}, true, {}};
+    HeightMap map{Array2D::NullaryExpr(n, ny,
+                                       [&](Index i, Index j) {
+                                           return std::cos(k * static_cast<double>(i)) *
+                                                  std::cosh(kappa * (static_cast<double>(j) - 100.0));
+                                       }),
+                  {128.0, 200.0},
+                  true,
+                  {}};
     const Array2D heights = map.heights;
     map.heights.middleCols(40, 120).setConstant(undefined_height);  // all the way round along x
     EXPECT_LT(difference(filled(map).heights, heights), 1e-12 * (heights.maxCoeff() - heights.minCoeff()));
     // the same hole seen from another corner
-    const auto rolled = [&](const Array2D& field) { return Array2D(Array2D::NullaryExpr(n, ny, [&](Index i, Index j) { return field((i + 64) % n, (j + 100) % ny); })); };
+    const auto rolled = [&](const Array2D& field) {
+        return Array2D(
+            Array2D::NullaryExpr(n, ny, [&](Index i, Index j) { return field((i + 64) % n, (j + 100) % ny); }));
+    };
     HeightMap around{noise(n, ny), {128.0, 200.0}, true, {}};
     dig(around, 64.0, 100.0, 50.0, 60.0);
     HeightMap split = around;
@@ -164,7 +179,8 @@ TEST(FillUndefined, LeavesDefinedHeightsAsTheyAre) {
 TEST(FillUndefined, GivesTheSameBytesForAnyNumberOfThreads) {
     HeightMap map{noise(200, 200), {200.0, 200.0}, false, {}};
     for (Index k = 0; k < 12; ++k)
-        for (Index m = 0; m < 12; ++m) dig(map, 10.0 + 16.0 * static_cast<double>(k), 10.0 + 16.0 * static_cast<double>(m), 5.0, 4.0);
+        for (Index m = 0; m < 12; ++m)
+            dig(map, 10.0 + 16.0 * static_cast<double>(k), 10.0 + 16.0 * static_cast<double>(m), 5.0, 4.0);
     dig(map, 100.0, 100.0, 60.0, 60.0);
     const Array2D one = filled(map, {1}).heights, three = filled(map, {3}).heights;
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
@@ -175,11 +191,13 @@ TEST(FillUndefined, DrawsStraightLinesAcrossGapsOfLines) {
     LineScan scan{Array1D{{nan, 1.0, nan, nan, 4.0, 2.0, nan}}, 7.0, false, {}};
     EXPECT_TRUE((filled(scan).heights == Array1D{{1.0, 1.0, 2.0, 3.0, 4.0, 2.0, 2.0}}).all());
     scan.periodic = true;
-    EXPECT_LT((filled(scan).heights - Array1D{{4.0 / 3.0, 1.0, 2.0, 3.0, 4.0, 2.0, 5.0 / 3.0}}).abs().maxCoeff(), 1e-15);
+    EXPECT_LT((filled(scan).heights - Array1D{{4.0 / 3.0, 1.0, 2.0, 3.0, 4.0, 2.0, 5.0 / 3.0}}).abs().maxCoeff(),
+              1e-15);
 }
 
 TEST(FillUndefined, RefusesMapsAndLinesWithoutADefinedHeight) {
-    EXPECT_THROW((void)filled(HeightMap{Array2D::Constant(4, 5, undefined_height), {4.0, 5.0}, false, {}}), UndefinedDataError);
+    EXPECT_THROW((void)filled(HeightMap{Array2D::Constant(4, 5, undefined_height), {4.0, 5.0}, false, {}}),
+                 UndefinedDataError);
     EXPECT_THROW((void)filled(LineScan{Array1D::Constant(4, undefined_height), 4.0, false, {}}), UndefinedDataError);
 }
 

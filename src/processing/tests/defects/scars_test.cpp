@@ -21,17 +21,23 @@ HeightMap ground() {
     std::normal_distribution<double> normal(0.0, 2e-10);
     HeightMap map{Array2D(120, 90), {1e-6, 1e-6}};
     for (Index i = 0; i < 120; ++i)
-        for (Index j = 0; j < 90; ++j) map.heights(i, j) = 1e-8 * std::sin(0.05 * static_cast<double>(i)) * std::cos(0.03 * static_cast<double>(j)) + normal(engine);
+        for (Index j = 0; j < 90; ++j)
+            map.heights(i, j) =
+                1e-8 * std::sin(0.05 * static_cast<double>(i)) * std::cos(0.03 * static_cast<double>(j)) +
+                normal(engine);
     return map;
 }
 
-void stroke(HeightMap& map, Index from, Index to, Index line, Index lines, double height) { map.heights.block(from, line, to - from, lines) += height; }
+void stroke(HeightMap& map, Index from, Index to, Index line, Index lines, double height) {
+    map.heights.block(from, line, to - from, lines) += height;
+}
 
 TEST(RemoveScars, FindsPlantedStrokesOfEitherSign) {
     auto map = ground();
     stroke(map, 10, 60, 20, 1, 2e-8);
     stroke(map, 30, 100, 50, 3, -2e-8);
-    const auto both = find_scars(RemoveScars{}, map), above = find_scars(RemoveScars{.sign = ScarSign::positive}, map), below = find_scars(RemoveScars{.sign = ScarSign::negative}, map);
+    const auto both = find_scars(RemoveScars{}, map), above = find_scars(RemoveScars{.sign = ScarSign::positive}, map),
+               below = find_scars(RemoveScars{.sign = ScarSign::negative}, map);
     EXPECT_EQ((both != 0).count(), 50 + 210);
     EXPECT_EQ((above != 0).count(), 50);
     EXPECT_EQ((below != 0).count(), 210);
@@ -50,7 +56,8 @@ TEST(RemoveScars, LeavesShortWideAndLowStrokes) {
 
 TEST(RemoveScars, GoesOnIntoTheFadingEndOfAStroke) {
     auto map = ground();
-    for (Index i = 20; i < 100; ++i) map.heights(i, 40) += i < 70 ? 2e-8 : 0.5e-8;  // half the threshold `high` and more than `low`
+    for (Index i = 20; i < 100; ++i)
+        map.heights(i, 40) += i < 70 ? 2e-8 : 0.5e-8;  // half the threshold `high` and more than `low`
     const auto scars = find_scars(RemoveScars{}, map);
     EXPECT_EQ((scars != 0).count(), 80);
 }
@@ -63,7 +70,8 @@ TEST(RemoveScars, DrawsTheHeightFromTheLinesBeside) {
     EXPECT_EQ(number_of(done.record, "strokes"), 2.0);
     EXPECT_EQ(number_of(done.record, "scar_points"), 100.0);
     EXPECT_LT((map_of(done).heights - clean.heights).abs().maxCoeff(), 2e-9);
-    EXPECT_NEAR(map_of(done).heights(30, 20), clean.heights(30, 19) + (clean.heights(30, 22) - clean.heights(30, 19)) / 3.0, 1e-22);
+    EXPECT_NEAR(map_of(done).heights(30, 20),
+                clean.heights(30, 19) + (clean.heights(30, 22) - clean.heights(30, 19)) / 3.0, 1e-22);
     const auto holes = apply(RemoveScars{.replace_by = ScarReplacement::undefined}, map);
     EXPECT_EQ(map_of(holes).heights.isNaN().count(), 100);
 }
@@ -96,7 +104,8 @@ TEST(RemoveScars, RefusesWhatItCannotDo) {
 TEST(RemoveScars, GivesTheSameForAnyNumberOfThreads) {
     auto map = ground();
     stroke(map, 10, 60, 20, 1, 2e-8);
-    EXPECT_TRUE((map_of(apply(RemoveScars{}, map, {1})).heights == map_of(apply(RemoveScars{}, map, {3})).heights).all());
+    EXPECT_TRUE(
+        (map_of(apply(RemoveScars{}, map, {1})).heights == map_of(apply(RemoveScars{}, map, {3})).heights).all());
 }
 
 }  // namespace

@@ -19,9 +19,14 @@ using topography::LineScan;
 /// cos(2π (a i/nx + b j/ny))
 HeightMap grating(Index nx, Index ny, Index a, Index b) {
     const double turn = 2.0 * std::numbers::pi;
-    return {Array2D::NullaryExpr(nx, ny, [=](Index i, Index j) {
-                return std::cos(turn * (static_cast<double>(a * i) / static_cast<double>(nx) + static_cast<double>(b * j) / static_cast<double>(ny)));
-            }), {1.0, 1.0}, true, {}};
+    return {Array2D::NullaryExpr(nx, ny,
+                                 [=](Index i, Index j) {
+                                     return std::cos(turn * (static_cast<double>(a * i) / static_cast<double>(nx) +
+                                                             static_cast<double>(b * j) / static_cast<double>(ny)));
+                                 }),
+            {1.0, 1.0},
+            true,
+            {}};
 }
 
 TEST(FourierCut, KeepsGratingsAlongTheAxesThatAreLongerThanTheCut) {
@@ -38,7 +43,8 @@ TEST(FourierCut, KeepsGratingsAlongTheAxesThatAreLongerThanTheCut) {
 TEST(FourierCut, IsIsotropic) {
     const HeightMap diagonal = grating(32, 32, 3, 4);  // |q| = 2π 5
     EXPECT_LT(cut(diagonal, FourierCut{.shortest = 0.21}).heights.abs().maxCoeff(), 1e-14);
-    EXPECT_LT((cut(diagonal, FourierCut{.shortest = 0.2, .longest = 0.2}).heights - diagonal.heights).abs().maxCoeff(), 1e-14);
+    EXPECT_LT((cut(diagonal, FourierCut{.shortest = 0.2, .longest = 0.2}).heights - diagonal.heights).abs().maxCoeff(),
+              1e-14);
     EXPECT_LT((cut(diagonal, FourierCut{.shortest = 0.19}).heights - diagonal.heights).abs().maxCoeff(), 1e-14);
 }
 
@@ -57,16 +63,19 @@ TEST(FourierCut, SplitsIntoShortLongAndMean) {
     for (const Index ny : {20, 21}) {
         const HeightMap map{Array2D::NullaryExpr(18, ny, [&] { return normal(generator); }), {1.8, 1.1}, true, {}};
         const double wavelength = 0.2345;
-        const Array2D sum = cut(map, FourierCut{.shortest = wavelength}).heights + cut(map, FourierCut{.longest = wavelength}).heights - map.heights.mean();
+        const Array2D sum = cut(map, FourierCut{.shortest = wavelength}).heights +
+                            cut(map, FourierCut{.longest = wavelength}).heights - map.heights.mean();
         EXPECT_LT((sum - map.heights).abs().maxCoeff(), 1e-14);
-        const Array2D one = cut(map, FourierCut{.shortest = wavelength}, {1}).heights, three = cut(map, FourierCut{.shortest = wavelength}, {3}).heights;
+        const Array2D one = cut(map, FourierCut{.shortest = wavelength}, {1}).heights,
+                      three = cut(map, FourierCut{.shortest = wavelength}, {3}).heights;
         EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
     }
 }
 
 TEST(FourierCut, TakesLines) {
     const Index n = 45;
-    LineScan scan{Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * std::numbers::pi / 45.0), 9.0, true, {}};
+    LineScan scan{
+        Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * std::numbers::pi / 45.0), 9.0, true, {}};
     const Array1D phase = scan.heights;
     scan.heights = 3.0 + (2.0 * phase).sin() + (9.0 * phase).cos();
     EXPECT_LT((cut(scan, FourierCut{.shortest = 2.0}).heights - 3.0 - (2.0 * phase).sin()).abs().maxCoeff(), 1e-14);
@@ -88,7 +97,9 @@ TEST(FourierCut, RefusesDataThatWouldRing) {
     } catch (const InvalidArgument& error) {
         EXPECT_NE(std::string(error.what()).find("ISO 16610"), std::string::npos) << error.what();
     }
-    EXPECT_THROW((void)apply(FourierCut{.shortest = 0.2}, topography::Profile{Array1D{{0.0, 1.0}}, Array1D{{0.0, 1.0}}, {}}), InvalidArgument);
+    EXPECT_THROW(
+        (void)apply(FourierCut{.shortest = 0.2}, topography::Profile{Array1D{{0.0, 1.0}}, Array1D{{0.0, 1.0}}, {}}),
+        InvalidArgument);
 }
 
 }  // namespace

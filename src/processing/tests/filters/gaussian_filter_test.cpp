@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
@@ -31,7 +31,8 @@ double weight(double distance, double cutoff) {
     return std::exp(-std::numbers::pi * distance * distance / (alpha * alpha * cutoff * cutoff));
 }
 
-/// The weighted mean or local plane over all defined points, one point after the other; images of periodic maps out to 3 sizes.
+/// The weighted mean or local plane over all defined points, one point after the other; images of periodic maps out to
+/// 3 sizes.
 double by_definition(const HeightMap& map, double cutoff, Index order, Index at_i, Index at_j) {
     const auto pixel = map.pixel_size();
     const Index nx = map.heights.rows(), ny = map.heights.cols(), images = map.periodic ? 3 : 0;
@@ -76,13 +77,15 @@ void expect_definition(const HeightMap& map, double cutoff, Index order) {
                 EXPECT_TRUE(std::isnan(smooth.heights(i, j)));
                 continue;
             }
-            EXPECT_NEAR(smooth.heights(i, j), by_definition(map, cutoff, order, i, j), 3e-7 * range) << i << ", " << j << ", λc " << cutoff << ", order " << order;
+            EXPECT_NEAR(smooth.heights(i, j), by_definition(map, cutoff, order, i, j), 3e-7 * range)
+                << i << ", " << j << ", λc " << cutoff << ", order " << order;
         }
 }
 
 TEST(GaussianFilter, OfMapsIsTheWeightedMeanOfAllPoints) {
     for (const bool periodic : {false, true})
-        for (const double cutoff : {1.7, 5.0, 12.0}) expect_definition({noise(29, 22), {29.0, 15.4}, periodic, {}}, cutoff, 0);
+        for (const double cutoff : {1.7, 5.0, 12.0})
+            expect_definition({noise(29, 22), {29.0, 15.4}, periodic, {}}, cutoff, 0);
     expect_definition({noise(60, 40), {60.0, 40.0}, false, {}}, 100.0, 0);
 }
 
@@ -111,7 +114,8 @@ TEST(GaussianFilter, OfLinesIsTheWeightedMeanOfAllPoints) {
                     const LineScan smooth = filtered(scan, GaussianFilter{.cutoff = cutoff, .order = order});
                     for (Index i = 0; i < 57; ++i) {
                         if (std::isnan(scan.heights[i])) continue;
-                        EXPECT_NEAR(smooth.heights[i], by_definition(scan, cutoff, order, i), 3e-7) << i << ", λc " << cutoff;
+                        EXPECT_NEAR(smooth.heights[i], by_definition(scan, cutoff, order, i), 3e-7)
+                            << i << ", λc " << cutoff;
                     }
                 }
 }
@@ -132,7 +136,14 @@ TEST(GaussianFilter, TransmitsHalfOfAMapsSineInEveryDirection) {
     const Index n = 96;
     const double q = 2.0 * std::numbers::pi / 96.0;
     for (const auto& mode : {std::array<double, 2>{0, 6}, {6, 0}, {4, 3}}) {
-        HeightMap map{Array2D::NullaryExpr(n, n, [&](Index i, Index j) { return std::cos(q * (mode[0] * static_cast<double>(i) + mode[1] * static_cast<double>(j))); }), {96.0, 96.0}, true, {}};
+        HeightMap map{Array2D::NullaryExpr(n, n,
+                                           [&](Index i, Index j) {
+                                               return std::cos(q * (mode[0] * static_cast<double>(i) +
+                                                                    mode[1] * static_cast<double>(j)));
+                                           }),
+                      {96.0, 96.0},
+                      true,
+                      {}};
         const double cutoff = 96.0 / std::hypot(mode[0], mode[1]);
         const HeightMap smooth = filtered(map, GaussianFilter{.cutoff = cutoff});
         EXPECT_LT((smooth.heights - 0.5 * map.heights).abs().maxCoeff(), 1e-7);
@@ -140,7 +151,13 @@ TEST(GaussianFilter, TransmitsHalfOfAMapsSineInEveryDirection) {
 }
 
 TEST(GaussianFilter, OfOrderOneLeavesPlanesUnchangedUpToTheBorder) {
-    HeightMap map{Array2D::NullaryExpr(150, 90, [](Index i, Index j) { return 3.0 + 0.25 * static_cast<double>(i) - 0.5 * static_cast<double>(j); }), {150.0, 45.0}, false, {}};
+    HeightMap map{Array2D::NullaryExpr(150, 90,
+                                       [](Index i, Index j) {
+                                           return 3.0 + 0.25 * static_cast<double>(i) - 0.5 * static_cast<double>(j);
+                                       }),
+                  {150.0, 45.0},
+                  false,
+                  {}};
     for (const double cutoff : {3.0, 20.0, 80.0}) {
         const HeightMap smooth = filtered(map, GaussianFilter{.cutoff = cutoff, .order = 1});
         EXPECT_LT((smooth.heights - map.heights).abs().maxCoeff(), 1e-10) << cutoff;
@@ -168,7 +185,8 @@ TEST(GaussianFilter, OffsetsOfTenMillionRmsCostNothing) {
 TEST(GaussianFilter, SplitsHeightsIntoLongAndShortWaves) {
     HeightMap map{noise(48, 41), {48.0, 41.0}, false, {}};
     map.heights(20, 20) = undefined_height;
-    const Array2D sum = filtered(map, GaussianFilter{.cutoff = 11.0}).heights + filtered(map, GaussianFilter{.cutoff = 11.0, .keep = Kept::short_waves}).heights;
+    const Array2D sum = filtered(map, GaussianFilter{.cutoff = 11.0}).heights +
+                        filtered(map, GaussianFilter{.cutoff = 11.0, .keep = Kept::short_waves}).heights;
     EXPECT_EQ(sum.isNaN().count(), 1);
     EXPECT_LT((sum - map.heights).isNaN().select(0.0, sum - map.heights).abs().maxCoeff(), 1e-14);
 }
@@ -179,7 +197,8 @@ TEST(GaussianFilter, NeverLooksUnderTheMask) {
     HeightMap other = map;
     other.heights(10, 10) = 1e3;
     map.heights(10, 10) = other.heights(10, 10) = undefined_height;
-    const Array2D a = filtered(map, GaussianFilter{.cutoff = 6.0}).heights, b = filtered(other, GaussianFilter{.cutoff = 6.0}).heights;
+    const Array2D a = filtered(map, GaussianFilter{.cutoff = 6.0}).heights,
+                  b = filtered(other, GaussianFilter{.cutoff = 6.0}).heights;
     EXPECT_EQ(std::memcmp(a.data(), b.data(), sizeof(double) * 900), 0);
 }
 
@@ -203,7 +222,8 @@ TEST(GaussianFilter, TakesTwoPointsAndSingleRows) {
     for (const Index order : {0, 1}) {
         const GaussianFilter filter{.cutoff = 21.0, .order = order};
         const Array1D expected = filtered(scan, filter).heights;
-        EXPECT_LT((Array1D(filtered(row, filter).heights.row(0).transpose()) - expected).abs().maxCoeff(), 1e-12) << order;
+        EXPECT_LT((Array1D(filtered(row, filter).heights.row(0).transpose()) - expected).abs().maxCoeff(), 1e-12)
+            << order;
         EXPECT_LT((Array1D(filtered(column, filter).heights.col(0)) - expected).abs().maxCoeff(), 1e-12) << order;
     }
 }
@@ -212,7 +232,8 @@ TEST(GaussianFilter, RefusesWhatHasNoMeaning) {
     const LineScan scan{Array1D::Zero(10), 10.0, false, {}};
     EXPECT_THROW((void)filtered(scan, GaussianFilter{}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, GaussianFilter{.cutoff = -1.0}), InvalidArgument);
-    EXPECT_THROW((void)filtered(scan, GaussianFilter{.cutoff = std::numeric_limits<double>::infinity()}), InvalidArgument);
+    EXPECT_THROW((void)filtered(scan, GaussianFilter{.cutoff = std::numeric_limits<double>::infinity()}),
+                 InvalidArgument);
     EXPECT_THROW((void)filtered(scan, GaussianFilter{.cutoff = 3.0, .order = 2}), InvalidArgument);
     const topography::Profile profile{Array1D{{0.0, 1.0, 3.0}}, Array1D{{0.0, 1.0, 0.0}}, {}};
     EXPECT_THROW((void)apply(GaussianFilter{.cutoff = 1.0}, profile), InvalidArgument);

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
@@ -65,9 +65,16 @@ TEST(RobustGaussianFilter, OfLinesIsTheIterationOfTheStandard) {
     const double pi = std::numbers::pi;
     for (const double cutoff : {9.0, 30.0}) {
         const Array1D zero = filtered(scan, RobustGaussianFilter{.cutoff = cutoff, .order = 0}).heights;
-        EXPECT_LT((zero - by_definition(scan.heights, cutoff * std::sqrt(std::numbers::ln2 / pi) / std::sqrt(2.0 * pi), 0)).abs().maxCoeff(), 1e-5) << cutoff;
+        EXPECT_LT(
+            (zero - by_definition(scan.heights, cutoff * std::sqrt(std::numbers::ln2 / pi) / std::sqrt(2.0 * pi), 0))
+                .abs()
+                .maxCoeff(),
+            1e-5)
+            << cutoff;
         const Array1D second = filtered(scan, RobustGaussianFilter{.cutoff = cutoff, .order = 2}).heights;
-        EXPECT_LT((second - by_definition(scan.heights, cutoff * 0.730911 / std::sqrt(2.0 * pi), 2)).abs().maxCoeff(), 1e-4) << cutoff;  // α to 6 digits
+        EXPECT_LT((second - by_definition(scan.heights, cutoff * 0.730911 / std::sqrt(2.0 * pi), 2)).abs().maxCoeff(),
+                  1e-4)
+            << cutoff;  // α to 6 digits
     }
 }
 
@@ -77,14 +84,22 @@ TEST(RobustGaussianFilter, IsNotPulledByDeepGrooves) {
     const Array1D waviness = (scan.heights * (2.0 * std::numbers::pi / 800.0)).sin();
     scan.heights = waviness + 0.02 * Array1D(noise(1, n).row(0).transpose());
     for (Index groove = 100; groove < n; groove += 200) scan.heights.segment(groove, 12) -= 5.0;
-    const Array1D robust = filtered(scan, RobustGaussianFilter{.cutoff = 200.0}).heights, plain = filtered(scan, GaussianFilter{.cutoff = 200.0}).heights;
+    const Array1D robust = filtered(scan, RobustGaussianFilter{.cutoff = 200.0}).heights,
+                  plain = filtered(scan, GaussianFilter{.cutoff = 200.0}).heights;
     EXPECT_LT((robust - waviness).segment(50, n - 100).abs().maxCoeff(), 0.03);
     EXPECT_GT((plain - waviness).abs().maxCoeff(), 0.3);
 }
 
 TEST(RobustGaussianFilter, OfMapsIgnoresHoles) {
     const Index n = 64;
-    HeightMap map{Array2D::NullaryExpr(n, n, [](Index i, Index j) { return 0.001 * static_cast<double>(i * i) - 0.002 * static_cast<double>(i * j) + 0.1 * static_cast<double>(j); }), {64.0, 64.0}, false, {}};
+    HeightMap map{Array2D::NullaryExpr(n, n,
+                                       [](Index i, Index j) {
+                                           return 0.001 * static_cast<double>(i * i) -
+                                                  0.002 * static_cast<double>(i * j) + 0.1 * static_cast<double>(j);
+                                       }),
+                  {64.0, 64.0},
+                  false,
+                  {}};
     const Array2D form = map.heights;
     map.heights += 1e-3 * noise(n, n);
     map.heights.block(20, 30, 5, 5) -= 50.0;
@@ -95,8 +110,9 @@ TEST(RobustGaussianFilter, OfMapsIgnoresHoles) {
 }
 
 TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterDoesWhereAllWeightsAreAlike) {
-    // heights of ±1 in turn have equal weights δ(1); a small sine s on them changes h δ by δ' (s − w) on average, so that w is at first G s and
-    // then, weighted once for the scale does not change, G (δ s + δ' (s − G s))/δ, with the linear transmission G = 1/2 at the cutoff for every order
+    // heights of ±1 in turn have equal weights δ(1); a small sine s on them changes h δ by δ' (s − w) on average, so
+    // that w is at first G s and then, weighted once for the scale does not change, G (δ s + δ' (s − G s))/δ, with the
+    // linear transmission G = 1/2 at the cutoff for every order
     const Index n = 1200;
     const double c = 4.4478, delta = std::pow(1.0 - 1.0 / (c * c), 2.0), slope = -4.0 / (c * c) * (1.0 - 1.0 / (c * c));
     const double expected = 0.5 * (delta + 0.5 * slope) / delta;
@@ -112,15 +128,22 @@ TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterDoesWhereAllWeightsAreAlike
 
 TEST(RobustGaussianFilter, LeavesExactPolynomialsAndConstants) {
     const Index n = 40;
-    const HeightMap parabola{Array2D::NullaryExpr(n, n, [](Index i, Index j) { return static_cast<double>(i * i + 2 * i * j) - static_cast<double>(j * j); }), {40.0, 40.0}, false, {}};
-    EXPECT_LT((filtered(parabola, RobustGaussianFilter{.cutoff = 12.0}).heights - parabola.heights).abs().maxCoeff(), 1e-7);
+    const HeightMap parabola{
+        Array2D::NullaryExpr(
+            n, n, [](Index i, Index j) { return static_cast<double>(i * i + 2 * i * j) - static_cast<double>(j * j); }),
+        {40.0, 40.0},
+        false,
+        {}};
+    EXPECT_LT((filtered(parabola, RobustGaussianFilter{.cutoff = 12.0}).heights - parabola.heights).abs().maxCoeff(),
+              1e-7);
     const LineScan flat{Array1D::Constant(30, 4.0), 30.0, false, {}};
     EXPECT_TRUE((filtered(flat, RobustGaussianFilter{.cutoff = 12.0}).heights == 4.0).all());
 }
 
 TEST(RobustGaussianFilter, GivesTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map{noise(40, 260), {40.0, 260.0}, false, {}};
-    const Array2D one = filtered(map, RobustGaussianFilter{.cutoff = 20.0}, {1}).heights, three = filtered(map, RobustGaussianFilter{.cutoff = 20.0}, {3}).heights;
+    const Array2D one = filtered(map, RobustGaussianFilter{.cutoff = 20.0}, {1}).heights,
+                  three = filtered(map, RobustGaussianFilter{.cutoff = 20.0}, {3}).heights;
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
@@ -130,7 +153,10 @@ TEST(RobustGaussianFilter, RefusesWhatHasNoMeaning) {
     EXPECT_THROW((void)filtered(scan, RobustGaussianFilter{.cutoff = 3.0, .order = 3}), InvalidArgument);
     const topography::Profile profile{Array1D{{0.0, 1.0, 3.0}}, Array1D{{0.0, 1.0, 0.0}}, {}};
     EXPECT_THROW((void)apply(RobustGaussianFilter{.cutoff = 1.0}, profile), InvalidArgument);
-    EXPECT_GE(apply(RobustGaussianFilter{.cutoff = 3.0}, HeightMap{noise(20, 20), {20.0, 20.0}, false, {}}).record.numbers.at(1).estimate.value, 2.0);
+    EXPECT_GE(apply(RobustGaussianFilter{.cutoff = 3.0}, HeightMap{noise(20, 20), {20.0, 20.0}, false, {}})
+                  .record.numbers.at(1)
+                  .estimate.value,
+              2.0);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
@@ -32,11 +32,13 @@ Array1D by_definition(const LineScan& scan, const SplineFilter& filter) {
     Eigen::MatrixXd first = Eigen::MatrixXd::Zero(n, n), second = Eigen::MatrixXd::Zero(n, n);
     for (Index i = 0; i < n; ++i) {
         if (scan.periodic || i > 0) first(i, (i + n - 1) % n) = -1.0, first(i, i) = 1.0;
-        if (scan.periodic || (i > 0 && i + 1 < n)) second(i, (i + n - 1) % n) = 1.0, second(i, i) = -2.0, second(i, (i + 1) % n) = 1.0;
+        if (scan.periodic || (i > 0 && i + 1 < n))
+            second(i, (i + n - 1) % n) = 1.0, second(i, i) = -2.0, second(i, (i + 1) % n) = 1.0;
     }
     const Eigen::VectorXd weights = scan.heights.isNaN().select(Array1D::Zero(n), Array1D::Ones(n)).matrix();
     const Eigen::VectorXd right = scan.heights.isNaN().select(0.0, scan.heights).matrix();
-    const Eigen::MatrixXd whole = Eigen::MatrixXd(weights.asDiagonal()) + filter.tension * alpha * alpha * first.transpose() * first +
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(weights.asDiagonal()) +
+                                  filter.tension * alpha * alpha * first.transpose() * first +
                                   (1.0 - filter.tension) * std::pow(alpha, 4.0) * second.transpose() * second;
     return whole.ldlt().solve(right).array();
 }
@@ -46,7 +48,8 @@ TEST(SplineFilter, SolvesTheEquationOfTheStandard) {
         for (const bool holes : {false, true})
             for (const double tension : {0.0, 0.4, 1.0}) {
                 LineScan scan{noise(31), 62.0, periodic, {}};
-                if (holes) scan.heights.segment(0, 3).setConstant(undefined_height), scan.heights[17] = undefined_height;
+                if (holes)
+                    scan.heights.segment(0, 3).setConstant(undefined_height), scan.heights[17] = undefined_height;
                 const SplineFilter filter{.cutoff = 21.0, .tension = tension};
                 const Array1D smooth = filtered(scan, filter).heights, expected = by_definition(scan, filter);
                 for (Index i = 0; i < 31; ++i) {
@@ -64,8 +67,10 @@ TEST(SplineFilter, TransmitsAsItsFormulaSays) {
     for (const double wavelength : {30.0, 100.0, 300.0})
         for (const double tension : {0.0, 0.3, 1.0}) {
             scan.heights = (place * (2.0 * std::numbers::pi / wavelength)).sin();
-            const double alpha = 0.5 / std::sin(std::numbers::pi / 100.0), sine = std::sin(std::numbers::pi / wavelength);
-            const double expected = 1.0 / (1.0 + tension * std::pow(2.0 * alpha * sine, 2.0) + (1.0 - tension) * std::pow(2.0 * alpha * sine, 4.0));
+            const double alpha = 0.5 / std::sin(std::numbers::pi / 100.0),
+                         sine = std::sin(std::numbers::pi / wavelength);
+            const double expected = 1.0 / (1.0 + tension * std::pow(2.0 * alpha * sine, 2.0) +
+                                           (1.0 - tension) * std::pow(2.0 * alpha * sine, 4.0));
             const Array1D smooth = filtered(scan, SplineFilter{.cutoff = 100.0, .tension = tension}).heights;
             EXPECT_LT((smooth - expected * scan.heights).abs().maxCoeff(), 1e-10) << wavelength << ", β " << tension;
             EXPECT_EQ(wavelength == 100.0, std::abs(expected - 0.5) < 1e-14);
@@ -76,7 +81,11 @@ TEST(SplineFilter, LeavesStraightLinesAndPlanesWithoutTension) {
     const Index n = 3000;
     const LineScan line{Array1D::LinSpaced(n, -4.0, 9.0), static_cast<double>(n), false, {}};
     EXPECT_LT((filtered(line, SplineFilter{.cutoff = 2000.0}).heights - line.heights).abs().maxCoeff(), 1e-8);
-    HeightMap plane{Array2D::NullaryExpr(40, 50, [](Index i, Index j) { return 2.0 * static_cast<double>(i) - static_cast<double>(j); }), {40.0, 50.0}, false, {}};
+    HeightMap plane{Array2D::NullaryExpr(
+                        40, 50, [](Index i, Index j) { return 2.0 * static_cast<double>(i) - static_cast<double>(j); }),
+                    {40.0, 50.0},
+                    false,
+                    {}};
     plane.heights.block(10, 10, 20, 9).setConstant(undefined_height);
     const Array2D left = filtered(plane, SplineFilter{.cutoff = 15.0, .keep = Kept::short_waves}).heights;
     EXPECT_EQ(left.isNaN().count(), 180);
@@ -96,10 +105,14 @@ TEST(SplineFilter, RobustIsNotPulledByDeepGrooves) {
     const Array1D waviness = (scan.heights * (2.0 * std::numbers::pi / 800.0)).sin();
     scan.heights = waviness + 0.02 * noise(n);
     for (Index groove = 100; groove < n; groove += 200) scan.heights.segment(groove, 12) -= 5.0;
-    const Array1D robust = filtered(scan, SplineFilter{.cutoff = 200.0, .robust = true}).heights, plain = filtered(scan, SplineFilter{.cutoff = 200.0}).heights;
+    const Array1D robust = filtered(scan, SplineFilter{.cutoff = 200.0, .robust = true}).heights,
+                  plain = filtered(scan, SplineFilter{.cutoff = 200.0}).heights;
     EXPECT_LT((robust - waviness).segment(50, n - 100).abs().maxCoeff(), 0.03);
     EXPECT_GT((plain - waviness).abs().maxCoeff(), 0.3);
-    HeightMap map{Array2D::NullaryExpr(40, 60, [](Index i, Index j) { return 0.1 * static_cast<double>(i + j); }), {40.0, 60.0}, false, {}};
+    HeightMap map{Array2D::NullaryExpr(40, 60, [](Index i, Index j) { return 0.1 * static_cast<double>(i + j); }),
+                  {40.0, 60.0},
+                  false,
+                  {}};
     const Array2D form = map.heights;
     map.heights.row(0) += 1e-3 * noise(60).transpose();
     map.heights.col(9) += 1e-3 * noise(40);
@@ -131,7 +144,9 @@ TEST(SplineFilter, RefusesWhatHasNoMeaning) {
     EXPECT_THROW((void)filtered(scan, SplineFilter{}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, SplineFilter{.cutoff = 2.0}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, SplineFilter{.cutoff = 5.0, .tension = 1.5}), InvalidArgument);
-    EXPECT_THROW((void)apply(SplineFilter{.cutoff = 1.0}, topography::Profile{Array1D{{0.0, 1.0}}, Array1D{{0.0, 1.0}}, {}}), InvalidArgument);
+    EXPECT_THROW(
+        (void)apply(SplineFilter{.cutoff = 1.0}, topography::Profile{Array1D{{0.0, 1.0}}, Array1D{{0.0, 1.0}}, {}}),
+        InvalidArgument);
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ TEST(Crop, CutsPointsOffAtEachSide) {
     EXPECT_EQ(map.heights(6, 3), 62.0);
 }
 
-TEST(Crop, OfNothingKeepsAPeriodicMapPeriodic) { EXPECT_TRUE(map_of(apply(Crop{.x_from = 0.0, .x_to = 1.0}, numbered())).periodic); }
+TEST(Crop, OfNothingKeepsAPeriodicMapPeriodic) {
+    EXPECT_TRUE(map_of(apply(Crop{.x_from = 0.0, .x_to = 1.0}, numbered())).periodic);
+}
 
 TEST(Crop, OfALineAndAPolyline) {
     const LineScan scan{Array1D::LinSpaced(10, 0.0, 9.0), 10.0};
@@ -66,7 +68,8 @@ TEST(Crop, RefusesWindowsThatLeaveNothingAndMixedOnes) {
     EXPECT_THROW((void)apply(Crop{.cut_left = -1}, numbered()), InvalidArgument);
     EXPECT_THROW((void)apply(Crop{.cut_left = 5, .cut_right = 5}, numbered()), InvalidArgument);
     EXPECT_THROW((void)apply(Crop{.y_from = 1.0}, LineScan{Array1D::Zero(10), 10.0}), InvalidArgument);
-    EXPECT_THROW((void)apply(Crop{.cut_left = 30}, Profile{Array1D::LinSpaced(10, 0.0, 1.0), Array1D::Zero(10), {}}), InvalidArgument);
+    EXPECT_THROW((void)apply(Crop{.cut_left = 30}, Profile{Array1D::LinSpaced(10, 0.0, 1.0), Array1D::Zero(10), {}}),
+                 InvalidArgument);
 }
 
 }  // namespace

@@ -29,7 +29,9 @@ template <class Function>
 HeightMap sampled(Index nx, Index ny, std::array<double, 2> size, bool periodic, const Function& height) {
     HeightMap map{Array2D(nx, ny), size, periodic, {}};
     for (Index i = 0; i < nx; ++i)
-        for (Index j = 0; j < ny; ++j) map.heights(i, j) = height(static_cast<double>(i) * size[0] / static_cast<double>(nx), static_cast<double>(j) * size[1] / static_cast<double>(ny));
+        for (Index j = 0; j < ny; ++j)
+            map.heights(i, j) = height(static_cast<double>(i) * size[0] / static_cast<double>(nx),
+                                       static_cast<double>(j) * size[1] / static_cast<double>(ny));
     return map;
 }
 
@@ -39,7 +41,8 @@ double paraboloid(double x, double y) { return plane(x, y) + 0.25 * x * x - 0.5 
 TEST(LinearInterpolation, IsExactOnPlanesAndAtThePoints) {
     const HeightMap map = sampled(9, 7, {4.5, 7.0}, false, plane);
     const LinearInterpolator height(map);
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {4.0, 6.0}, {1.23, 4.56}, {3.9, 0.1}}) EXPECT_NEAR(height(x, y), plane(x, y), 1e-14);
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {4.0, 6.0}, {1.23, 4.56}, {3.9, 0.1}})
+        EXPECT_NEAR(height(x, y), plane(x, y), 1e-14);
     const HeightMap rough{noise(5, 6), {5.0, 6.0}, true, {}};
     EXPECT_EQ(LinearInterpolator(rough)(3.0, 4.0), rough.heights(3, 4));
 }
@@ -96,14 +99,17 @@ TEST(BicubicInterpolation, IsExactOnParaboloidsUpToTheBorder) {
 }
 
 TEST(BicubicInterpolation, OfPeriodicMapsConvergesWithTheFourthPowerOfTheStep) {
-    const auto wave = [](double x, double y) { return std::cos(2.0 * std::numbers::pi * x) * (1.0 + 0.0 * y) + std::sin(2.0 * std::numbers::pi * y); };
+    const auto wave = [](double x, double y) {
+        return std::cos(2.0 * std::numbers::pi * x) * (1.0 + 0.0 * y) + std::sin(2.0 * std::numbers::pi * y);
+    };
     double before = 0.0;
     for (const Index n : {16, 32}) {
         const HeightMap map = sampled(n, n, {1.0, 1.0}, true, wave);
         const BicubicInterpolator height(map, {2});
         double worst = 0.0;
         for (Index k = 0; k < 200; ++k) {
-            const double x = std::fmod(0.6180339887 * static_cast<double>(k), 1.0), y = std::fmod(0.7548776662 * static_cast<double>(k), 1.0);
+            const double x = std::fmod(0.6180339887 * static_cast<double>(k), 1.0),
+                         y = std::fmod(0.7548776662 * static_cast<double>(k), 1.0);
             worst = std::max(worst, std::abs(height(x, y) - wave(x, y)));
         }
         EXPECT_TRUE(before == 0.0 || std::abs(before / worst - 16.0) < 2.0) << before / worst;
@@ -128,7 +134,8 @@ TEST(FourierInterpolation, HoldsTheOldHeightsOnAFinerGridAndReturns) {
         for (Index i = 0; i < nx; ++i)
             for (Index j = 0; j < ny; ++j) EXPECT_NEAR(fine.heights(3 * i, 2 * j), map.heights(i, j), 1e-13);
         EXPECT_EQ(fine.size, map.size);
-        EXPECT_LT((fourier_interpolated(fine, nx, ny).heights - map.heights).abs().maxCoeff(), 1e-13) << "down again, " << nx << " x " << ny;
+        EXPECT_LT((fourier_interpolated(fine, nx, ny).heights - map.heights).abs().maxCoeff(), 1e-13)
+            << "down again, " << nx << " x " << ny;
     }
 }
 
@@ -140,23 +147,29 @@ TEST(FourierInterpolation, SplitsTheNyquistModeIntoACosine) {
     LineScan wave{Array1D::LinSpaced(12, 0.0, 11.0), 12.0, true, {}};
     wave.heights = (wave.heights * (std::numbers::pi / 2.0) + 0.3).cos();  // three periods
     const Array1D coarse = fourier_interpolated(wave, 6).heights;
-    for (Index i = 0; i < 6; ++i) EXPECT_NEAR(coarse[i], std::cos(std::numbers::pi * static_cast<double>(i) + 0.3), 1e-14);
+    for (Index i = 0; i < 6; ++i)
+        EXPECT_NEAR(coarse[i], std::cos(std::numbers::pi * static_cast<double>(i) + 0.3), 1e-14);
 }
 
 TEST(FourierInterpolation, CommutesWithTransposing) {
     const HeightMap map{noise(8, 6), {8.0, 6.0}, true, {}};
     const HeightMap turned{map.heights.transpose(), {6.0, 8.0}, true, {}};
     for (const auto& [nx, ny] : {std::pair<Index, Index>{12, 12}, {4, 10}, {5, 3}, {8, 9}})
-        EXPECT_LT((fourier_interpolated(map, nx, ny).heights - fourier_interpolated(turned, ny, nx).heights.transpose()).abs().maxCoeff(), 1e-13);
+        EXPECT_LT((fourier_interpolated(map, nx, ny).heights - fourier_interpolated(turned, ny, nx).heights.transpose())
+                      .abs()
+                      .maxCoeff(),
+                  1e-13);
 }
 
 TEST(FourierInterpolation, TakesLinesAndFewerPoints) {
     // SurfaceTopography 1.27.1 raises IndexError for lines and ValueError for fewer points
     const Index n = 15;
-    LineScan scan{Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * std::numbers::pi / 15.0), 15.0, true, {}};
+    LineScan scan{
+        Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * std::numbers::pi / 15.0), 15.0, true, {}};
     scan.heights = 2.0 + scan.heights.sin() + (7.0 * scan.heights).cos();
     const LineScan coarse = fourier_interpolated(scan, 9);
-    for (Index i = 0; i < 9; ++i) EXPECT_NEAR(coarse.heights[i], 2.0 + std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 9.0), 1e-14);
+    for (Index i = 0; i < 9; ++i)
+        EXPECT_NEAR(coarse.heights[i], 2.0 + std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 9.0), 1e-14);
 }
 
 TEST(FourierInterpolation, RefusesOpenData) {
@@ -167,7 +180,8 @@ TEST(FourierInterpolation, RefusesOpenData) {
 
 TEST(FourierInterpolation, GivesTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map{noise(40, 50), {8.0, 8.0}, true, {}};
-    const Array2D one = fourier_interpolated(map, 77, 33, {1}).heights, three = fourier_interpolated(map, 77, 33, {3}).heights;
+    const Array2D one = fourier_interpolated(map, 77, 33, {1}).heights,
+                  three = fourier_interpolated(map, 77, 33, {3}).heights;
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 

@@ -15,14 +15,17 @@ namespace {
 topography::HeightMap rough() {
     topography::HeightMap map{Array2D(40, 30), {40 * 0.1e-6, 30 * 0.3e-6}, false, {}};
     for (Index i = 0; i < 40; ++i)
-        for (Index j = 0; j < 30; ++j) map.heights(i, j) = 1e-9 * std::sin(12.9898 * static_cast<double>(i) + 78.233 * static_cast<double>(j)) * 43.7;
+        for (Index j = 0; j < 30; ++j)
+            map.heights(i, j) =
+                1e-9 * std::sin(12.9898 * static_cast<double>(i) + 78.233 * static_cast<double>(j)) * 43.7;
     return map;
 }
 
 topography::HeightMap plane(double slope_x, double slope_y) {
     auto map = rough();
     for (Index i = 0; i < 40; ++i)
-        for (Index j = 0; j < 30; ++j) map.heights(i, j) = slope_x * 0.1e-6 * static_cast<double>(i) + slope_y * 0.3e-6 * static_cast<double>(j);
+        for (Index j = 0; j < 30; ++j)
+            map.heights(i, j) = slope_x * 0.1e-6 * static_cast<double>(i) + slope_y * 0.3e-6 * static_cast<double>(j);
     return map;
 }
 
@@ -40,14 +43,16 @@ TEST(LineProfile, AlongGridLinesIsTheHeightsAsStored) {
 TEST(LineProfile, OfAPlaneIsItsRampInAnyDirection) {
     const auto map = plane(0.2, -0.05);
     const auto profile = line_profile(map, {.from = {0.13e-6, 1.1e-6}, .to = {3.7e-6, 7.9e-6}});
-    for (Index p = 0; p < profile.x.size(); ++p) EXPECT_NEAR(profile.scan.heights[p], 0.2 * profile.x[p] - 0.05 * profile.y[p], 1e-18);
+    for (Index p = 0; p < profile.x.size(); ++p)
+        EXPECT_NEAR(profile.scan.heights[p], 0.2 * profile.x[p] - 0.05 * profile.y[p], 1e-18);
     EXPECT_DOUBLE_EQ(profile.x[profile.x.size() - 1], 3.7e-6);
     EXPECT_DOUBLE_EQ(profile.y[profile.y.size() - 1], 7.9e-6);
 }
 
 TEST(LineProfile, WithAWidthIsTheMeanOfTheLinesBeside) {
     const auto map = rough();
-    const auto profile = line_profile(map, {.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}, .width = 5 * 0.3e-6});
+    const auto profile =
+        line_profile(map, {.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}, .width = 5 * 0.3e-6});
     EXPECT_EQ(profile.tracks, 5);
     for (Index i = 0; i < 40; ++i) EXPECT_NEAR(profile.scan.heights[i], map.heights.row(i).segment(8, 5).mean(), 1e-22);
 }
@@ -55,7 +60,8 @@ TEST(LineProfile, WithAWidthIsTheMeanOfTheLinesBeside) {
 TEST(LineProfile, LeavesUndefinedTracksOutOfItsMean) {
     auto map = rough();
     map.heights(12, 10) = undefined;
-    const ProfileLine thin{.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}}, wide{thin.from, thin.to, 3 * 0.3e-6, {}};
+    const ProfileLine thin{.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}},
+        wide{thin.from, thin.to, 3 * 0.3e-6, {}};
     EXPECT_TRUE(std::isnan(line_profile(map, thin).scan.heights[12]));
     EXPECT_NEAR(line_profile(map, wide).scan.heights[12], 0.5 * (map.heights(12, 9) + map.heights(12, 11)), 1e-22);
     // at the border tracks outside are missing too

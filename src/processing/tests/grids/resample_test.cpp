@@ -27,7 +27,11 @@ Array2D noise(Index nx, Index ny) {
 }
 
 HeightMap plane(Index nx, Index ny) {
-    return {Array2D::NullaryExpr(nx, ny, [](Index i, Index j) { return 0.5 * static_cast<double>(i) - 0.25 * static_cast<double>(j); }), {static_cast<double>(nx), static_cast<double>(ny)}, false, {}};
+    return {Array2D::NullaryExpr(
+                nx, ny, [](Index i, Index j) { return 0.5 * static_cast<double>(i) - 0.25 * static_cast<double>(j); }),
+            {static_cast<double>(nx), static_cast<double>(ny)},
+            false,
+            {}};
 }
 
 TEST(Resample, ByAveragesKeepsMeanSizeAndShape) {
@@ -54,7 +58,13 @@ TEST(Resample, ByAveragesLeavesOutUndefinedPoints) {
 TEST(Resample, OfOpenMapsGoesFromTheFirstToTheLastPoint) {
     for (const Resampling method : {Resampling::linear, Resampling::bicubic}) {
         const HeightMap other = resampled(plane(9, 5), Resample{.nx = 17, .ny = 3, .method = method});
-        EXPECT_LT((other.heights - Array2D::NullaryExpr(17, 3, [](Index i, Index j) { return 0.25 * static_cast<double>(i) - 0.5 * static_cast<double>(j); })).abs().maxCoeff(), 1e-13);
+        EXPECT_LT(
+            (other.heights -
+             Array2D::NullaryExpr(
+                 17, 3, [](Index i, Index j) { return 0.25 * static_cast<double>(i) - 0.5 * static_cast<double>(j); }))
+                .abs()
+                .maxCoeff(),
+            1e-13);
         EXPECT_NEAR(other.pixel_size()[0], 0.5, 1e-15);
         EXPECT_NEAR(other.pixel_size()[1], 2.0, 1e-15);
     }
@@ -65,20 +75,30 @@ TEST(Resample, OfOpenMapsGoesFromTheFirstToTheLastPoint) {
 
 TEST(Resample, OfPeriodicMapsKeepsTheirPeriod) {
     const HeightMap map{noise(8, 6), {2.0, 3.0}, true, {}};
-    const HeightMap linear = resampled(map, Resample{.nx = 16, .ny = 12, .method = Resampling::linear}), smooth = resampled(map, Resample{.nx = 16, .ny = 12, .method = Resampling::fourier});
+    const HeightMap linear = resampled(map, Resample{.nx = 16, .ny = 12, .method = Resampling::linear}),
+                    smooth = resampled(map, Resample{.nx = 16, .ny = 12, .method = Resampling::fourier});
     EXPECT_EQ(linear.size, map.size);
     EXPECT_TRUE(linear.periodic);
     EXPECT_EQ(linear.heights(4, 6), map.heights(2, 3));
     EXPECT_NEAR(linear.heights(15, 0), 0.5 * (map.heights(7, 0) + map.heights(0, 0)), 1e-15);
     EXPECT_TRUE((smooth.heights == fourier_interpolated(map, 16, 12).heights).all());
-    EXPECT_EQ(resampled(map, Resample{.pixel_size = 0.1, .method = Resampling::bicubic}).shape(), (std::array<Index, 2>{20, 30}));
+    EXPECT_EQ(resampled(map, Resample{.pixel_size = 0.1, .method = Resampling::bicubic}).shape(),
+              (std::array<Index, 2>{20, 30}));
 }
 
 TEST(Resample, TakesLinesAndPolylines) {
     const LineScan scan{Array1D{{0.0, 1.0, 4.0, 9.0}}, 4.0, false, {}};
     EXPECT_TRUE((resampled(scan, Resample{.nx = 2}).heights == Array1D{{0.5, 6.5}}).all());
-    EXPECT_LT((resampled(scan, Resample{.nx = 7, .method = Resampling::linear}).heights - Array1D{{0.0, 0.5, 1.0, 2.5, 4.0, 6.5, 9.0}}).abs().maxCoeff(), 1e-15);
-    EXPECT_LT((resampled(scan, Resample{.nx = 7, .method = Resampling::bicubic}).heights - Array1D{{0.0, 0.25, 1.0, 2.25, 4.0, 6.25, 9.0}}).abs().maxCoeff(), 1e-15);
+    EXPECT_LT((resampled(scan, Resample{.nx = 7, .method = Resampling::linear}).heights -
+               Array1D{{0.0, 0.5, 1.0, 2.5, 4.0, 6.5, 9.0}})
+                  .abs()
+                  .maxCoeff(),
+              1e-15);
+    EXPECT_LT((resampled(scan, Resample{.nx = 7, .method = Resampling::bicubic}).heights -
+               Array1D{{0.0, 0.25, 1.0, 2.25, 4.0, 6.25, 9.0}})
+                  .abs()
+                  .maxCoeff(),
+              1e-15);
     const Profile profile{Array1D{{10.0, 11.0, 13.0, 14.0}}, Array1D{{0.0, 1.0, 3.0, 3.0}}, {}};
     const LineScan even = resampled(profile, Resample{.nx = 9, .method = Resampling::linear});
     EXPECT_LT((even.heights - Array1D{{0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.0, 3.0}}).abs().maxCoeff(), 1e-15);
@@ -94,14 +114,16 @@ TEST(Resample, RefusesWhatHasNoMeaning) {
     EXPECT_THROW((void)resampled(map, Resample{.nx = 4, .pixel_size = 1.0}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.pixel_size = 10.0}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.nx = 10, .method = Resampling::fourier}), InvalidArgument);
-    EXPECT_THROW((void)resampled(plane(1, 9), Resample{.nx = 4, .ny = 4, .method = Resampling::linear}), InvalidArgument);
+    EXPECT_THROW((void)resampled(plane(1, 9), Resample{.nx = 4, .ny = 4, .method = Resampling::linear}),
+                 InvalidArgument);
     EXPECT_EQ(apply(Resample{.nx = 10}, map).record.numbers.at(1).estimate.value, 10.0);
 }
 
 TEST(Resample, GivesTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map{noise(50, 60), {5.0, 6.0}, false, {}};
     for (const Resampling method : {Resampling::linear, Resampling::bicubic, Resampling::average}) {
-        const Array2D one = resampled(map, Resample{.nx = 33, .method = method}, {1}).heights, three = resampled(map, Resample{.nx = 33, .method = method}, {3}).heights;
+        const Array2D one = resampled(map, Resample{.nx = 33, .method = method}, {1}).heights,
+                      three = resampled(map, Resample{.nx = 33, .method = method}, {3}).heights;
         EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
     }
 }

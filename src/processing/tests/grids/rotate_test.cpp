@@ -21,7 +21,9 @@ template <class Function>
 HeightMap about_middle(Index nx, Index ny, std::array<double, 2> pixel, const Function& height) {
     HeightMap map{Array2D(nx, ny), {pixel[0] * static_cast<double>(nx), pixel[1] * static_cast<double>(ny)}, false, {}};
     for (Index i = 0; i < nx; ++i)
-        for (Index j = 0; j < ny; ++j) map.heights(i, j) = height(pixel[0] * (static_cast<double>(i) - 0.5 * static_cast<double>(nx - 1)), pixel[1] * (static_cast<double>(j) - 0.5 * static_cast<double>(ny - 1)));
+        for (Index j = 0; j < ny; ++j)
+            map.heights(i, j) = height(pixel[0] * (static_cast<double>(i) - 0.5 * static_cast<double>(nx - 1)),
+                                       pixel[1] * (static_cast<double>(j) - 0.5 * static_cast<double>(ny - 1)));
     return map;
 }
 
@@ -30,7 +32,9 @@ TEST(Rotate, TurnsFromXTowardsY) {
     const HeightMap map = about_middle(41, 31, {0.5, 0.25}, slope_x);
     for (const Rotation method : {Rotation::linear, Rotation::bicubic}) {
         const HeightMap turned = rotated(map, Rotate{.angle = 30.0 * degree, .method = method, .crop = true});
-        const HeightMap expected = about_middle(turned.heights.rows(), turned.heights.cols(), {0.5, 0.25}, [](double x, double y) { return 2.0 * (std::cos(30.0 * degree) * x + std::sin(30.0 * degree) * y); });
+        const HeightMap expected = about_middle(
+            turned.heights.rows(), turned.heights.cols(), {0.5, 0.25},
+            [](double x, double y) { return 2.0 * (std::cos(30.0 * degree) * x + std::sin(30.0 * degree) * y); });
         EXPECT_FALSE(turned.heights.isNaN().any());
         EXPECT_LT((turned.heights - expected.heights).abs().maxCoeff(), 1e-12);
     }
@@ -46,12 +50,17 @@ TEST(Rotate, ByQuartersMovesPointsWithoutInterpolation) {
     HeightMap around = map;
     for (int k = 0; k < 4; ++k) around = rotated(around, Rotate{.angle = 90.0 * degree});
     EXPECT_TRUE((around.heights == map.heights).all());
-    EXPECT_TRUE((rotated(map, Rotate{.angle = -90.0 * degree}).heights == rotated(map, Rotate{.angle = 270.0 * degree}).heights).all());
-    EXPECT_TRUE((rotated(rotated(map, Rotate{.angle = 180.0 * degree}), Rotate{.angle = 180.0 * degree}).heights == map.heights).all());
+    EXPECT_TRUE(
+        (rotated(map, Rotate{.angle = -90.0 * degree}).heights == rotated(map, Rotate{.angle = 270.0 * degree}).heights)
+            .all());
+    EXPECT_TRUE(
+        (rotated(rotated(map, Rotate{.angle = 180.0 * degree}), Rotate{.angle = 180.0 * degree}).heights == map.heights)
+            .all());
     EXPECT_TRUE((rotated(map, Rotate{.angle = 8.0 * std::numbers::pi}).heights == map.heights).all());
     // close to a quarter, interpolation gives nearly the same: the direction agrees
     map = about_middle(21, 21, {1.0, 1.0}, [](double x, double y) { return std::sin(0.2 * x) + 0.1 * y; });
-    const Array2D quarter = rotated(map, Rotate{.angle = 90.0 * degree}).heights, nearly = rotated(map, Rotate{.angle = 90.001 * degree}).heights;
+    const Array2D quarter = rotated(map, Rotate{.angle = 90.0 * degree}).heights,
+                  nearly = rotated(map, Rotate{.angle = 90.001 * degree}).heights;
     EXPECT_LT((quarter - nearly).block(1, 1, 19, 19).abs().maxCoeff(), 1e-3);
 }
 
@@ -69,21 +78,32 @@ TEST(Rotate, LeavesPointsOutsideUndefinedUnlessCropped) {
 }
 
 TEST(Rotate, BackAndForthReturnsSmoothHeights) {
-    const HeightMap map = about_middle(120, 120, {1.0, 1.0}, [](double x, double y) { return std::cos(0.15 * x + 0.05 * y); });
-    const HeightMap back = rotated(rotated(map, Rotate{.angle = 0.3, .method = Rotation::bicubic}), Rotate{.angle = -0.3, .method = Rotation::bicubic});
+    const HeightMap map =
+        about_middle(120, 120, {1.0, 1.0}, [](double x, double y) { return std::cos(0.15 * x + 0.05 * y); });
+    const HeightMap back = rotated(rotated(map, Rotate{.angle = 0.3, .method = Rotation::bicubic}),
+                                   Rotate{.angle = -0.3, .method = Rotation::bicubic});
     EXPECT_LT((back.heights - map.heights).block(45, 45, 30, 30).abs().maxCoeff(), 1e-3);
 }
 
 TEST(Rotate, RefusesLinesAndAnglesWithoutMeaning) {
-    EXPECT_THROW((void)rotated(HeightMap{Array2D::Zero(3, 3), {1.0, 1.0}, false, {}}, Rotate{.angle = std::numeric_limits<double>::infinity()}), InvalidArgument);
-    EXPECT_THROW((void)rotated(HeightMap{Array2D::Zero(40, 2), {40.0, 2.0}, false, {}}, Rotate{.angle = 0.5, .crop = true}), InvalidArgument);
-    EXPECT_THROW((void)apply(Rotate{.angle = 0.1}, topography::LineScan{Array1D::Zero(4), 1.0, false, {}}), InvalidArgument);
-    EXPECT_GT(apply(Rotate{.angle = 0.3}, HeightMap{Array2D::Zero(9, 9), {1.0, 1.0}, false, {}}).record.numbers.at(0).estimate.value, 0.0);
+    EXPECT_THROW((void)rotated(HeightMap{Array2D::Zero(3, 3), {1.0, 1.0}, false, {}},
+                               Rotate{.angle = std::numeric_limits<double>::infinity()}),
+                 InvalidArgument);
+    EXPECT_THROW(
+        (void)rotated(HeightMap{Array2D::Zero(40, 2), {40.0, 2.0}, false, {}}, Rotate{.angle = 0.5, .crop = true}),
+        InvalidArgument);
+    EXPECT_THROW((void)apply(Rotate{.angle = 0.1}, topography::LineScan{Array1D::Zero(4), 1.0, false, {}}),
+                 InvalidArgument);
+    EXPECT_GT(apply(Rotate{.angle = 0.3}, HeightMap{Array2D::Zero(9, 9), {1.0, 1.0}, false, {}})
+                  .record.numbers.at(0)
+                  .estimate.value,
+              0.0);
 }
 
 TEST(Rotate, GivesTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map{Array2D::Random(50, 60), {5.0, 6.0}, false, {}};
-    const Array2D one = rotated(map, Rotate{.angle = 0.7, .crop = true}, {1}).heights, three = rotated(map, Rotate{.angle = 0.7, .crop = true}, {3}).heights;
+    const Array2D one = rotated(map, Rotate{.angle = 0.7, .crop = true}, {1}).heights,
+                  three = rotated(map, Rotate{.angle = 0.7, .crop = true}, {3}).heights;
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 

@@ -23,7 +23,8 @@ HeightMap islands(Index nx, Index ny, double share) {
     HeightMap map{Array2D(nx, ny), {1e-6, 1e-6}};
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j) {
-            const bool island = static_cast<double>(i) < share * static_cast<double>(nx) && j > ny / 4 && j < 3 * ny / 4;
+            const bool island =
+                static_cast<double>(i) < share * static_cast<double>(nx) && j > ny / 4 && j < 3 * ny / 4;
             map.heights(i, j) = normal(engine) + (island ? 1e-8 : 0.0);
         }
     return map;
@@ -49,12 +50,14 @@ TEST(AlignRows, ByMedianTakesJumpsOutAndKeepsIslandsOnLessThanHalfOfALine) {
 TEST(AlignRows, ByMedianOfDifferencesKeepsIslandsOnMostOfALine) {
     // where an island begins, most points of the line step up: 40 % of the lines' points do not
     const auto truth = islands(200, 80, 0.45);
-    EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(truth))), truth), 0.03e-8);
+    EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(truth))), truth),
+              0.03e-8);
     // an island that grows line by line covers most of a line at last, which the median then takes for the ground
     HeightMap wedge{Array2D::Zero(200, 80), {1e-6, 1e-6}};
     for (Index j = 0; j < 80; ++j)
         for (Index i = 0; i < std::min<Index>(160, 2 * j + 2); ++i) wedge.heights(i, j) = 1e-8;
-    EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(wedge))), wedge), 1e-20);
+    EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(wedge))), wedge),
+              1e-20);
     EXPECT_GT(left_over(map_of(apply(AlignRows{}, jumped(wedge))), wedge), 0.3e-8);
 }
 
@@ -76,16 +79,19 @@ TEST(AlignRows, DestroysStructureAlongTheSlowAxis) {
     HeightMap map{Array2D(64, 64), {1.0, 1.0}};
     for (Index i = 0; i < 64; ++i)
         for (Index j = 0; j < 64; ++j) map.heights(i, j) = std::cos(2.0 * pi * static_cast<double>(j) / 64.0);
-    for (const auto method : {RowAlignment::mean, RowAlignment::median, RowAlignment::median_of_differences, RowAlignment::polynomial})
+    for (const auto method :
+         {RowAlignment::mean, RowAlignment::median, RowAlignment::median_of_differences, RowAlignment::polynomial})
         EXPECT_LT(rms_of(map_of(apply(AlignRows{.method = method}, map)).heights), 1e-14);
     // along the fast axis it stays
-    EXPECT_NEAR(rms_of(map_of(apply(AlignRows{.method = RowAlignment::mean, .direction = Direction::y}, map)).heights), std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(rms_of(map_of(apply(AlignRows{.method = RowAlignment::mean, .direction = Direction::y}, map)).heights),
+                std::sqrt(0.5), 1e-12);
 }
 
 TEST(AlignRows, KeepsTheMeanOfAllLines) {
     auto map = jumped(islands(40, 30, 0.3));
     map.heights += 3e-6;
-    for (const auto method : {RowAlignment::mean, RowAlignment::polynomial}) EXPECT_NEAR(map_of(apply(AlignRows{.method = method}, map)).heights.mean(), map.heights.mean(), 1e-18);
+    for (const auto method : {RowAlignment::mean, RowAlignment::polynomial})
+        EXPECT_NEAR(map_of(apply(AlignRows{.method = method}, map)).heights.mean(), map.heights.mean(), 1e-18);
 }
 
 TEST(AlignRows, OfTiltedStripedDataRecoversSqWithinOnePercent) {
@@ -93,7 +99,9 @@ TEST(AlignRows, OfTiltedStripedDataRecoversSqWithinOnePercent) {
     std::normal_distribution<double> normal(0.0, 2e-8);
     HeightMap truth{Array2D(256, 200), {2e-6, 2e-6}};
     for (Index i = 0; i < 256; ++i)
-        for (Index j = 0; j < 200; ++j) truth.heights(i, j) = 1e-8 * std::sin(0.3 * static_cast<double>(i)) * std::cos(0.2 * static_cast<double>(j));
+        for (Index j = 0; j < 200; ++j)
+            truth.heights(i, j) =
+                1e-8 * std::sin(0.3 * static_cast<double>(i)) * std::cos(0.2 * static_cast<double>(j));
     auto measured = truth;
     for (Index j = 0; j < 200; ++j)
         for (Index i = 0; i < 256; ++i) measured.heights(i, j) += 0.05 * 2e-6 * static_cast<double>(i) / 256.0;
@@ -125,15 +133,20 @@ TEST(AlignRows, MovesLinesWithoutPointsWithTheirNeighbours) {
 
 TEST(AlignRows, RefusesALine) {
     EXPECT_THROW((void)apply(AlignRows{}, topography::LineScan{Array1D::Zero(5), 1.0}), InvalidArgument);
-    EXPECT_THROW((void)apply(AlignRows{.method = RowAlignment::polynomial, .degree = 13}, islands(20, 20, 0.1)), InvalidArgument);
+    EXPECT_THROW((void)apply(AlignRows{.method = RowAlignment::polynomial, .degree = 13}, islands(20, 20, 0.1)),
+                 InvalidArgument);
 }
 
 TEST(AlignRows, GivesTheSameBytesForAnyNumberOfThreads) {
     auto map = jumped(islands(333, 130, 0.3));
     map.heights(5, 5) = undefined;
-    for (const auto method : {RowAlignment::mean, RowAlignment::median, RowAlignment::median_of_differences, RowAlignment::polynomial}) {
-        const auto one = map_of(apply(AlignRows{.method = method}, map, {1})), three = map_of(apply(AlignRows{.method = method}, map, {3}));
-        EXPECT_EQ(std::memcmp(one.heights.data(), three.heights.data(), sizeof(double) * static_cast<std::size_t>(one.heights.size())), 0);
+    for (const auto method :
+         {RowAlignment::mean, RowAlignment::median, RowAlignment::median_of_differences, RowAlignment::polynomial}) {
+        const auto one = map_of(apply(AlignRows{.method = method}, map, {1})),
+                   three = map_of(apply(AlignRows{.method = method}, map, {3}));
+        EXPECT_EQ(std::memcmp(one.heights.data(), three.heights.data(),
+                              sizeof(double) * static_cast<std::size_t>(one.heights.size())),
+                  0);
     }
 }
 

@@ -23,7 +23,9 @@ template <class Height>
 HeightMap map_from(Index nx, Index ny, std::array<double, 2> size, Height height) {
     HeightMap map{Array2D(nx, ny), size};
     for (Index i = 0; i < nx; ++i)
-        for (Index j = 0; j < ny; ++j) map.heights(i, j) = height(size[0] * static_cast<double>(i) / static_cast<double>(nx), size[1] * static_cast<double>(j) / static_cast<double>(ny));
+        for (Index j = 0; j < ny; ++j)
+            map.heights(i, j) = height(size[0] * static_cast<double>(i) / static_cast<double>(nx),
+                                       size[1] * static_cast<double>(j) / static_cast<double>(ny));
     return map;
 }
 
@@ -36,7 +38,8 @@ HeightMap noise(Index nx, Index ny, unsigned seed) {
 double largest(const Array2D& heights) { return heights.isNaN().select(0.0, heights).abs().maxCoeff(); }
 
 TEST(LevelPlane, RecoversSlopesOfAPlaneTo1e10) {
-    const auto level = apply(LevelPlane{}, map_from(37, 64, {3e-6, 2e-6}, [](double x, double y) { return 5e-7 + 0.0123 * x - 0.0456 * y; }));
+    const auto level = apply(LevelPlane{}, map_from(37, 64, {3e-6, 2e-6},
+                                                    [](double x, double y) { return 5e-7 + 0.0123 * x - 0.0456 * y; }));
     EXPECT_NEAR(number_of(level.record, "removed_slope_x"), 0.0123, 1e-10 * 0.0123);
     EXPECT_NEAR(number_of(level.record, "removed_slope_y"), -0.0456, 1e-10 * 0.0456);
     EXPECT_LT(largest(map_of(level).heights), 1e-20);
@@ -46,7 +49,8 @@ TEST(LevelPolynomial, RecoversRadiiOfAParaboloidTo1e10) {
     // about the middle between first and last points, where slopes are means over the field
     const double cx = 0.5 * 3e-6 * 36.0 / 37.0, cy = 0.5 * 2e-6 * 63.0 / 64.0;
     const auto level = apply(LevelPolynomial{}, map_from(37, 64, {3e-6, 2e-6}, [&](double x, double y) {
-                                 return 4e-7 + 0.02 * (x - cx) + 0.5 * (x - cx) * (x - cx) / 1e-4 - 0.5 * (y - cy) * (y - cy) / 3e-4 + 100.0 * (x - cx) * (y - cy);
+                                 return 4e-7 + 0.02 * (x - cx) + 0.5 * (x - cx) * (x - cx) / 1e-4 -
+                                        0.5 * (y - cy) * (y - cy) / 3e-4 + 100.0 * (x - cx) * (y - cy);
                              }));
     EXPECT_NEAR(number_of(level.record, "removed_radius_x"), 1e-4, 1e-14);
     EXPECT_NEAR(number_of(level.record, "removed_radius_y"), -3e-4, 3e-14);
@@ -57,9 +61,10 @@ TEST(LevelPolynomial, RecoversRadiiOfAParaboloidTo1e10) {
 
 TEST(LevelPolynomial, RecoversTheRadiusOfASphereWithinOnePercent) {
     constexpr double radius = 2e-5;
-    const auto level = apply(LevelPolynomial{}, map_from(50, 50, {3e-6, 3e-6}, [](double x, double y) {
-                                 return std::sqrt(radius * radius - std::pow(x - 1.47e-6, 2) - std::pow(y - 1.47e-6, 2)) - radius;
-                             }));
+    const auto level =
+        apply(LevelPolynomial{}, map_from(50, 50, {3e-6, 3e-6}, [](double x, double y) {
+                  return std::sqrt(radius * radius - std::pow(x - 1.47e-6, 2) - std::pow(y - 1.47e-6, 2)) - radius;
+              }));
     EXPECT_NEAR(number_of(level.record, "removed_radius_x") / radius, -1.0, 0.01);
     EXPECT_NEAR(number_of(level.record, "removed_radius_y") / radius, -1.0, 0.01);
 }
@@ -75,12 +80,14 @@ TEST(LevelPolynomial, OfDegreeTwelveAlongBothDirectionsRemovesItsOwnPolynomial) 
 
 TEST(LevelPolynomial, LimitsDegreesOfEachDirection) {
     const auto height = [](double x, double y) { return 1e-7 + 0.1 * x + 1e4 * x * x + 0.2 * y + 1e4 * y * y; };
-    const auto level = apply(LevelPolynomial{.degree = 3, .degree_x = 2, .degree_y = 1}, map_from(40, 40, {3e-6, 3e-6}, height));
+    const auto level =
+        apply(LevelPolynomial{.degree = 3, .degree_x = 2, .degree_y = 1}, map_from(40, 40, {3e-6, 3e-6}, height));
     // what is left is y² without its best straight line
     Array1D y2(40);
     for (Index j = 0; j < 40; ++j) y2[j] = 1e4 * std::pow(3e-6 * static_cast<double>(j) / 40.0, 2);
     const auto expected = topography::detrended(LineScan{y2, 3e-6}, topography::Trend::tilt);
-    for (Index i = 0; i < 40; ++i) EXPECT_LT((map_of(level).heights.row(i).transpose() - expected.heights).abs().maxCoeff(), 1e-19);
+    for (Index i = 0; i < 40; ++i)
+        EXPECT_LT((map_of(level).heights.row(i).transpose() - expected.heights).abs().maxCoeff(), 1e-19);
 }
 
 TEST(LevelPolynomial, LeavesAResidualOrthogonalToEveryTerm) {
@@ -92,7 +99,9 @@ TEST(LevelPolynomial, LeavesAResidualOrthogonalToEveryTerm) {
             double product = 0.0, norm = 0.0;
             for (Index i = 0; i < 31; ++i)
                 for (Index j = 0; j < 45; ++j) {
-                    const double h = map_of(level).heights(i, j), term = std::pow(static_cast<double>(i) / 15.0 - 1.0, a) * std::pow(static_cast<double>(j) / 22.0 - 1.0, b);
+                    const double h = map_of(level).heights(i, j),
+                                 term = std::pow(static_cast<double>(i) / 15.0 - 1.0, a) *
+                                        std::pow(static_cast<double>(j) / 22.0 - 1.0, b);
                     if (h != h) continue;
                     product += h * term;
                     norm += std::fabs(h * term);
@@ -104,12 +113,21 @@ TEST(LevelPolynomial, LeavesAResidualOrthogonalToEveryTerm) {
 TEST(LevelPolynomial, IsTheParabolaOfDetrend) {
     auto map = noise(20, 33, 3);
     map.heights(4, 5) = undefined;
-    const auto ours = map_of(apply(LevelPolynomial{}, map)), theirs = topography::detrended(map, topography::Trend::parabola);
+    const auto ours = map_of(apply(LevelPolynomial{}, map)),
+               theirs = topography::detrended(map, topography::Trend::parabola);
     EXPECT_LT(largest(ours.heights - theirs.heights), 1e-20);
     LineScan scan{map.heights.row(0).transpose(), 1e-6};
-    EXPECT_LT((line_of(apply(LevelPolynomial{}, scan)).heights - topography::detrended(scan, topography::Trend::parabola).heights).abs().maxCoeff(), 1e-20);
+    EXPECT_LT((line_of(apply(LevelPolynomial{}, scan)).heights -
+               topography::detrended(scan, topography::Trend::parabola).heights)
+                  .abs()
+                  .maxCoeff(),
+              1e-20);
     const Profile profile{Array1D::LinSpaced(33, 0.0, 1e-6).square() / 1e-6, map.heights.row(1).transpose(), {}};
-    EXPECT_LT((profile_of(apply(LevelPolynomial{}, profile)).heights - topography::detrended(profile, topography::Trend::parabola).heights).abs().maxCoeff(), 1e-20);
+    EXPECT_LT((profile_of(apply(LevelPolynomial{}, profile)).heights -
+               topography::detrended(profile, topography::Trend::parabola).heights)
+                  .abs()
+                  .maxCoeff(),
+              1e-20);
 }
 
 TEST(LevelPolynomial, KeepsItsDigitsWhereHeightsHaveALargeOffset) {
@@ -151,7 +169,8 @@ TEST(LevelPolynomial, OfAPolylineDoesNotDependOnCollinearPoints) {
     finer.positions << 0.0, 0.25, 1.0, 2.0, 3.0, 4.0;
     finer.heights << 0.0, 0.25, 1.0, 0.75, 0.5, 2.0;
     for (const Index degree : {2, 3}) {
-        const auto coarse = fitted_polynomial(profile, {.total = degree}), fine = fitted_polynomial(finer, {.total = degree});
+        const auto coarse = fitted_polynomial(profile, {.total = degree}),
+                   fine = fitted_polynomial(finer, {.total = degree});
         EXPECT_LT((coarse.coefficients - fine.coefficients).abs().maxCoeff(), 1e-14);
     }
 }
@@ -159,12 +178,14 @@ TEST(LevelPolynomial, OfAPolylineDoesNotDependOnCollinearPoints) {
 TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
     Profile profile{Array1D(4), Array1D::Random(4), {}};
     profile.positions << 0.0, 1.0, 0.5, 2.0;
-    for (const Step& step : {Step(LevelMean{}), Step(LevelPlane{}), Step(LevelPolynomial{}), Step(LevelFacet{}), Step(LevelLines{})}) {
+    for (const Step& step :
+         {Step(LevelMean{}), Step(LevelPlane{}), Step(LevelPolynomial{}), Step(LevelFacet{}), Step(LevelLines{})}) {
         try {
             (void)processing::apply(step, profile, LoadMeasurement{});
             FAIL() << "accepted";
         } catch (const InvalidArgument& error) {
-            EXPECT_NE(std::string(error.what()).find("does not increase at point 2"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("does not increase at point 2"), std::string::npos)
+                << error.what();
         }
     }
     profile.positions << 0.0, 1.0, 1.0, 2.0;  // a vertical step is no function either
@@ -172,7 +193,8 @@ TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
 }
 
 TEST(LevelPlane, FittedToARegionIgnoresWhatLiesOutside) {
-    auto map = map_from(50, 40, {5e-6, 4e-6}, [](double x, double y) { return 0.03 * x - 0.01 * y + (x > 2.95e-6 ? 1e-7 : 0.0); });
+    auto map = map_from(50, 40, {5e-6, 4e-6},
+                        [](double x, double y) { return 0.03 * x - 0.01 * y + (x > 2.95e-6 ? 1e-7 : 0.0); });
     const auto level = apply(LevelPlane{region_from_text("exclude rectangle above 2.95 um")}, map);
     EXPECT_NEAR(number_of(level.record, "removed_slope_x"), 0.03, 1e-13);
     EXPECT_NEAR(number_of(level.record, "removed_slope_y"), -0.01, 1e-13);
@@ -199,7 +221,8 @@ TEST(LevelPlane, HidesUndefinedHeightsFromTheFit) {
 
 TEST(LevelPlane, SaysWhereThePointsDoNotDetermineIt) {
     auto map = noise(10, 10, 1);
-    EXPECT_THROW((void)apply(LevelPlane{region_from_text("include rectangle 0 um to 0 um")}, map), UndefinedDataError);  // one column
+    EXPECT_THROW((void)apply(LevelPlane{region_from_text("include rectangle 0 um to 0 um")}, map),
+                 UndefinedDataError);  // one column
     EXPECT_THROW((void)apply(LevelPolynomial{.degree = 12}, HeightMap(noise(3, 3, 1))), UndefinedDataError);
     EXPECT_THROW((void)apply(LevelPlane{}, HeightMap(noise(1, 10, 1))), UndefinedDataError);  // one row
     EXPECT_THROW((void)apply(LevelPolynomial{.degree = 25}, map), InvalidArgument);
@@ -231,7 +254,9 @@ TEST(LevelMean, ReadsBackTheOffsetOfARegion) {
 
 /// Terraces of unit-cell steps on a tilted sample.
 HeightMap terraces(double slope_x, double slope_y, Index nx = 120, Index ny = 90) {
-    return map_from(nx, ny, {1.2e-6, 0.9e-6}, [=](double x, double y) { return 3e-10 * std::floor(x / 1.7e-7 + 0.3 * y / 1.7e-7) + slope_x * x + slope_y * y; });
+    return map_from(nx, ny, {1.2e-6, 0.9e-6}, [=](double x, double y) {
+        return 3e-10 * std::floor(x / 1.7e-7 + 0.3 * y / 1.7e-7) + slope_x * x + slope_y * y;
+    });
 }
 
 TEST(LevelFacet, MakesTerracesHorizontalWhatAPlaneCannot) {
@@ -246,26 +271,32 @@ TEST(LevelFacet, MakesTerracesHorizontalWhatAPlaneCannot) {
 
 TEST(LevelFacet, OfALineWithStepsLevelsItsTerraces) {
     LineScan scan{Array1D(200), 2e-6};
-    for (Index i = 0; i < 200; ++i) scan.heights[i] = 1e-9 * std::floor(static_cast<double>(i) / 33.0) + 0.02 * 1e-8 * static_cast<double>(i);
+    for (Index i = 0; i < 200; ++i)
+        scan.heights[i] = 1e-9 * std::floor(static_cast<double>(i) / 33.0) + 0.02 * 1e-8 * static_cast<double>(i);
     EXPECT_NEAR(number_of(apply(LevelFacet{}, scan).record, "removed_slope_x"), 0.02, 1e-6);
     const Profile profile{Array1D::LinSpaced(200, 0.0, 1.99e-6), scan.heights, {}};
     EXPECT_NEAR(number_of(apply(LevelFacet{}, profile).record, "removed_slope_x"), 0.02, 1e-6);
 }
 
 TEST(LevelFacet, OfAPlaneRemovesItAtOnce) {
-    const auto level = apply(LevelFacet{}, map_from(20, 20, {1e-6, 1e-6}, [](double x, double y) { return 0.25 * x - 0.5 * y; }));
+    const auto level =
+        apply(LevelFacet{}, map_from(20, 20, {1e-6, 1e-6}, [](double x, double y) { return 0.25 * x - 0.5 * y; }));
     EXPECT_LT(largest(map_of(level).heights), 1e-20);
 }
 
 TEST(LevelLines, RemovesEachLinesOwnPolynomialAlongEitherDirection) {
-    const auto height = [](double x, double y) { return std::sin(9e6 * y) * 1e-8 + x * std::cos(7e6 * y) * 1e-2 + x * x * 1e3; };
+    const auto height = [](double x, double y) {
+        return std::sin(9e6 * y) * 1e-8 + x * std::cos(7e6 * y) * 1e-2 + x * x * 1e3;
+    };
     auto map = map_from(30, 26, {3e-6, 2e-6}, height);
     EXPECT_LT(largest(map_of(apply(LevelLines{.degree = 2}, map)).heights), 1e-20);
     HeightMap turned{map.heights.transpose(), {2e-6, 3e-6}};
     const auto level = map_of(apply(LevelLines{.degree = 2, .direction = Direction::y}, turned));
     EXPECT_LT(largest(level.heights), 1e-20);
     const auto random = noise(30, 26, 8);
-    EXPECT_LT(largest(map_of(apply(LevelLines{.degree = 1}, random)).heights - topography::flattened_lines(random, 1).heights), 1e-20);
+    EXPECT_LT(largest(map_of(apply(LevelLines{.degree = 1}, random)).heights -
+                      topography::flattened_lines(random, 1).heights),
+              1e-20);
 }
 
 TEST(LevelLines, LeavesLinesWithTooFewPointsUndefinedAndSaysSo) {
@@ -285,10 +316,14 @@ TEST(Level, GivesTheSameBytesForAnyNumberOfThreads) {
     auto map = terraces(0.01, 0.02, 150, 450);
     map.heights(100, 100) = undefined;
     const auto region = region_from_text("exclude percentiles above 90");
-    for (const Step& step : {Step(LevelPolynomial{.degree = 3, .region = region}), Step(LevelFacet{}), Step(LevelLines{.degree = 3})}) {
-        const auto run = [&](int threads) { return map_of(processing::apply(step, map, LoadMeasurement{}, {threads})).heights; };
+    for (const Step& step :
+         {Step(LevelPolynomial{.degree = 3, .region = region}), Step(LevelFacet{}), Step(LevelLines{.degree = 3})}) {
+        const auto run = [&](int threads) {
+            return map_of(processing::apply(step, map, LoadMeasurement{}, {threads})).heights;
+        };
         const Array2D one = run(1), three = run(3);
-        EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0) << step.index();
+        EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0)
+            << step.index();
     }
 }
 

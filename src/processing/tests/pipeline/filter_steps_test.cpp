@@ -21,19 +21,26 @@ struct Changing {
     std::vector<std::string> names;
 
     void length(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 2.5; }
-    void optional_length(std::string_view name, std::optional<double>& value, std::string_view) { names.emplace_back(name), value = 2.5; }
+    void optional_length(std::string_view name, std::optional<double>& value, std::string_view) {
+        names.emplace_back(name), value = 2.5;
+    }
     void number(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 0.25; }
     void angle(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 0.25; }
     void count(std::string_view name, Index& value, std::string_view) { names.emplace_back(name), value = 1; }
     void flag(std::string_view name, bool& value, std::string_view) { names.emplace_back(name), value = !value; }
-    void text(std::string_view name, std::string& value, std::string_view) { names.emplace_back(name), value = "other"; }
+    void text(std::string_view name, std::string& value, std::string_view) {
+        names.emplace_back(name), value = "other";
+    }
     template <class Value, std::size_t n>
-    void choice(std::string_view name, Value& value, const std::array<Choice<Value>, n>& choices, std::string_view) { names.emplace_back(name), value = choices.back().value; }
+    void choice(std::string_view name, Value& value, const std::array<Choice<Value>, n>& choices, std::string_view) {
+        names.emplace_back(name), value = choices.back().value;
+    }
 };
 
 template <class Step>
 std::vector<std::string> parameters() {
-    static_assert(std::is_aggregate_v<Step> && std::is_copy_constructible_v<Step>, "a step is a plain value: it is copied, compared and written as its parameters");
+    static_assert(std::is_aggregate_v<Step> && std::is_copy_constructible_v<Step>,
+                  "a step is a plain value: it is copied, compared and written as its parameters");
     Step step;
     Changing visitor;
     visit_parameters(step, visitor);

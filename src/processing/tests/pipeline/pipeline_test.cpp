@@ -19,7 +19,9 @@ using topography::Measurement;
 HeightMap waves() {
     HeightMap map{Array2D(200, 150), {2e-6, 1.5e-6}};
     for (Index i = 0; i < 200; ++i)
-        for (Index j = 0; j < 150; ++j) map.heights(i, j) = 1e-8 * std::sin(0.21 * static_cast<double>(i)) * std::sin(0.17 * static_cast<double>(j));
+        for (Index j = 0; j < 150; ++j)
+            map.heights(i, j) =
+                1e-8 * std::sin(0.21 * static_cast<double>(i)) * std::sin(0.17 * static_cast<double>(j));
     return map;
 }
 
@@ -36,13 +38,19 @@ TEST(Pipeline, OfTiltedStripedSpikyDataRecoversSqWithinOnePercent) {
     std::normal_distribution<double> normal;
     for (Index j = 0; j < 150; ++j) measured.heights.col(j) += 4e-8 * normal(engine);
     for (Index i = 0; i < 200; ++i)
-        for (Index j = 0; j < 150; ++j) measured.heights(i, j) += 0.07 * 1e-8 * static_cast<double>(i) - 0.02 * 1e-8 * static_cast<double>(j) + 5e-11 * normal(engine);
-    for (int k = 0; k < 20; ++k) measured.heights(static_cast<Index>(engine() % 200), static_cast<Index>(engine() % 150)) += 2e-7;
-    const auto result = processing::apply(pipeline_of({"align_rows method=polynomial degree=1", "despike", "level_plane"}), measured);
+        for (Index j = 0; j < 150; ++j)
+            measured.heights(i, j) +=
+                0.07 * 1e-8 * static_cast<double>(i) - 0.02 * 1e-8 * static_cast<double>(j) + 5e-11 * normal(engine);
+    for (int k = 0; k < 20; ++k)
+        measured.heights(static_cast<Index>(engine() % 200), static_cast<Index>(engine() % 150)) += 2e-7;
+    const auto result =
+        processing::apply(pipeline_of({"align_rows method=polynomial degree=1", "despike", "level_plane"}), measured);
     EXPECT_NEAR(rms_of(std::get<HeightMap>(result.measurement).heights) / rms_of(truth.heights), 1.0, 0.01);
     ASSERT_EQ(result.records.size(), 3u);
-    EXPECT_NEAR(number_of(result.records[2], "rms_height"), rms_of(std::get<HeightMap>(result.measurement).heights), 1e-20);
-    EXPECT_EQ(topography::metadata(result.measurement).attributes.at("pipeline"), "align_rows method=polynomial | despike | level_plane");
+    EXPECT_NEAR(number_of(result.records[2], "rms_height"), rms_of(std::get<HeightMap>(result.measurement).heights),
+                1e-20);
+    EXPECT_EQ(topography::metadata(result.measurement).attributes.at("pipeline"),
+              "align_rows method=polynomial | despike | level_plane");
 }
 
 TEST(Pipeline, LeavesOutStepsThatAreOff) {
@@ -54,7 +62,8 @@ TEST(Pipeline, LeavesOutStepsThatAreOff) {
     EXPECT_EQ(result.records.size(), 1u);
     pipeline.entries[1].on = false;
     EXPECT_TRUE(pipeline.empty());
-    EXPECT_TRUE((std::get<HeightMap>(processing::apply(pipeline, waves()).measurement).heights == waves().heights).all());
+    EXPECT_TRUE(
+        (std::get<HeightMap>(processing::apply(pipeline, waves()).measurement).heights == waves().heights).all());
 }
 
 TEST(Pipeline, NotesWhatWasDoneBefore) {
@@ -64,7 +73,8 @@ TEST(Pipeline, NotesWhatWasDoneBefore) {
 }
 
 TEST(Pipeline, IsItsStepsOneAfterTheOther) {
-    const auto together = apply(pipeline_of({"level_polynomial degree=3", "remove_scars", "crop cut_left=5"}), waves(), {}, {2});
+    const auto together =
+        apply(pipeline_of({"level_polynomial degree=3", "remove_scars", "crop cut_left=5"}), waves(), {}, {2});
     Measurement alone = waves();
     alone = processing::apply(LevelPolynomial{.degree = 3}, std::move(alone)).measurement;
     alone = processing::apply(RemoveScars{}, std::move(alone)).measurement;
@@ -89,9 +99,12 @@ TEST(Pipeline, AsksForTheFilesThatStepsName) {
 
 TEST(StepText, ReadsBackWhatItWrites) {
     for (const std::string line :
-         {"level_plane", "level_polynomial degree=3 degree_y=1", "align_rows method=median_of_differences direction=y", "despike threshold=5.5 reach=3 replace_by=undefined",
-          "mask_out region=\"include heights above 20 nm grow 2; exclude rectangle 1 um to 2 um\"", "crop x_from=\"1 um\" x_to=\"2.5 um\"", "quarter_turns turns=-1", "remove_scars high=0.8 sign=negative",
-          "gaussian_filter cutoff=\"8 um\" keep=short_waves", "rotate angle=\"30 deg\" crop=true", "fourier_cut shortest=\"1 nm\"", "spline_filter cutoff=\"80 um\" tension=0.5 robust=true"}) {
+         {"level_plane", "level_polynomial degree=3 degree_y=1", "align_rows method=median_of_differences direction=y",
+          "despike threshold=5.5 reach=3 replace_by=undefined",
+          "mask_out region=\"include heights above 20 nm grow 2; exclude rectangle 1 um to 2 um\"",
+          "crop x_from=\"1 um\" x_to=\"2.5 um\"", "quarter_turns turns=-1", "remove_scars high=0.8 sign=negative",
+          "gaussian_filter cutoff=\"8 um\" keep=short_waves", "rotate angle=\"30 deg\" crop=true",
+          "fourier_cut shortest=\"1 nm\"", "spline_filter cutoff=\"80 um\" tension=0.5 robust=true"}) {
         EXPECT_EQ(text(step_from_text(line)), line);
         EXPECT_EQ(parameters(step_from_text(text(step_from_text(line)))), parameters(step_from_text(line)));
     }
@@ -99,7 +112,8 @@ TEST(StepText, ReadsBackWhatItWrites) {
 }
 
 TEST(StepText, KeepsEveryDigitOfALength) {
-    for (const double length : {1e-6, 8e-6, 1.23456789012345e-7, 1.0 / 3.0, 2.9999999999999997e-9, 4.7e-13, 12345.678, 0.0}) {
+    for (const double length :
+         {1e-6, 8e-6, 1.23456789012345e-7, 1.0 / 3.0, 2.9999999999999997e-9, 4.7e-13, 12345.678, 0.0}) {
         const auto read = step_from_text(text(Step(Crop{.x_from = length})));
         EXPECT_EQ(std::get<Crop>(read).x_from, length) << text(Step(Crop{.x_from = length}));
     }
@@ -124,12 +138,16 @@ TEST(StepText, TakesQuotesOfBothKinds) {
 }
 
 TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
-    EXPECT_EQ(complaint("level_plan"), "unknown step 'level_plan'; did you mean 'level_plane'?; setae level --explain lists them");
-    EXPECT_EQ(complaint("despike treshold=5"), "unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
+    EXPECT_EQ(complaint("level_plan"),
+              "unknown step 'level_plan'; did you mean 'level_plane'?; setae level --explain lists them");
+    EXPECT_EQ(
+        complaint("despike treshold=5"),
+        "unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
     EXPECT_EQ(complaint("transpose turns=1"), "unknown parameter 'turns' of transpose; it has none");
     EXPECT_EQ(complaint("despike threshold=high"), "threshold: 'high' is no number");
     EXPECT_EQ(complaint("despike reach=2.5"), "reach: '2.5' is no whole number");
-    EXPECT_EQ(complaint("align_rows method=modal"), "method: 'modal'; expected one of mean, median, median_of_differences, polynomial");
+    EXPECT_EQ(complaint("align_rows method=modal"),
+              "method: 'modal'; expected one of mean, median, median_of_differences, polynomial");
     EXPECT_EQ(complaint("despike threshold"), "step 'despike threshold': 'threshold'; expected NAME=VALUE");
     EXPECT_EQ(complaint("mask_out region=\"include"), "step 'mask_out region=\"include': a quote is not closed");
     EXPECT_EQ(complaint(" "), "empty step; expected a name such as level_plane");
@@ -147,7 +165,8 @@ TEST(StepDescriptions, NameEveryStepAndParameterOnce) {
             // what documents call the default is read back
             auto step = step_named(description.name);
             if (!parameter.default_value.empty()) {
-                EXPECT_NO_THROW(set_parameter(step, {parameter.name, parameter.default_value})) << description.name << " " << parameter.name;
+                EXPECT_NO_THROW(set_parameter(step, {parameter.name, parameter.default_value}))
+                    << description.name << " " << parameter.name;
             }
             EXPECT_TRUE(changed_parameters(step).empty()) << description.name;
         }

@@ -37,7 +37,9 @@ TEST(Diagnose, MeasuresALargeTilt) {
     auto map = topography::detrended(surface({}), topography::Trend::tilt);
     const double rms = std::sqrt(map.heights.square().mean());
     for (Index i = 0; i < map.heights.rows(); ++i)
-        for (Index j = 0; j < map.heights.cols(); ++j) map.heights(i, j) += 0.16 * map.pixel_size()[0] * static_cast<double>(i) - 0.12 * map.pixel_size()[1] * static_cast<double>(j);
+        for (Index j = 0; j < map.heights.cols(); ++j)
+            map.heights(i, j) += 0.16 * map.pixel_size()[0] * static_cast<double>(i) -
+                                 0.12 * map.pixel_size()[1] * static_cast<double>(j);
     const auto found = diagnose(map);
     EXPECT_EQ(codes(found), "TILT_LARGE");
     EXPECT_NEAR(value(found, "TILT_LARGE", "tilt"), 0.2, 1e-9);
@@ -48,8 +50,10 @@ TEST(Diagnose, MeasuresALargeTilt) {
 
 TEST(Diagnose, MeasuresACurvatureThatIsLeft) {
     auto map = topography::detrended(surface({}), topography::Trend::parabola);
-    const double rms = std::sqrt(map.heights.square().mean()), curvature = 20.0 * rms / (map.size[0] * map.size[0]) * 4.0;
-    for (Index i = 0; i < map.heights.rows(); ++i) map.heights.row(i) += 0.5 * curvature * std::pow(map.pixel_size()[0] * static_cast<double>(i), 2);
+    const double rms = std::sqrt(map.heights.square().mean()),
+                 curvature = 20.0 * rms / (map.size[0] * map.size[0]) * 4.0;
+    for (Index i = 0; i < map.heights.rows(); ++i)
+        map.heights.row(i) += 0.5 * curvature * std::pow(map.pixel_size()[0] * static_cast<double>(i), 2);
     const auto found = diagnose(map);
     EXPECT_NE(codes(found).find("CURVATURE_LEFT"), std::string::npos);
     EXPECT_NEAR(value(found, "CURVATURE_LEFT", "curvature_x"), curvature, 1e-6 * curvature);
@@ -65,7 +69,9 @@ TEST(Diagnose, SaysWhatSpikesDo) {
     const auto found = diagnose(spiked);
     EXPECT_EQ(codes(found), "SPIKES");
     EXPECT_DOUBLE_EQ(value(found, "SPIKES", "spikes"), count);
-    const auto rms = [](const topography::HeightMap& m) { return std::sqrt((topography::detrended(m, topography::Trend::tilt).heights).square().mean()); };
+    const auto rms = [](const topography::HeightMap& m) {
+        return std::sqrt((topography::detrended(m, topography::Trend::tilt).heights).square().mean());
+    };
     EXPECT_NEAR(value(found, "SPIKES", "rms_height_with_spikes"), rms(spiked), 1e-3 * rms(spiked));
     EXPECT_NEAR(value(found, "SPIKES", "rms_height_without_spikes"), rms(map), 2e-3 * rms(map));
     // at the shortest wavelengths the spikes' white spectrum n h²Δ/N stands above the surface's own
@@ -85,7 +91,8 @@ TEST(Diagnose, FindsTheLevelOfPixelNoise) {
         EXPECT_NEAR(level.value, sigma, 3.0 * level.standard_error);
         EXPECT_LT(level.standard_error, 0.2 * sigma);
         const double share = 2.0 * sigma * sigma / std::pow(map.pixel_size()[0], 2) / mean_square_slope_x(map);
-        EXPECT_NEAR(value(found, "PIXEL_NOISE", "noise_share_of_mean_square_slope"), share, 3.0 * quantity(found, "PIXEL_NOISE", "noise_share_of_mean_square_slope").estimate.standard_error);
+        EXPECT_NEAR(value(found, "PIXEL_NOISE", "noise_share_of_mean_square_slope"), share,
+                    3.0 * quantity(found, "PIXEL_NOISE", "noise_share_of_mean_square_slope").estimate.standard_error);
         EXPECT_LT(slope2, mean_square_slope_x(map));
     }
 }
@@ -121,13 +128,18 @@ TEST(Diagnose, SaysHowRmsHeightGrowsWhereNoRolloffIsSeen) {
 
 TEST(Diagnose, CountsScars) {
     auto map = surface({.hurst_exponent = 0.9});
-    const std::array<std::array<Index, 3>, 4> strokes{{{10, 20, 40}, {60, 50, 30}, {30, 77, 60}, {5, 100, 25}}};  // first point, line, length
+    const std::array<std::array<Index, 3>, 4> strokes{
+        {{10, 20, 40}, {60, 50, 30}, {30, 77, 60}, {5, 100, 25}}};  // first point, line, length
     for (const auto& [first, line, length] : strokes) map.heights.col(line).segment(first, length) += 60e-9;
     const auto found = diagnose(map);
     ASSERT_EQ(codes(found), "SCARS");
     EXPECT_DOUBLE_EQ(value(found, "SCARS", "scars"), 4.0);
     EXPECT_NEAR(value(found, "SCARS", "scar_points"), 155.0, 16.0);
-    EXPECT_NEAR(value(found, "SCARS", "rms_height_without_scars"), std::sqrt(topography::detrended(surface({.hurst_exponent = 0.9}), topography::Trend::tilt).heights.square().mean()), 0.3e-9);
+    EXPECT_NEAR(
+        value(found, "SCARS", "rms_height_without_scars"),
+        std::sqrt(
+            topography::detrended(surface({.hurst_exponent = 0.9}), topography::Trend::tilt).heights.square().mean()),
+        0.3e-9);
 }
 
 TEST(Diagnose, FindsOffsetsOfScanLines) {
@@ -149,8 +161,10 @@ TEST(Diagnose, FindsTheStretchOfAnAnisotropicSurface) {
     ASSERT_EQ(codes(found), "ANISOTROPIC");
     const auto ratio = quantity(found, "ANISOTROPIC", "slope_ratio").estimate;
     EXPECT_NEAR(value(found, "ANISOTROPIC", "steepest_direction"), 0.0, 1e-12);
-    EXPECT_NEAR(ratio.value, std::sqrt(mean_square_slope_x(map) / mean_square_slope_y(map)), 1e-3);  // the tilt is removed before
-    EXPECT_NEAR(ratio.value, 1.8, 3.0 * ratio.standard_error);  // 2^H of the finest pixels to 2 of waves that are resolved
+    EXPECT_NEAR(ratio.value, std::sqrt(mean_square_slope_x(map) / mean_square_slope_y(map)),
+                1e-3);  // the tilt is removed before
+    EXPECT_NEAR(ratio.value, 1.8,
+                3.0 * ratio.standard_error);  // 2^H of the finest pixels to 2 of waves that are resolved
 }
 
 TEST(Diagnose, FindsTheStepOfADigitiser) {
@@ -178,7 +192,8 @@ TEST(Diagnose, CountsClippedHeights) {
     const auto found = diagnose(map);
     EXPECT_EQ(codes(found), "CLIPPED");
     EXPECT_DOUBLE_EQ(value(found, "CLIPPED", "clipped_points"), static_cast<double>(clipped));
-    EXPECT_DOUBLE_EQ(value(found, "CLIPPED", "clipped_share"), static_cast<double>(clipped) / static_cast<double>(sorted.size()));
+    EXPECT_DOUBLE_EQ(value(found, "CLIPPED", "clipped_share"),
+                     static_cast<double>(clipped) / static_cast<double>(sorted.size()));
     EXPECT_DOUBLE_EQ(value(found, "CLIPPED", "clipped_height"), top);
     EXPECT_EQ(codes(diagnose(topography::scaled(map, -1.0))), "CLIPPED");
 }
@@ -193,7 +208,8 @@ TEST(Diagnose, SaysThatAConstantMapHoldsNothing) {
 TEST(Diagnose, MeasuresStretchesThatTurnBack) {
     const auto line = line_of(surface({}));
     const Index n = line.heights.size();
-    topography::Profile profile{Array1D::LinSpaced(n, 0.0, line.pixel_size() * static_cast<double>(n - 1)), line.heights, {}};
+    topography::Profile profile{
+        Array1D::LinSpaced(n, 0.0, line.pixel_size() * static_cast<double>(n - 1)), line.heights, {}};
     EXPECT_EQ(codes(diagnose(profile)), "");
     profile.positions.segment(60, 6) -= 8.0 * line.pixel_size();
     const auto found = diagnose(profile);
@@ -209,7 +225,9 @@ TEST(Diagnose, TakesAnOffsetOfTenMillionRmsHeights) {
     const auto shifted = diagnose(map);
     EXPECT_EQ(codes(shifted), codes(plain));
     EXPECT_DOUBLE_EQ(value(shifted, "SPIKES", "spikes"), 12.0);
-    EXPECT_NEAR(value(shifted, "SPIKES", "rms_height_without_spikes"), value(plain, "SPIKES", "rms_height_without_spikes"), 1e-6 * value(plain, "SPIKES", "rms_height_without_spikes"));
+    EXPECT_NEAR(value(shifted, "SPIKES", "rms_height_without_spikes"),
+                value(plain, "SPIKES", "rms_height_without_spikes"),
+                1e-6 * value(plain, "SPIKES", "rms_height_without_spikes"));
 }
 
 TEST(Diagnose, TakesShapesOfAnySize) {
@@ -230,7 +248,8 @@ TEST(Diagnose, GivesTheSameNumbersForAnyNumberOfThreads) {
     ASSERT_EQ(one.size(), three.size());
     for (std::size_t k = 0; k < one.size(); ++k) {
         EXPECT_EQ(one[k].alert, three[k].alert);
-        for (std::size_t e = 0; e < one[k].effects.size(); ++e) EXPECT_EQ(one[k].effects[e].estimate.value, three[k].effects[e].estimate.value);
+        for (std::size_t e = 0; e < one[k].effects.size(); ++e)
+            EXPECT_EQ(one[k].effects[e].estimate.value, three[k].effects[e].estimate.value);
     }
 }
 

@@ -23,18 +23,21 @@ TEST(DiagnoseOverlap, FindsAScaleAppliedTwice) {
     const std::array<Measurement, 2> pair{twice, surface({.seed = 1})};
     const auto found = diagnose_overlap(pair);
     ASSERT_EQ(codes(found), "DISAGREE SCALE_TWICE");
-    const auto ratio = quantity(found, "DISAGREE", "psd_ratio").estimate, factor = quantity(found, "SCALE_TWICE", "height_factor").estimate;
+    const auto ratio = quantity(found, "DISAGREE", "psd_ratio").estimate,
+               factor = quantity(found, "SCALE_TWICE", "height_factor").estimate;
     EXPECT_NEAR(ratio.value, 4.0, 3.0 * ratio.standard_error);
     EXPECT_NEAR(factor.value, 2.0, 3.0 * factor.standard_error);
     EXPECT_LT(factor.standard_error, 0.3);
 }
 
 TEST(DiagnoseOverlap, DoesNotTakeAnotherSlopeForAScale) {
-    const std::array<Measurement, 2> pair{surface({.seed = 1, .hurst_exponent = 0.3}), surface({.seed = 2, .hurst_exponent = 0.95})};
+    const std::array<Measurement, 2> pair{surface({.seed = 1, .hurst_exponent = 0.3}),
+                                          surface({.seed = 2, .hurst_exponent = 0.95})};
     const auto found = diagnose_overlap(pair);
     ASSERT_EQ(codes(found), "DISAGREE");
     // C_iso of both is alike at the roll-off, a wavevector x times larger gives x^(2 (0.95 − 0.3)) times more
-    EXPECT_GT(value(found, "DISAGREE", "psd_ratio_at_shortest"), 4.0 * value(found, "DISAGREE", "psd_ratio_at_longest"));
+    EXPECT_GT(value(found, "DISAGREE", "psd_ratio_at_shortest"),
+              4.0 * value(found, "DISAGREE", "psd_ratio_at_longest"));
 }
 
 TEST(DiagnoseOverlap, NeedsTwoMeasurementsAndABandInCommon) {

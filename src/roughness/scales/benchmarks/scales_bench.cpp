@@ -13,11 +13,14 @@ namespace {
 
 const topography::HeightMap& map_of(Index n) {
     static topography::HeightMap map;  // one at a time
-    if (map.heights.rows() != n) map = {Array2D::Random(n, n), {1e-6 * static_cast<double>(n), 1e-6 * static_cast<double>(n)}};
+    if (map.heights.rows() != n)
+        map = {Array2D::Random(n, n), {1e-6 * static_cast<double>(n), 1e-6 * static_cast<double>(n)}};
     return map;
 }
 
-AutocorrelationOptions threads(const benchmark::State& state) { return {.threads = {static_cast<int>(state.range(1))}}; }
+AutocorrelationOptions threads(const benchmark::State& state) {
+    return {.threads = {static_cast<int>(state.range(1))}};
+}
 
 /// The yardstick: every height read once.
 void read_once(benchmark::State& state) {
@@ -34,34 +37,49 @@ void autocorrelation_lines(benchmark::State& state) {
 }
 void slope_of_lines(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(slope_from_autocorrelation(autocorrelation_of_lines(map, threads(state))));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(slope_from_autocorrelation(autocorrelation_of_lines(map, threads(state))));
 }
 void bandwidth_area(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(variable_bandwidth_of_area(map, {.threads = {static_cast<int>(state.range(1))}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(variable_bandwidth_of_area(map, {.threads = {static_cast<int>(state.range(1))}}));
 }
 void bandwidth_lines(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(variable_bandwidth_of_lines(map, {.threads = {static_cast<int>(state.range(1))}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(variable_bandwidth_of_lines(map, {.threads = {static_cast<int>(state.range(1))}}));
 }
 void slopes(benchmark::State& state, Along along) {
     const auto& map = map_of(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(difference_statistics(map, {.order = 1, .along = along, .threads = {static_cast<int>(state.range(1))}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            difference_statistics(map, {.order = 1, .along = along, .threads = {static_cast<int>(state.range(1))}}));
 }
 void slopes_along_x(benchmark::State& state) { slopes(state, Along::x); }
 void gradients(benchmark::State& state) { slopes(state, Along::both); }
 void curvatures(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(difference_statistics(map, {.order = 2, .along = Along::both, .threads = {static_cast<int>(state.range(1))}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(difference_statistics(
+            map, {.order = 2, .along = Along::both, .threads = {static_cast<int>(state.range(1))}}));
 }
 void polyline(benchmark::State& state) {
     const Index n = state.range(0);
-    topography::Profile profile{Array1D::LinSpaced(n, 0.0, 1e-6 * static_cast<double>(n)) + 0.4e-6 * Array1D::Random(n), Array1D::Random(n), {}};
+    topography::Profile profile{Array1D::LinSpaced(n, 0.0, 1e-6 * static_cast<double>(n)) + 0.4e-6 * Array1D::Random(n),
+                                Array1D::Random(n),
+                                {}};
     for (auto _ : state) benchmark::DoNotOptimize(autocorrelation(profile));
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
-    bench->Args({1024, 2})->Args({2048, 2})->Args({4096, 1})->Args({4096, 2})->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+    bench->Args({1024, 2})
+        ->Args({2048, 2})
+        ->Args({4096, 1})
+        ->Args({4096, 2})
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime();
     if (std::getenv("SETAE_LARGE_BENCHMARKS")) bench->Args({8192, 2})->Args({16384, 2});
 }
 BENCHMARK(read_once)->Arg(2048)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime();

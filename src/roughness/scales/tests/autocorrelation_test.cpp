@@ -53,7 +53,8 @@ TEST(Autocorrelation, OfAStepIsHalfTheShareOfPairsAcrossIt) {
     LineScan scan{Array1D::Zero(12), 12.0, false, {}};
     scan.heights.tail(6) = 1.0;
     const auto result = autocorrelation(scan);
-    for (Index k = 1; k <= 6; ++k) EXPECT_NEAR(result.value[k - 1], 0.5 * static_cast<double>(k) / static_cast<double>(12 - k), 1e-15);
+    for (Index k = 1; k <= 6; ++k)
+        EXPECT_NEAR(result.value[k - 1], 0.5 * static_cast<double>(k) / static_cast<double>(12 - k), 1e-15);
 }
 
 TEST(Autocorrelation, OfUncorrelatedHeightsIsTheirVariance) {
@@ -98,7 +99,7 @@ TEST(Autocorrelation, KeepsNineDigitsUnderOffsetsOfTenMillionRms) {
         const HeightMap map{heights, {1.0, 1.0}, periodic, {}};
         HeightMap lifted = map;
         lifted.heights += 1e7;
-        lifted.heights -= 1e7;   // the digits that the offset costs in storage are no fault of the analysis
+        lifted.heights -= 1e7;  // the digits that the offset costs in storage are no fault of the analysis
         HeightMap offset = lifted;
         offset.heights += 1e7;
         const auto area = autocorrelation_of_area(lifted), area_offset = autocorrelation_of_area(offset);
@@ -119,7 +120,8 @@ TEST(Autocorrelation, OfAConstantIsZero) {
 
 TEST(Autocorrelation, OfNothingDefinedIsAnError) {
     EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Constant(5, undefined), 1.0, false, {}}), UndefinedDataError);
-    EXPECT_THROW((void)autocorrelation_of_area({Array2D::Constant(5, 5, undefined), {1.0, 1.0}, false, {}}), UndefinedDataError);
+    EXPECT_THROW((void)autocorrelation_of_area({Array2D::Constant(5, 5, undefined), {1.0, 1.0}, false, {}}),
+                 UndefinedDataError);
     EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Zero(1), 1.0, false, {}}), InvalidArgument);
     EXPECT_THROW((void)autocorrelation_of_lines({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Zero(1, 5), {1.0, 1.0}, false, {}}), InvalidArgument);
@@ -181,14 +183,19 @@ TEST(AutocorrelationArea, IsTheMeanOverTheFullCircle) {
 
 /// cos(q(x ± y)) on a non-periodic map.
 HeightMap diagonal_grating(double sign) {
-    HeightMap map{Array2D(81, 81), {8.1, 8.1}, false, {}};  // eight periods from the first to the last point: each is the other's mirror image
+    HeightMap map{Array2D(81, 81),
+                  {8.1, 8.1},
+                  false,
+                  {}};  // eight periods from the first to the last point: each is the other's mirror image
     for (Index i = 0; i < 81; ++i)
-        for (Index j = 0; j < 81; ++j) map.heights(i, j) = std::cos(2.0 * pi * 0.1 * (static_cast<double>(i) + sign * static_cast<double>(j)));
+        for (Index j = 0; j < 81; ++j)
+            map.heights(i, j) = std::cos(2.0 * pi * 0.1 * (static_cast<double>(i) + sign * static_cast<double>(j)));
     return map;
 }
 
 TEST(AutocorrelationArea, DoesNotDependOnTheSignOfADiagonal) {
-    const auto rising = autocorrelation_of_area(diagonal_grating(1.0)), falling = autocorrelation_of_area(diagonal_grating(-1.0));
+    const auto rising = autocorrelation_of_area(diagonal_grating(1.0)),
+               falling = autocorrelation_of_area(diagonal_grating(-1.0));
     EXPECT_LT((rising.value - falling.value).abs().maxCoeff(), 1e-12);
     // at (1, 1) and (1, -1) pixels: half of them lies along the lines, where nothing changes
     const auto vectors = autocorrelation_map(diagonal_grating(1.0));
@@ -201,7 +208,8 @@ TEST(AutocorrelationArea, OfADiagonalGratingIsTheAngularMean) {
     for (Index i = 0; i < 16; ++i)
         for (Index j = 0; j < 16; ++j) map.heights(i, j) = std::cos(pi / 8.0 * static_cast<double>(i + j));
     const auto result = autocorrelation_of_area(map);
-    ASSERT_NEAR(result.distance[1], std::sqrt(2.0), 1e-14);  // the four diagonal neighbours: 0.1464 along, 0 across the waves
+    ASSERT_NEAR(result.distance[1], std::sqrt(2.0),
+                1e-14);  // the four diagonal neighbours: 0.1464 along, 0 across the waves
     EXPECT_EQ(result.count[1], 4.0);
     EXPECT_NEAR(result.value[1], 0.25 * (1.0 - std::cos(0.25 * pi)), 1e-14);
 }
@@ -219,9 +227,11 @@ TEST(Autocorrelation, IsTheSameToTheByteForAnyNumberOfThreads) {
     for (const bool holes : {false, true}) {
         HeightMap map{random_map(70, 90), {1.0, 1.0}, false, {}};
         if (holes) map = with_holes(map);
-        const auto one = autocorrelation_of_area(map, {}, {.threads = {1}}), three = autocorrelation_of_area(map, {}, {.threads = {3}});
+        const auto one = autocorrelation_of_area(map, {}, {.threads = {1}}),
+                   three = autocorrelation_of_area(map, {}, {.threads = {3}});
         EXPECT_TRUE((one.value == three.value).all());
-        const auto line = autocorrelation_of_lines(map, {.threads = {1}}), lines = autocorrelation_of_lines(map, {.threads = {3}});
+        const auto line = autocorrelation_of_lines(map, {.threads = {1}}),
+                   lines = autocorrelation_of_lines(map, {.threads = {3}});
         EXPECT_TRUE((line.value == lines.value).all());
     }
 }
@@ -233,11 +243,13 @@ TEST(StreamedAutocorrelation, IsThatOfTheMapInMemory) {
             map.heights += 1e3;
             if (holes) map = with_holes(map);
             const std::size_t band = 7 * 40 * sizeof(double);
-            const auto lines = autocorrelation_of_lines(map), streamed = autocorrelation_of_lines(topography::tiled(map), band);
+            const auto lines = autocorrelation_of_lines(map),
+                       streamed = autocorrelation_of_lines(topography::tiled(map), band);
             EXPECT_LT((streamed.value / lines.value - 1.0).abs().maxCoeff(), 1e-10);
             EXPECT_TRUE((streamed.count == lines.count).all());
             EXPECT_EQ(streamed.reliable_from, lines.reliable_from);
-            const auto area = autocorrelation_of_area(map), part = autocorrelation_of_area(topography::tiled(map), 1.0, {}, band);
+            const auto area = autocorrelation_of_area(map),
+                       part = autocorrelation_of_area(topography::tiled(map), 1.0, {}, band);
             ASSERT_LE(part.value.size(), area.value.size());
             for (Index b = 0; b + 1 < part.value.size(); ++b) {
                 EXPECT_NEAR(part.value[b] / area.value[b], 1.0, 1e-10);
@@ -256,7 +268,8 @@ TEST(StreamedAutocorrelation, RefusesDistancesOutsideTheMap) {
 TEST(StreamedAutocorrelation, EndsWhereTipAndResolutionDoAsInMemory) {
     HeightMap map{1e-3 * random_map(64, 12), {1.0, 0.2}, false, {}};
     map.metadata.instrument.tip_radius = 0.05;
-    const auto whole = autocorrelation_of_lines(map), by_bands = autocorrelation_of_lines(topography::tiled(map), 64 * 5 * sizeof(double));
+    const auto whole = autocorrelation_of_lines(map),
+               by_bands = autocorrelation_of_lines(topography::tiled(map), 64 * 5 * sizeof(double));
     EXPECT_GT(whole.reliable_from, map.pixel_size()[0]);
     EXPECT_NEAR(by_bands.reliable_from, whole.reliable_from, 1e-6 * whole.reliable_from);
     map.metadata.instrument.resolution = 0.9;
@@ -279,7 +292,8 @@ TEST(PolylineAutocorrelation, IsTheExactIntegral) {
         double sum = 0.0;
         const Index steps = 20000;
         for (Index s = 0; s < steps; ++s) {
-            const double x = profile.positions[0] + (length - d) * (static_cast<double>(s) + 0.5) / static_cast<double>(steps);
+            const double x =
+                profile.positions[0] + (length - d) * (static_cast<double>(s) + 0.5) / static_cast<double>(steps);
             sum += 0.5 * std::pow(height_at(profile, x + d) - height_at(profile, x), 2);
         }
         EXPECT_NEAR(result.value[k] / (sum / static_cast<double>(steps)), 1.0, 1e-4);
@@ -343,7 +357,8 @@ TEST(Slope, FromAutocorrelationIsThatOfTheDifferences) {
     EXPECT_EQ(slope.quantity, "rms_slope");
     for (Index k = 0; k < slope.distance.size(); ++k) {
         double sum = 0.0;
-        for (Index i = 0; i < 50; ++i) sum += std::pow((scan.heights[(i + k + 1) % 50] - scan.heights[i]) / slope.distance[k], 2);
+        for (Index i = 0; i < 50; ++i)
+            sum += std::pow((scan.heights[(i + k + 1) % 50] - scan.heights[i]) / slope.distance[k], 2);
         EXPECT_NEAR(slope.value[k], std::sqrt(sum / 50.0), 1e-12);
     }
     EXPECT_THROW((void)slope_from_autocorrelation(slope), InvalidArgument);

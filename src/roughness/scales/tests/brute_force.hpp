@@ -31,7 +31,8 @@ inline double pair_mean(const topography::HeightMap& map, Index k, Index l) {
 }
 
 inline topography::HeightMap as_map(const topography::LineScan& scan) {
-    return {Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, 1.0}, scan.periodic, {}};
+    return {
+        Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1), {scan.size, 1.0}, scan.periodic, {}};
 }
 
 /// Height of a polyline at x, by searching for its segment.
@@ -49,7 +50,8 @@ inline Array1D walk(Array1D steps) {
 }
 
 inline topography::HeightMap with_holes(topography::HeightMap map) {
-    for (const auto& [i, j] : {std::pair<Index, Index>{0, 0}, {3, 4}, {3, 5}, {7, 1}, {8, 8}}) map.heights(i, j) = undefined;
+    for (const auto& [i, j] : {std::pair<Index, Index>{0, 0}, {3, 4}, {3, 5}, {7, 1}, {8, 8}})
+        map.heights(i, j) = undefined;
     return map;
 }
 

@@ -16,7 +16,9 @@ namespace {
 using namespace setae::tests;
 using topography::LineScan;
 
-LineScan line(unsigned seed, Index n = 300, double step = 0.01) { return {tests::walk(random_heights(n, seed)), step * static_cast<double>(n), false, {}}; }
+LineScan line(unsigned seed, Index n = 300, double step = 0.01) {
+    return {tests::walk(random_heights(n, seed)), step * static_cast<double>(n), false, {}};
+}
 
 std::vector<FunctionOfScale> three_members() {
     return {autocorrelation(line(1)), autocorrelation(line(2, 500, 0.001)), autocorrelation(line(3, 200, 0.1))};
@@ -78,7 +80,8 @@ TEST(Combination, GivesMeanStandardErrorAndContributors) {
     EXPECT_EQ(equal.contributors[0], (std::vector<Index>{0, 1, 2}));
     EXPECT_EQ(equal.instrument_count[0], 2.0);
     EXPECT_DOUBLE_EQ(combine(members, {.weighting = Weighting::per_instrument}).value[0], 0.5 * (3.0 + 9.0));
-    EXPECT_DOUBLE_EQ(combine(members, {.weighting = Weighting::by_count}).value[0], (2.0 * 2.0 + 2.0 * 4.0 + 6.0 * 9.0) / 10.0);
+    EXPECT_DOUBLE_EQ(combine(members, {.weighting = Weighting::by_count}).value[0],
+                     (2.0 * 2.0 + 2.0 * 4.0 + 6.0 * 9.0) / 10.0);
     EXPECT_TRUE(std::isnan(combine(std::vector{first}).standard_error[0]));
 }
 
@@ -129,8 +132,10 @@ TEST(Combination, WithoutReliableDataIsAnErrorForMapsAndPolylinesToo) {
     auto profile = random_profile(30);
     map.metadata.instrument.resolution = 10.0;
     profile.metadata.instrument.resolution = 1e3;
-    for (const auto& function : {autocorrelation_of_lines(map), autocorrelation_of_area(map), autocorrelation(profile), variable_bandwidth_of_area(map),
-                                 variable_bandwidth(profile), function_of(difference_statistics(map), Statistic::rms), function_of(difference_statistics(profile), Statistic::rms)}) {
+    for (const auto& function : {autocorrelation_of_lines(map), autocorrelation_of_area(map), autocorrelation(profile),
+                                 variable_bandwidth_of_area(map), variable_bandwidth(profile),
+                                 function_of(difference_statistics(map), Statistic::rms),
+                                 function_of(difference_statistics(profile), Statistic::rms)}) {
         EXPECT_EQ(within_limit(function).distance.size(), 0) << function.quantity;
         EXPECT_THROW((void)combine(std::vector{function}), InvalidArgument) << function.quantity;
     }
@@ -156,7 +161,8 @@ TEST(Combination, ScalesWithTheUnit) {
     auto scan = line(1), small = scan;
     small.size *= 1e-6;
     small.heights *= 1e-6;
-    const auto metres = combine(std::vector{autocorrelation(scan)}), micrometres = combine(std::vector{autocorrelation(small)});
+    const auto metres = combine(std::vector{autocorrelation(scan)}),
+               micrometres = combine(std::vector{autocorrelation(small)});
     EXPECT_LT((micrometres.value / metres.value * 1e12 - 1.0).abs().maxCoeff(), 1e-12);
     EXPECT_LT((micrometres.distance / metres.distance * 1e6 - 1.0).abs().maxCoeff(), 1e-12);
 }

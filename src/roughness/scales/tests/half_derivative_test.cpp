@@ -19,7 +19,9 @@ HeightMap wave(Index nx, Index ny, double k, double m, double amplitude = 0.2) {
     HeightMap map{Array2D(nx, ny), {3.0, 2.0}, true, {}};
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j)
-            map.heights(i, j) = amplitude * std::cos(2.0 * pi * (k * static_cast<double>(i) / static_cast<double>(nx) + m * static_cast<double>(j) / static_cast<double>(ny)));
+            map.heights(i, j) = amplitude * std::cos(2.0 * pi *
+                                                     (k * static_cast<double>(i) / static_cast<double>(nx) +
+                                                      m * static_cast<double>(j) / static_cast<double>(ny)));
     return map;
 }
 
@@ -51,7 +53,8 @@ TEST(HalfDerivative, OfACheckerboardAtNyquistCountsOnce) {
 TEST(HalfDerivative, OfALineSaysWhatItIsTakenFor) {
     const HeightMap map = wave(64, 8, 5.0, 0.0);
     const LineScan line{map.heights.col(0), 3.0, true, {}};
-    const auto grating = half_derivative_variance(line, SurfaceKind::grating), isotropic = half_derivative_variance(line, SurfaceKind::isotropic);
+    const auto grating = half_derivative_variance(line, SurfaceKind::grating),
+               isotropic = half_derivative_variance(line, SurfaceKind::isotropic);
     EXPECT_NEAR(grating.variance / half_derivative_variance(map).variance, 1.0, 1e-12);
     EXPECT_NEAR(isotropic.variance / grating.variance, 0.5 * pi, 1e-12);
     EXPECT_EQ(grating.assumption, "grating");
@@ -62,7 +65,8 @@ TEST(HalfDerivative, SeesNeitherOffsetNorTilt) {
     HeightMap map{random_map(48, 40), {4.8, 4.0}, false, {}};
     const double as_is = half_derivative_variance(map).variance;
     for (Index i = 0; i < 48; ++i)
-        for (Index j = 0; j < 40; ++j) map.heights(i, j) += 10.0 + 3.0 * 0.1 * static_cast<double>(i) - 0.1 * static_cast<double>(j);
+        for (Index j = 0; j < 40; ++j)
+            map.heights(i, j) += 10.0 + 3.0 * 0.1 * static_cast<double>(i) - 0.1 * static_cast<double>(j);
     EXPECT_NEAR(half_derivative_variance(map).variance / as_is, 1.0, 1e-11);
     LineScan line{random_heights(100), 10.0, false, {}};
     const double of_line = half_derivative_variance(line, SurfaceKind::isotropic).variance;
@@ -71,7 +75,8 @@ TEST(HalfDerivative, SeesNeitherOffsetNorTilt) {
 }
 
 TEST(HalfDerivative, RefusesUndefinedHeights) {
-    EXPECT_THROW((void)half_derivative_variance(tests::with_holes({random_map(12, 12), {1.0, 1.0}, true, {}})), UndefinedDataError);
+    EXPECT_THROW((void)half_derivative_variance(tests::with_holes({random_map(12, 12), {1.0, 1.0}, true, {}})),
+                 UndefinedDataError);
 }
 
 /// A(r) of one cosine along x and of its angular mean, in closed form.
@@ -88,7 +93,8 @@ TEST(HalfDerivative, FromAClosedAutocorrelationIsTheWavevector) {
     // h = cos x, q = 1: variance of the half derivative q h0²/2
     const auto lines = closed_form("autocorrelation", [](double r) { return 1.0 - std::cos(r); });
     EXPECT_NEAR(half_derivative_from_autocorrelation(lines, std::sqrt(0.5), SurfaceKind::grating).variance, 0.5, 0.002);
-    EXPECT_NEAR(half_derivative_from_autocorrelation(lines, std::sqrt(0.5), SurfaceKind::isotropic).variance, 0.25 * pi, 0.003);
+    EXPECT_NEAR(half_derivative_from_autocorrelation(lines, std::sqrt(0.5), SurfaceKind::isotropic).variance, 0.25 * pi,
+                0.003);
     const auto area = closed_form("autocorrelation_of_area", [](double r) { return 1.0 - std::cyl_bessel_j(0.0, r); });
     EXPECT_NEAR(half_derivative_from_autocorrelation(area, std::sqrt(0.5), SurfaceKind::grating).variance, 0.5, 0.002);
 }
@@ -105,7 +111,9 @@ TEST(HalfDerivative, FromTheAutocorrelationOfAMapIsThatOfItsTransform) {
     }
     EXPECT_NEAR(half_derivative_variance(map).variance / expected, 1.0, 1e-10);
     const auto area = autocorrelation_of_area(map, {20});
-    EXPECT_NEAR(half_derivative_from_autocorrelation(area, std::sqrt(variance), SurfaceKind::isotropic).variance / expected, 1.0, 0.03);
+    EXPECT_NEAR(
+        half_derivative_from_autocorrelation(area, std::sqrt(variance), SurfaceKind::isotropic).variance / expected,
+        1.0, 0.03);
 }
 
 TEST(HalfDerivative, FromSomethingElseIsAnError) {

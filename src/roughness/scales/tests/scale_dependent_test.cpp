@@ -17,15 +17,18 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-Array1D list(std::initializer_list<double> values) { return Eigen::Map<const Array1D>(values.begin(), static_cast<Index>(values.size())); }
+Array1D list(std::initializer_list<double> values) {
+    return Eigen::Map<const Array1D>(values.begin(), static_cast<Index>(values.size()));
+}
 
 /// Every difference of a line by the definition, with heights between points on straight lines.
 std::vector<double> differences_of(const LineScan& scan, int order, double distance) {
     const double s = distance / order / scan.pixel_size();
     const Index n = scan.heights.size();
-    const std::vector<std::pair<int, double>> stencil = order == 1   ? std::vector<std::pair<int, double>>{{0, -1.0}, {1, 1.0}}
-                                                        : order == 2 ? std::vector<std::pair<int, double>>{{-1, 1.0}, {0, -2.0}, {1, 1.0}}
-                                                                     : std::vector<std::pair<int, double>>{{-1, -1.0}, {0, 3.0}, {1, -3.0}, {2, 1.0}};
+    const std::vector<std::pair<int, double>> stencil =
+        order == 1   ? std::vector<std::pair<int, double>>{{0, -1.0}, {1, 1.0}}
+        : order == 2 ? std::vector<std::pair<int, double>>{{-1, 1.0}, {0, -2.0}, {1, 1.0}}
+                     : std::vector<std::pair<int, double>>{{-1, -1.0}, {0, 3.0}, {1, -3.0}, {2, 1.0}};
     std::vector<double> result;
     for (Index i = 0; i < n; ++i) {
         double sum = 0.0;
@@ -66,7 +69,8 @@ TEST(Differences, OfLinesAgreeWithTheDefinition) {
                 const Array1D distances = list({0.3, 0.6, 0.75, 1.5, 2.1});
                 const auto found = difference_statistics(scan, {.order = order, .distances = distances});
                 ASSERT_EQ(found.distance.size(), distances.size());
-                for (Index k = 0; k < distances.size(); ++k) expect_statistics(found, k, differences_of(scan, order, distances[k]));
+                for (Index k = 0; k < distances.size(); ++k)
+                    expect_statistics(found, k, differences_of(scan, order, distances[k]));
             }
 }
 
@@ -75,14 +79,18 @@ TEST(Differences, OfMapsAreThoseOfTheirLines) {
         for (const int order : {1, 2, 3}) {
             const HeightMap map = with_holes({random_map(34, 41), {3.4, 8.2}, periodic, {}});
             const Array1D distances = list({0.6, 1.25});
-            const auto along_x = difference_statistics(map, {.order = order, .along = Along::x, .distances = distances});
-            const auto along_y = difference_statistics(map, {.order = order, .along = Along::y, .distances = distances});
+            const auto along_x =
+                difference_statistics(map, {.order = order, .along = Along::x, .distances = distances});
+            const auto along_y =
+                difference_statistics(map, {.order = order, .along = Along::y, .distances = distances});
             for (Index k = 0; k < 2; ++k) {
                 std::vector<double> of_x, of_y;
                 for (Index j = 0; j < 41; ++j)
-                    for (const double d : differences_of({map.heights.col(j), 3.4, periodic, {}}, order, distances[k])) of_x.push_back(d);
+                    for (const double d : differences_of({map.heights.col(j), 3.4, periodic, {}}, order, distances[k]))
+                        of_x.push_back(d);
                 for (Index i = 0; i < 34; ++i)
-                    for (const double d : differences_of({map.heights.row(i), 8.2, periodic, {}}, order, distances[k])) of_y.push_back(d);
+                    for (const double d : differences_of({map.heights.row(i), 8.2, periodic, {}}, order, distances[k]))
+                        of_y.push_back(d);
                 expect_statistics(along_x, k, of_x);
                 expect_statistics(along_y, k, of_y);
             }
@@ -122,7 +130,8 @@ TEST(Differences, BothDirectionsAreGradientAndMeanCurvatureAtCommonPoints) {
                 count += 1.0;
             }
             if (i >= 2 && j >= 2 && i + 2 < 20 && j + 2 < 17) {
-                curvatures += std::pow(0.5 * (h(i + 2, j) + h(i - 2, j) + h(i, j + 2) + h(i, j - 2) - 4.0 * h(i, j)) / 0.04, 2);
+                curvatures +=
+                    std::pow(0.5 * (h(i + 2, j) + h(i - 2, j) + h(i, j + 2) + h(i, j - 2) - 4.0 * h(i, j)) / 0.04, 2);
                 curvature_count += 1.0;
             }
         }
@@ -135,7 +144,8 @@ TEST(Differences, BothDirectionsAreGradientAndMeanCurvatureAtCommonPoints) {
 TEST(Differences, SlopeOfASineIsThatOfItsChords) {
     const Index n = 400;
     const double q = 2.0 * pi * 4.0, amplitude = 0.7;
-    const LineScan scan{amplitude * (q * Array1D::LinSpaced(n, 0.0, 1.0 - 1.0 / static_cast<double>(n))).sin(), 1.0, true, {}};
+    const LineScan scan{
+        amplitude * (q * Array1D::LinSpaced(n, 0.0, 1.0 - 1.0 / static_cast<double>(n))).sin(), 1.0, true, {}};
     const auto found = difference_statistics(scan, {.distances = list({0.01, 0.05, 0.1, 0.2})});
     for (Index k = 0; k < found.distance.size(); ++k) {
         const double r = found.distance[k];
@@ -154,7 +164,8 @@ TEST(Differences, OfAParabolaAreConstant) {
         EXPECT_NEAR(second.minimum[k], 3.0, 1e-8);
         EXPECT_NEAR(second.maximum[k], 3.0, 1e-8);
     }
-    const auto third = difference_statistics(LineScan{x.cube(), 2.0, false, {}}, {.order = 3, .distances = list({0.03, 0.3})});
+    const auto third =
+        difference_statistics(LineScan{x.cube(), 2.0, false, {}}, {.order = 3, .distances = list({0.03, 0.3})});
     EXPECT_NEAR(third.mean[1], 6.0, 1e-9);
     EXPECT_NEAR(third.rms[0], 6.0, 1e-5);
 }
@@ -162,12 +173,14 @@ TEST(Differences, OfAParabolaAreConstant) {
 TEST(Differences, AtFractionsOfAStepAreExactOnPlanes) {
     HeightMap plane{Array2D(20, 20), {2.0, 2.0}, false, {}};
     for (Index i = 0; i < 20; ++i)
-        for (Index j = 0; j < 20; ++j) plane.heights(i, j) = 0.3 * 0.1 * static_cast<double>(i) - 0.4 * 0.1 * static_cast<double>(j) + 7.0;
+        for (Index j = 0; j < 20; ++j)
+            plane.heights(i, j) = 0.3 * 0.1 * static_cast<double>(i) - 0.4 * 0.1 * static_cast<double>(j) + 7.0;
     for (const double distance : {0.1, 0.137, 0.5, 0.777}) {
         const auto gradient = difference_statistics(plane, {.along = Along::both, .distances = list({distance})});
         EXPECT_NEAR(gradient.minimum[0], 0.5, 1e-13);
         EXPECT_NEAR(gradient.maximum[0], 0.5, 1e-13);
-        const auto curvature = difference_statistics(plane, {.order = 2, .along = Along::both, .distances = list({distance})});
+        const auto curvature =
+            difference_statistics(plane, {.order = 2, .along = Along::both, .distances = list({distance})});
         EXPECT_LT(curvature.maximum[0], 1e-11);
     }
 }
@@ -178,7 +191,8 @@ TEST(Differences, TrimNoMoreThanTheStencilReaches) {
     EXPECT_EQ(difference_statistics(map, {.distances = list({2.5})}).count[0], 21.0 * 16.0);
     EXPECT_EQ(difference_statistics(map, {.along = Along::both, .distances = list({3.0})}).count[0], 21.0 * 13.0);
     EXPECT_EQ(difference_statistics(map, {.order = 2, .distances = list({6.0})}).count[0], 18.0 * 16.0);
-    EXPECT_EQ(difference_statistics(map, {.order = 3, .along = Along::y, .distances = list({9.0})}).count[0], 24.0 * 7.0);
+    EXPECT_EQ(difference_statistics(map, {.order = 3, .along = Along::y, .distances = list({9.0})}).count[0],
+              24.0 * 7.0);
 }
 
 TEST(Differences, VarianceIsTwiceTheAutocorrelationOverTheSquaredDistance) {
@@ -189,7 +203,9 @@ TEST(Differences, VarianceIsTwiceTheAutocorrelationOverTheSquaredDistance) {
     const auto curvature = difference_statistics(scan, {.order = 2, .distances = Array1D(2.0 * A.distance.head(32))});
     for (Index k = 0; k < 32; ++k) {
         const double step = A.distance[k];
-        EXPECT_NEAR(curvature.rms[k] * curvature.rms[k] * std::pow(step, 4) / (8.0 * A.value[k] - 2.0 * A.value[2 * k + 1]), 1.0, 1e-9);
+        EXPECT_NEAR(
+            curvature.rms[k] * curvature.rms[k] * std::pow(step, 4) / (8.0 * A.value[k] - 2.0 * A.value[2 * k + 1]),
+            1.0, 1e-9);
     }
 }
 
@@ -228,8 +244,10 @@ TEST(Differences, ByFourierInterpolationOfASineAreExactAtAnyDistance) {
         const double expected = std::sqrt(1.0 - std::cos(q * r)) / r;
         EXPECT_NEAR(difference_statistics(scan, options).rms[0], expected, 1e-11);
         EXPECT_NEAR(difference_statistics(map, options).rms[0], expected, 1e-11);
-        const DifferenceOptions second{.order = 2, .interpolation = Interpolation::fourier, .distances = list({2.0 * r})};
-        EXPECT_NEAR(difference_statistics(scan, second).rms[0], std::sqrt(0.5) * 2.0 * (1.0 - std::cos(q * r)) / (r * r), 1e-9);
+        const DifferenceOptions second{
+            .order = 2, .interpolation = Interpolation::fourier, .distances = list({2.0 * r})};
+        EXPECT_NEAR(difference_statistics(scan, second).rms[0],
+                    std::sqrt(0.5) * 2.0 * (1.0 - std::cos(q * r)) / (r * r), 1e-9);
     }
 }
 
@@ -255,7 +273,8 @@ TEST(Differences, DefaultDistancesAreTheSameForAllMeasurements) {
         }
     }
     EXPECT_GE(small.distance[0], 0.01 * (1.0 - 1e-9));
-    EXPECT_LE(difference_statistics(LineScan{random_heights(100), 1.0, true, {}}).distance.maxCoeff(), 0.5 * (1.0 + 1e-6));
+    EXPECT_LE(difference_statistics(LineScan{random_heights(100), 1.0, true, {}}).distance.maxCoeff(),
+              0.5 * (1.0 + 1e-6));
 }
 
 TEST(Differences, HandedOverRowByRowAreThoseCounted) {
@@ -281,12 +300,14 @@ TEST(Differences, HandedOverRowByRowAreThoseCounted) {
 
 TEST(Differences, AnyStatisticSeesAllDefinedDifferences) {
     const HeightMap map = with_holes({random_map(12, 15), {1.2, 1.5}, false, {}});
-    const auto largest = any_statistic(map, {.distances = list({0.1, 0.3})}, "largest_slope", "1", [](const ArrayView1D& d) { return d.maxCoeff(); });
+    const auto largest = any_statistic(map, {.distances = list({0.1, 0.3})}, "largest_slope", "1",
+                                       [](const ArrayView1D& d) { return d.maxCoeff(); });
     const auto found = difference_statistics(map, {.distances = list({0.1, 0.3})});
     EXPECT_EQ(largest.quantity, "largest_slope");
     EXPECT_TRUE((largest.value == found.maximum).all());
     EXPECT_TRUE((largest.count == found.count).all());
-    EXPECT_THROW((void)any_statistic(random_profile(9), {}, "", "1", [](const ArrayView1D&) { return 0.0; }), InvalidArgument);
+    EXPECT_THROW((void)any_statistic(random_profile(9), {}, "", "1", [](const ArrayView1D&) { return 0.0; }),
+                 InvalidArgument);
 }
 
 TEST(Differences, OfPolylinesAreExactIntegrals) {
@@ -294,13 +315,16 @@ TEST(Differences, OfPolylinesAreExactIntegrals) {
     for (const int order : {1, 2, 3}) {
         const double distance = 4.7, s = distance / order;
         const auto found = difference_statistics(profile, {.order = order, .distances = list({distance})});
-        const double begin = profile.positions[0] + (order == 1 ? 0.0 : s), end = profile.positions[39] - (order == 3 ? 2.0 : 1.0) * s;
+        const double begin = profile.positions[0] + (order == 1 ? 0.0 : s),
+                     end = profile.positions[39] - (order == 3 ? 2.0 : 1.0) * s;
         const Index steps = 40000;
         Array1D g(steps);
         for (Index k = 0; k < steps; ++k) {
             const double x = begin + (end - begin) * (static_cast<double>(k) + 0.5) / static_cast<double>(steps);
             const auto h = [&](double places) { return height_at(profile, x + places * s); };
-            g[k] = order == 1 ? h(1) - h(0) : order == 2 ? h(-1) - 2.0 * h(0) + h(1) : -h(-1) + 3.0 * h(0) - 3.0 * h(1) + h(2);
+            g[k] = order == 1   ? h(1) - h(0)
+                   : order == 2 ? h(-1) - 2.0 * h(0) + h(1)
+                                : -h(-1) + 3.0 * h(0) - 3.0 * h(1) + h(2);
         }
         g /= std::pow(s, order);
         const double mean = g.mean(), variance = (g - mean).square().mean();
@@ -316,7 +340,8 @@ TEST(Differences, OfPolylinesAreExactIntegrals) {
 
 TEST(Differences, OfPolylineParabolasGrowWithTheStencilAsThePolylineDoes) {
     const Array1D x = Array1D::LinSpaced(401, 0.0, 2.0);
-    const auto found = difference_statistics(Profile{x, 1.5 * x.square(), {}}, {.order = 2, .distances = list({0.1, 0.5, 1.0})});
+    const auto found =
+        difference_statistics(Profile{x, 1.5 * x.square(), {}}, {.order = 2, .distances = list({0.1, 0.5, 1.0})});
     for (const double mean : found.mean) EXPECT_NEAR(mean, 3.0, 1e-9);
 }
 
@@ -331,7 +356,8 @@ TEST(Differences, RefuseWhatHasNoMeaning) {
     EXPECT_THROW((void)difference_statistics(line, {.distances = list({undefined})}), InvalidArgument);
     EXPECT_THROW((void)difference_statistics(line, {.distances = list({2.5})}), InvalidArgument);
     EXPECT_THROW((void)difference_statistics(line, {.interpolation = Interpolation::fourier}), InvalidArgument);
-    EXPECT_THROW((void)difference_statistics(LineScan{Array1D::Constant(20, undefined), 2.0, false, {}}), InvalidArgument);
+    EXPECT_THROW((void)difference_statistics(LineScan{Array1D::Constant(20, undefined), 2.0, false, {}}),
+                 InvalidArgument);
     HeightMap holed = with_holes({random_map(12, 12), {1.0, 1.0}, true, {}});
     EXPECT_THROW((void)difference_statistics(holed, {.interpolation = Interpolation::fourier}), UndefinedDataError);
     auto reentrant = random_profile(20);
@@ -340,16 +366,20 @@ TEST(Differences, RefuseWhatHasNoMeaning) {
 }
 
 TEST(Differences, OfATransposedMapChangePlaces) {
-    const HeightMap map = with_holes({random_map(30, 21), {3.0, 4.2}, false, {}}), turned{map.heights.transpose(), {4.2, 3.0}, false, {}};
-    for (const auto& [here, there] : {std::pair{Along::x, Along::y}, {Along::y, Along::x}, {Along::both, Along::both}}) {
-        const auto a = difference_statistics(map, {.along = here, .distances = list({0.6})}), b = difference_statistics(turned, {.along = there, .distances = list({0.6})});
+    const HeightMap map = with_holes({random_map(30, 21), {3.0, 4.2}, false, {}}),
+                    turned{map.heights.transpose(), {4.2, 3.0}, false, {}};
+    for (const auto& [here, there] :
+         {std::pair{Along::x, Along::y}, {Along::y, Along::x}, {Along::both, Along::both}}) {
+        const auto a = difference_statistics(map, {.along = here, .distances = list({0.6})}),
+                   b = difference_statistics(turned, {.along = there, .distances = list({0.6})});
         EXPECT_NEAR(a.rms[0], b.rms[0], 1e-12);
         EXPECT_EQ(a.count[0], b.count[0]);
     }
 }
 
 TEST(Differences, OfConstantHeightsAreZeroWithoutAShape) {
-    const auto found = difference_statistics(LineScan{Array1D::Constant(20, 4.0), 2.0, false, {}}, {.distances = list({0.5})});
+    const auto found =
+        difference_statistics(LineScan{Array1D::Constant(20, 4.0), 2.0, false, {}}, {.distances = list({0.5})});
     EXPECT_EQ(found.rms[0], 0.0);
     EXPECT_NE(found.kurtosis[0], found.kurtosis[0]);
 }
@@ -365,7 +395,8 @@ TEST(Differences, OfOneRowOrColumnAreThoseOfALine) {
 TEST(Differences, AreTheSameToTheByteForAnyNumberOfThreads) {
     const HeightMap map = with_holes({random_map(150, 90), {1.5, 0.9}, false, {}});
     for (const Along along : {Along::x, Along::y, Along::both}) {
-        const auto one = difference_statistics(map, {.along = along, .threads = {1}}), three = difference_statistics(map, {.along = along, .threads = {3}});
+        const auto one = difference_statistics(map, {.along = along, .threads = {1}}),
+                   three = difference_statistics(map, {.along = along, .threads = {3}});
         EXPECT_TRUE((one.rms == three.rms).all() && (one.skewness == three.skewness).all());
     }
 }

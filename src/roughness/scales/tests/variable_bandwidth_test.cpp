@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/variable_bandwidth.hpp"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "brute_force.hpp"
 #include "samples.hpp"
@@ -68,7 +68,8 @@ TEST(VariableBandwidth, OfAMapIsTheRmsOfAllResidualsOfPlanes) {
             const auto result = variable_bandwidth_of_area(map);
             for (Index k = 0; k < result.distance.size(); ++k) {
                 const Index magnification = Index{1} << (result.distance.size() - 1 - k);
-                EXPECT_NEAR(result.value[k], checkerboard(map, 2 * magnification, magnification, false), 1e-12) << nx << " x " << ny << ", " << magnification;
+                EXPECT_NEAR(result.value[k], checkerboard(map, 2 * magnification, magnification, false), 1e-12)
+                    << nx << " x " << ny << ", " << magnification;
                 EXPECT_NEAR(result.distance[k] * static_cast<double>(magnification), 0.5 * (3.0 + 3.2), 1e-14);
             }
         }
@@ -111,13 +112,18 @@ TEST(VariableBandwidth, OfPolylinesIntegratesAndTakesTheRmsOfAll) {
         for (Index c = 0; c < cells; ++c) {
             LineScan cell{Array1D(steps), 1.0, false, {}};
             for (Index s = 0; s < steps; ++s)
-                cell.heights[s] = height_at(profile, profile.positions[0] + length * (static_cast<double>(c) + (static_cast<double>(s) + 0.5) / static_cast<double>(steps)) / static_cast<double>(cells));
+                cell.heights[s] = height_at(
+                    profile, profile.positions[0] + length *
+                                                        (static_cast<double>(c) +
+                                                         (static_cast<double>(s) + 0.5) / static_cast<double>(steps)) /
+                                                        static_cast<double>(cells));
             sum += topography::detrended(cell, topography::Trend::tilt).heights.square().mean();
         }
         EXPECT_NEAR(result.value[k] / std::sqrt(sum / static_cast<double>(cells)), 1.0, 2e-4) << cells;
     }
     const auto flat = topography::detrended(profile, topography::Trend::tilt);
-    const Array1D left = flat.heights.head(79), right = flat.heights.tail(79), steps = flat.positions.tail(79) - flat.positions.head(79);
+    const Array1D left = flat.heights.head(79), right = flat.heights.tail(79),
+                  steps = flat.positions.tail(79) - flat.positions.head(79);
     const double rms = std::sqrt((steps * (left * left + left * right + right * right)).sum() / (3.0 * length));
     EXPECT_NEAR(result.value[result.value.size() - 1], rms, 1e-10);
 }
@@ -148,21 +154,27 @@ TEST(VariableBandwidth, OfPolylinesIsThatOfTheSameLineScanUpToHalfSegments) {
 TEST(VariableBandwidth, OfPlanesIsZeroAndOffsetsCostNothing) {
     HeightMap plane{Array2D(32, 32), {1.0, 1.0}, false, {}};
     for (Index i = 0; i < 32; ++i)
-        for (Index j = 0; j < 32; ++j) plane.heights(i, j) = 1e3 + 2.0 * static_cast<double>(i) - 3.0 * static_cast<double>(j);
+        for (Index j = 0; j < 32; ++j)
+            plane.heights(i, j) = 1e3 + 2.0 * static_cast<double>(i) - 3.0 * static_cast<double>(j);
     EXPECT_LT(variable_bandwidth_of_area(plane).value.maxCoeff(), 1e-6);
     HeightMap map{random_map(32, 32), {1.0, 1.0}, false, {}};
     map.heights += 1e7;
     HeightMap centred = map;
     centred.heights -= 1e7;
-    EXPECT_LT((variable_bandwidth_of_area(map).value / variable_bandwidth_of_area(centred).value - 1.0).abs().maxCoeff(), 1e-9);
-    EXPECT_LT((variable_bandwidth_of_lines(map).value / variable_bandwidth_of_lines(centred).value - 1.0).abs().maxCoeff(), 1e-9);
+    EXPECT_LT(
+        (variable_bandwidth_of_area(map).value / variable_bandwidth_of_area(centred).value - 1.0).abs().maxCoeff(),
+        1e-9);
+    EXPECT_LT(
+        (variable_bandwidth_of_lines(map).value / variable_bandwidth_of_lines(centred).value - 1.0).abs().maxCoeff(),
+        1e-9);
 }
 
 TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
     HeightMap map{Array2D::Constant(8, 8, undefined), {1.0, 1.0}, false, {}};
-    map.heights(0, 0) = 5.0;                              // one point: nothing left
-    map.heights(0, 4) = 1.0, map.heights(2, 6) = 2.0;     // two: nothing
-    map.heights(4, 0) = 0.0, map.heights(5, 1) = 3.0, map.heights(6, 2) = 0.0;  // three on a diagonal: about their mean 1, squares 1 + 4 + 1
+    map.heights(0, 0) = 5.0;                           // one point: nothing left
+    map.heights(0, 4) = 1.0, map.heights(2, 6) = 2.0;  // two: nothing
+    map.heights(4, 0) = 0.0, map.heights(5, 1) = 3.0,
+                   map.heights(6, 2) = 0.0;  // three on a diagonal: about their mean 1, squares 1 + 4 + 1
     const auto result = variable_bandwidth_of_area(map);
     ASSERT_EQ(result.value.size(), 2);
     EXPECT_NEAR(result.value[0], std::sqrt(6.0 / 6.0), 1e-14);
@@ -174,7 +186,8 @@ TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
 TEST(VariableBandwidth, RefusesDataWithoutACell) {
     EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(3), 1.0, false, {}}), InvalidArgument);
     EXPECT_THROW((void)variable_bandwidth_of_area({random_map(1, 50), {1.0, 50.0}, false, {}}), InvalidArgument);
-    EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(30), 1.0, false, {}}, {.fewest_points = 1}), InvalidArgument);
+    EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(30), 1.0, false, {}}, {.fewest_points = 1}),
+                 InvalidArgument);
     auto reentrant = random_profile(20);
     reentrant.positions[4] = reentrant.positions[6];
     EXPECT_THROW((void)variable_bandwidth(reentrant), InvalidArgument);
@@ -189,8 +202,12 @@ TEST(VariableBandwidth, OfATransposedMapIsTheSame) {
 
 TEST(VariableBandwidth, IsTheSameToTheByteForAnyNumberOfThreads) {
     const HeightMap map = with_holes({random_map(70, 90), {1.0, 1.0}, false, {}});
-    EXPECT_TRUE((variable_bandwidth_of_area(map, {.threads = {1}}).value == variable_bandwidth_of_area(map, {.threads = {3}}).value).all());
-    EXPECT_TRUE((variable_bandwidth_of_lines(map, {.threads = {1}}).value == variable_bandwidth_of_lines(map, {.threads = {3}}).value).all());
+    EXPECT_TRUE((variable_bandwidth_of_area(map, {.threads = {1}}).value ==
+                 variable_bandwidth_of_area(map, {.threads = {3}}).value)
+                    .all());
+    EXPECT_TRUE((variable_bandwidth_of_lines(map, {.threads = {1}}).value ==
+                 variable_bandwidth_of_lines(map, {.threads = {3}}).value)
+                    .all());
 }
 
 }  // namespace

@@ -17,11 +17,13 @@ const topography::HeightMap& rough_map() {
     static const topography::HeightMap map = [] {
         topography::HeightMap made{Array2D::Zero(2048, 2048), {1e-4, 1e-4}};
         for (Index wave = 1; wave <= 256; wave *= 2) {
-            const double q = 2.0 * 3.14159265 * static_cast<double>(wave) / 2048.0, phase = 1.7 * static_cast<double>(wave);
+            const double q = 2.0 * 3.14159265 * static_cast<double>(wave) / 2048.0,
+                         phase = 1.7 * static_cast<double>(wave);
             for (Index i = 0; i < 2048; ++i)
                 for (Index j = 0; j < 2048; ++j)
                     made.heights(i, j) += std::pow(static_cast<double>(wave), -0.8) *
-                                          std::sin(q * (0.8 * static_cast<double>(i) + phase)) * std::cos(q * (0.6 * static_cast<double>(j) - phase));
+                                          std::sin(q * (0.8 * static_cast<double>(i) + phase)) *
+                                          std::cos(q * (0.6 * static_cast<double>(j) - phase));
         }
         return made;
     }();
@@ -34,7 +36,9 @@ const topography::HeightMap& white_map() {
     return map;
 }
 
-Array1D heights_of(const topography::HeightMap& map) { return Array1D::LinSpaced(101, map.heights.minCoeff(), map.heights.maxCoeff()); }
+Array1D heights_of(const topography::HeightMap& map) {
+    return Array1D::LinSpaced(101, map.heights.minCoeff(), map.heights.maxCoeff());
+}
 
 parallel::Threads threads_of(const benchmark::State& state) { return {static_cast<int>(state.range(0))}; }
 
@@ -46,16 +50,19 @@ void read_once(benchmark::State& state) {
 
 void bearing_area_of_a_rough_map(benchmark::State& state) {
     const auto heights = heights_of(rough_map());
-    for (auto _ : state) benchmark::DoNotOptimize(bearing_area(rough_map(), heights, Between::linear, threads_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(bearing_area(rough_map(), heights, Between::linear, threads_of(state)));
 }
 
 void bearing_area_of_white_noise(benchmark::State& state) {
     const auto heights = heights_of(white_map());
-    for (auto _ : state) benchmark::DoNotOptimize(bearing_area(white_map(), heights, Between::linear, threads_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(bearing_area(white_map(), heights, Between::linear, threads_of(state)));
 }
 
 void median_and_deviation(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(mad_height(rough_map(), share_within_one_sigma, Between::linear, threads_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(mad_height(rough_map(), share_within_one_sigma, Between::linear, threads_of(state)));
 }
 
 void heights(benchmark::State& state) {
@@ -67,7 +74,8 @@ void slopes_and_area(benchmark::State& state) {
 }
 
 void core_and_volumes(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(functional_parameters(rough_map(), {}, Between::linear, threads_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(functional_parameters(rough_map(), {}, Between::linear, threads_of(state)));
 }
 
 void autocorrelation_and_direction(benchmark::State& state) {

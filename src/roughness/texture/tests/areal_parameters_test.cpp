@@ -26,7 +26,10 @@ std::map<std::string, TextureParameter> by_symbol(const std::vector<TextureParam
 
 HeightMap crossed_waves(Index n, double size, double wavelength, double amplitude) {
     HeightMap map{Array2D(n, n), {size, size}};
-    const Array1D wave = (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (size / static_cast<double>(n) * 2.0 * pi / wavelength)).sin() * amplitude;
+    const Array1D wave = (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) *
+                          (size / static_cast<double>(n) * 2.0 * pi / wavelength))
+                             .sin() *
+                         amplitude;
     for (Index i = 0; i < n; ++i) map.heights.row(i) = wave.transpose() + wave[i];
     return map;
 }
@@ -77,7 +80,8 @@ TEST(ArealParameters, FiltersLeaveTheWavesBetweenThem) {
 }
 
 TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
-    // white noise smoothed over a few pixels: the error from one map's autocorrelation against the spread over many maps
+    // white noise smoothed over a few pixels: the error from one map's autocorrelation against the spread over many
+    // maps
     std::vector<double> values;
     double error = 0.0;
     constexpr int maps = 40;
@@ -87,7 +91,8 @@ TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
         for (Index i = 0; i < 32; ++i)
             for (Index j = 0; j < 32; ++j)
                 for (Index k = -2; k <= 2; ++k)
-                    for (Index m = -2; m <= 2; ++m) map.heights(i, j) += 0.2 * noise((i + k + 32) % 32, (j + m + 32) % 32);
+                    for (Index m = -2; m <= 2; ++m)
+                        map.heights(i, j) += 0.2 * noise((i + k + 32) % 32, (j + m + 32) % 32);
         const auto Sq = by_symbol(areal_parameters(map)).at("Sq").quantity.estimate;
         values.push_back(Sq.value);
         error += Sq.standard_error / maps;
@@ -114,7 +119,8 @@ TEST(ArealParameters, OfAConstantMapSayWhatHasNoValue) {
 }
 
 TEST(ArealParameters, OfTwoByTwoPointsAreDefinedWhereTheyCanBe) {
-    const auto rows = by_symbol(areal_parameters(HeightMap{(Array2D(2, 2) << 0, 1, 2, 4).finished() * 1e-9, {1e-6, 1e-6}}));
+    const auto rows =
+        by_symbol(areal_parameters(HeightMap{(Array2D(2, 2) << 0, 1, 2, 4).finished() * 1e-9, {1e-6, 1e-6}}));
     EXPECT_GT(rows.at("Sq").quantity.estimate.value, 0.0);
     EXPECT_TRUE(std::isnan(rows.at("Sdq_c").quantity.estimate.value));
 }
@@ -132,13 +138,16 @@ TEST(ArealParameters, WarnOfABluntTipWhereShortWavesCount) {
 }
 
 TEST(ArealParameters, OfASmoothGaussianMapHaveTheAreaOfGaussianSlopes) {
-    // many waves of one length in all directions: heights and slopes are nearly Gaussian, and Ssk = 0, Sku = 3, Sdr = g(Sdq)
+    // many waves of one length in all directions: heights and slopes are nearly Gaussian, and Ssk = 0, Sku = 3, Sdr =
+    // g(Sdq)
     HeightMap map{Array2D::Zero(256, 256), {256.0, 256.0}};
     constexpr int waves = 150;
     for (int k = 0; k < waves; ++k) {
         const double angle = pi * (k + 0.37) / waves, q = 0.12, phase = 2.399963 * k * k;
-        const Array1D x = Array1D::LinSpaced(256, 0.0, 255.0) * (q * std::cos(angle)) + phase, y = Array1D::LinSpaced(256, 0.0, 255.0) * (q * std::sin(angle));
-        map.heights += (x.cos().matrix() * y.cos().matrix().transpose() - x.sin().matrix() * y.sin().matrix().transpose()).array();
+        const Array1D x = Array1D::LinSpaced(256, 0.0, 255.0) * (q * std::cos(angle)) + phase,
+                      y = Array1D::LinSpaced(256, 0.0, 255.0) * (q * std::sin(angle));
+        map.heights +=
+            (x.cos().matrix() * y.cos().matrix().transpose() - x.sin().matrix() * y.sin().matrix().transpose()).array();
     }
     const auto rows = by_symbol(areal_parameters(map));
     const auto value = [&rows](const char* symbol) { return rows.at(symbol).quantity.estimate; };
@@ -165,7 +174,8 @@ TEST(ArealParameters, LoseNothingToAnOffsetOfTenMillionTimesTheirRms) {
     const auto lifted = by_symbol(areal_parameters(map));
     for (const auto& [symbol, row] : plain) {
         const double expected = row.quantity.estimate.value;
-        if (std::isnan(expected) || symbol == "Ssk" || symbol == "Smc(p)" || symbol == "Std") continue;  // zero, or without direction
+        if (std::isnan(expected) || symbol == "Ssk" || symbol == "Smc(p)" || symbol == "Std")
+            continue;  // zero, or without direction
         EXPECT_NEAR(lifted.at(symbol).quantity.estimate.value / expected, 1.0, 1e-4) << symbol;
     }
 }

@@ -23,7 +23,8 @@ double width(const Distribution& d) { return d.centre[1] - d.centre[0]; }
 TEST(DistributionOf, GaussianHeightsIsTheirGaussian) {
     constexpr Index n = 100001;
     LineScan scan{Array1D(n), 1.0};
-    for (Index k = 0; k < n; ++k) scan.heights[k] = 2.0 + 3.0 * normal_quantile((static_cast<double>((k * 7919) % n) + 0.5) / n);
+    for (Index k = 0; k < n; ++k)
+        scan.heights[k] = 2.0 + 3.0 * normal_quantile((static_cast<double>((k * 7919) % n) + 0.5) / n);
     const auto d = distribution(scan, Counted::height, 64);
     EXPECT_NEAR(d.mean, 2.0, 1e-10);
     EXPECT_NEAR(d.rms, 3.0, 1e-3);

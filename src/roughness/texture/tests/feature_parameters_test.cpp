@@ -19,7 +19,9 @@ HeightMap egg_box(Index n, int waves, double size, double amplitude, bool period
     HeightMap map{Array2D(n, n), {size, size}, periodic, {}};
     const double q = 2.0 * pi * waves / static_cast<double>(n);
     for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j) map.heights(i, j) = amplitude * (std::cos(q * static_cast<double>(i)) + std::cos(q * static_cast<double>(j)));
+        for (Index j = 0; j < n; ++j)
+            map.heights(i, j) =
+                amplitude * (std::cos(q * static_cast<double>(i)) + std::cos(q * static_cast<double>(j)));
     return map;
 }
 
@@ -39,7 +41,8 @@ TEST(FeatureParameters, OfAnEggBoxCountItsPeaks) {
 }
 
 TEST(FeatureParameters, LeaveOutHillsThatReachTheEdge) {
-    // peaks at 0, 20 … 100 and, beyond the edge, 120: those at the edges are cut; of the pits at 10, 30 … 110 those at 10 and 110 are
+    // peaks at 0, 20 … 100 and, beyond the edge, 120: those at the edges are cut; of the pits at 10, 30 … 110 those at
+    // 10 and 110 are
     const auto result = feature_parameters(egg_box(120, 6, 1.0, 1.0, false));
     EXPECT_EQ(result.hills, 25);
     EXPECT_EQ(result.dales, 16);
@@ -86,7 +89,8 @@ TEST(FeatureParameters, OfAConstantOrTiltedMapAreNone) {
     const auto flat = feature_parameters({Array2D::Constant(6, 6, 0.1), {1.0, 1.0}});
     EXPECT_EQ(flat.hills, 0);
     EXPECT_TRUE(std::isnan(flat.Spc) && std::isnan(flat.S5p) && std::isnan(flat.S10z));
-    EXPECT_THROW((void)feature_parameters({Array2D::Constant(6, 6, 0.1), {1.0, 1.0}}, {.pruning = -0.1}), InvalidArgument);
+    EXPECT_THROW((void)feature_parameters({Array2D::Constant(6, 6, 0.1), {1.0, 1.0}}, {.pruning = -0.1}),
+                 InvalidArgument);
     EXPECT_THROW((void)feature_parameters({Array2D::Constant(6, 6, undefined), {1.0, 1.0}}), UndefinedDataError);
 }
 

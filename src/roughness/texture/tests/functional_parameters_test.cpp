@@ -23,7 +23,8 @@ HeightMap ruled(const Array1D& line, Index lines = 3) {
 }
 
 Array1D sine_line(Index n, double amplitude) {
-    return (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * pi / static_cast<double>(n - 1))).sin() * amplitude;
+    return (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * pi / static_cast<double>(n - 1))).sin() *
+           amplitude;
 }
 
 TEST(FunctionalParameters, OfARampAreThoseOfAStraightCurve) {
@@ -33,10 +34,10 @@ TEST(FunctionalParameters, OfARampAreThoseOfAStraightCurve) {
     EXPECT_NEAR(result.Smrk2, 1.0, 1e-9);
     EXPECT_NEAR(result.Spk, 0.0, 1e-9);
     EXPECT_NEAR(result.Svk, 0.0, 1e-9);
-    EXPECT_NEAR(result.Vmp, 0.01, 1e-12);   // ∫ of a triangle: p²·2/2
-    EXPECT_NEAR(result.Vmc, 0.63, 1e-12);   // 0.8² − 0.1²
-    EXPECT_NEAR(result.Vvv, 0.04, 1e-12);   // 0.2²
-    EXPECT_NEAR(result.Vvc, 0.77, 1e-12);   // 0.9² − 0.2²
+    EXPECT_NEAR(result.Vmp, 0.01, 1e-12);  // ∫ of a triangle: p²·2/2
+    EXPECT_NEAR(result.Vmc, 0.63, 1e-12);  // 0.8² − 0.1²
+    EXPECT_NEAR(result.Vvv, 0.04, 1e-12);  // 0.2²
+    EXPECT_NEAR(result.Vvc, 0.77, 1e-12);  // 0.9² − 0.2²
     EXPECT_NEAR(result.Sxp, 0.95, 1e-12);
     EXPECT_NEAR(result.Sdc, 1.92, 1e-12);
 }
@@ -66,7 +67,8 @@ TEST(FunctionalParameters, OfGaussianHeightsAreKnownMultiplesOfTheirRms) {
     for (Index k = 0; k < n; ++k) scan.heights[k] = rms * normal_quantile((static_cast<double>(k) + 0.5) / n);
     const auto result = functional_parameters(scan, {}, Between::nothing);
     const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * pi); };
-    // the core lies about p = 1/2; with p = Φ(−z) and x = Φ⁻¹(0.7): Sk/rms = 24/0.4³ ∫_0^x (Φ(z) − 1/2) z φ(z) dz, by parts
+    // the core lies about p = 1/2; with p = Φ(−z) and x = Φ⁻¹(0.7): Sk/rms = 24/0.4³ ∫_0^x (Φ(z) − 1/2) z φ(z) dz, by
+    // parts
     const double x = normal_quantile(0.7);
     const double moment = (normal_probability(x * std::sqrt(2.0)) - 0.5) / (2.0 * std::sqrt(pi)) - 0.2 * density(x);
     EXPECT_NEAR(result.Sk / rms, 24.0 / 0.064 * moment, 2e-4);
@@ -83,7 +85,9 @@ TEST(FunctionalParameters, OfGaussianHeightsAreKnownMultiplesOfTheirRms) {
     EXPECT_NEAR(result.Vmc, volume(0.8) - volume(0.1), 1e-5);
     EXPECT_NEAR(result.Vvv, volume(0.2), 1e-5);
     EXPECT_NEAR(result.Vvc, volume(0.9) - volume(0.2), 1e-5);
-    const auto spacing = [&](double p) { return rms / (static_cast<double>(n) * density(normal_quantile(p))); };  // of the points there
+    const auto spacing = [&](double p) {
+        return rms / (static_cast<double>(n) * density(normal_quantile(p)));
+    };  // of the points there
     EXPECT_NEAR(result.Sxp, rms * normal_quantile(0.975), spacing(0.975));
     EXPECT_NEAR(result.Sdc, 2.0 * rms * normal_quantile(0.98), 2.0 * spacing(0.98));
 }
@@ -125,7 +129,8 @@ TEST(FunctionalParameters, OfAConstantSurfaceVanish) {
     EXPECT_EQ(result.Sk, 0.0);
     EXPECT_EQ(result.Vmc, 0.0);
     EXPECT_EQ(result.Smrk2, 1.0);
-    EXPECT_THROW((void)functional_parameters(HeightMap{Array2D::Constant(4, 5, 0.1), {1.0, 1.0}}, {.peaks = 1.5}), InvalidArgument);
+    EXPECT_THROW((void)functional_parameters(HeightMap{Array2D::Constant(4, 5, 0.1), {1.0, 1.0}}, {.peaks = 1.5}),
+                 InvalidArgument);
 }
 
 TEST(MaterialVolumes, AgreeWithTheParametersMadeOfThem) {

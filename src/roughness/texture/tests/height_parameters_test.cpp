@@ -115,7 +115,8 @@ TEST(HeightParameters, OfAConstantSurfaceHaveNoShape) {
     EXPECT_EQ(result.Sz, 0.0);
     EXPECT_EQ(result.mean, 0.1);
     EXPECT_TRUE(std::isnan(result.Ssk) && std::isnan(result.Sku));
-    EXPECT_THROW((void)height_parameters(HeightMap{Array2D::Constant(3, 3, undefined), {1.0, 1.0}}), UndefinedDataError);
+    EXPECT_THROW((void)height_parameters(HeightMap{Array2D::Constant(3, 3, undefined), {1.0, 1.0}}),
+                 UndefinedDataError);
 }
 
 TEST(HeightParameters, AreTheSameForAnyNumberOfThreads) {
@@ -135,7 +136,8 @@ TEST(HeightParameters, RefuseAPolylineThatRunsBack) {
 TEST(HybridParameters, OfAPlaneAreItsSlopeAndArea) {
     HeightMap map{Array2D(9, 7), {9.0, 14.0}};
     for (Index i = 0; i < 9; ++i)
-        for (Index j = 0; j < 7; ++j) map.heights(i, j) = 0.75 * static_cast<double>(i) + 1.0 * 2.0 * static_cast<double>(j);
+        for (Index j = 0; j < 7; ++j)
+            map.heights(i, j) = 0.75 * static_cast<double>(i) + 1.0 * 2.0 * static_cast<double>(j);
     const auto result = hybrid_parameters(map);
     EXPECT_NEAR(result.Sdq, 1.25, 1e-14);
     EXPECT_NEAR(result.Sdq_central, 1.25, 1e-14);

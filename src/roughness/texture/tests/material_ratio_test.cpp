@@ -19,7 +19,10 @@ using topography::Profile;
 
 LineScan line(std::initializer_list<double> heights, bool periodic = false) {
     const std::vector<double> values(heights);
-    return {Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())), static_cast<double>(values.size()), periodic, {}};
+    return {Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())),
+            static_cast<double>(values.size()),
+            periodic,
+            {}};
 }
 
 Array1D numbers(std::initializer_list<double> list) {
@@ -46,7 +49,8 @@ double share_by_quadrature(double a, double b, double c, double height) {
 }
 
 TEST(BearingArea, PlateausCountAsMaterial) {
-    expect_all_near(bearing_area(line({0.0, 0.0, 1.0, 1.0}), numbers({-0.1, 0.0, 0.25, 0.5, 1.0, 1.1})), numbers({1.0, 1.0, 1.75 / 3, 0.5, 1.0 / 3, 0.0}), 1e-15);
+    expect_all_near(bearing_area(line({0.0, 0.0, 1.0, 1.0}), numbers({-0.1, 0.0, 0.25, 0.5, 1.0, 1.1})),
+                    numbers({1.0, 1.0, 1.75 / 3, 0.5, 1.0 / 3, 0.0}), 1e-15);
     const HeightMap step{(Array2D(3, 2) << 0, 0, 0, 0, 1, 1).finished(), {3.0, 2.0}};
     expect_all_near(bearing_area(step, numbers({0.0, 0.5, 1.0})), numbers({1.0, 0.25, 0.0}), 1e-15);
 }
@@ -75,7 +79,8 @@ TEST(BearingArea, OfATiltedPlaneIsLinear) {
 
 TEST(BearingArea, TakesHeightsInAnyOrderAndKeepsNaN) {
     const HeightMap map{tests::random_map(20, 30), {1.0, 1.0}};
-    const Array1D heights = numbers({0.5, undefined, -2.0, 0.5, 7.0, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()});
+    const Array1D heights = numbers({0.5, undefined, -2.0, 0.5, 7.0, -std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity()});
     const auto ratio = bearing_area(map, heights);
     EXPECT_EQ(ratio[0], ratio[3]);
     EXPECT_TRUE(std::isnan(ratio[1]));
@@ -92,7 +97,8 @@ TEST(BearingArea, IsTheSameForClusteredAndSpreadHeights) {
     clustered.head(200) = Array1D::LinSpaced(200, 0.1, 0.1 + 1e-9);
     clustered[200] = 1e3;
     const auto ratio = bearing_area(map, clustered);
-    for (const Index k : {Index{0}, Index{77}, Index{199}}) EXPECT_NEAR(ratio[k], bearing_area(map, numbers({clustered[k]}))[0], 1e-13);
+    for (const Index k : {Index{0}, Index{77}, Index{199}})
+        EXPECT_NEAR(ratio[k], bearing_area(map, numbers({clustered[k]}))[0], 1e-13);
     EXPECT_TRUE((ratio.head(199) >= ratio.segment(1, 199)).all());
 }
 
@@ -129,7 +135,8 @@ TEST(BearingArea, LeavesOutTrianglesWithAnUndefinedCorner) {
 
 TEST(BearingArea, OfAPolylineDoesNotDependOnCollinearPoints) {
     const Profile coarse{numbers({0.0, 1.0, 3.0, 4.0}), numbers({0.0, 2.0, -1.0, 0.5}), {}};
-    const Profile fine{numbers({0.0, 0.25, 1.0, 1.5, 3.0, 3.1, 4.0}), numbers({0.0, 0.5, 2.0, 1.25, -1.0, -0.85, 0.5}), {}};
+    const Profile fine{
+        numbers({0.0, 0.25, 1.0, 1.5, 3.0, 3.1, 4.0}), numbers({0.0, 0.5, 2.0, 1.25, -1.0, -0.85, 0.5}), {}};
     const Array1D heights = Array1D::LinSpaced(31, -1.0, 2.0);
     expect_all_near(bearing_area(fine, heights), bearing_area(coarse, heights), 1e-14);
     EXPECT_NEAR(median_height(fine), median_height(coarse), 1e-14);
@@ -199,7 +206,8 @@ TEST(HeightsAtRatio, InvertTheBearingArea) {
 
 TEST(HeightsAtRatio, OfPointsAreOrderStatistics) {
     const LineScan scan = line({3.0, 1.0, 4.0, 1.5, 9.0});
-    expect_all_near(heights_at_ratio(scan, numbers({0.2, 0.4, 0.6, 0.8, 1.0}), Between::nothing), numbers({9.0, 4.0, 3.0, 1.5, 1.0}), 1e-12);
+    expect_all_near(heights_at_ratio(scan, numbers({0.2, 0.4, 0.6, 0.8, 1.0}), Between::nothing),
+                    numbers({9.0, 4.0, 3.0, 1.5, 1.0}), 1e-12);
     EXPECT_EQ(bearing_area(scan, numbers({3.0}), Between::nothing)[0], 0.6);
 }
 
@@ -216,7 +224,8 @@ TEST(MedianHeight, AndDeviationOfFlatSurfacesAreExact) {
 }
 
 TEST(MedianHeight, AndDeviationOfTwoPlateaus) {
-    // P(1/2 + m) = (4/3 − 2 (1/2 + m)... the flanks hold 1/3 of the length, so 68.27 % is reached on the plateaus themselves
+    // P(1/2 + m) = (4/3 − 2 (1/2 + m)... the flanks hold 1/3 of the length, so 68.27 % is reached on the plateaus
+    // themselves
     const auto plateaus = line({0.0, 0.0, 1.0, 1.0});
     EXPECT_NEAR(median_height(plateaus), 0.5, 1e-14);
     EXPECT_NEAR(mad_height(plateaus), 0.5, 1e-14);

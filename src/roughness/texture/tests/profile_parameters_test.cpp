@@ -29,7 +29,9 @@ std::map<std::string, TextureParameter> by_symbol(const std::vector<TextureParam
     return map;
 }
 
-double value(const std::map<std::string, TextureParameter>& rows, const std::string& symbol) { return rows.at(symbol).quantity.estimate.value; }
+double value(const std::map<std::string, TextureParameter>& rows, const std::string& symbol) {
+    return rows.at(symbol).quantity.estimate.value;
+}
 
 TEST(ProfileParameters, OfASineAreItsClosedForms) {
     const double A = 2e-6, wavelength = 50e-6, step = 0.5e-6;
@@ -48,7 +50,10 @@ TEST(ProfileParameters, OfASineAreItsClosedForms) {
     EXPECT_NEAR(value(rows, "RSmq") / wavelength, 0.0, 1e-3);
     EXPECT_NEAR(value(rows, "Rc") / A, 2.0, 1e-3);
     const double q = 2.0 * pi / wavelength, phase = q * step;
-    EXPECT_NEAR(value(rows, "Rdq"), A / std::sqrt(2.0) * (45.0 * std::sin(phase) - 9.0 * std::sin(2.0 * phase) + std::sin(3.0 * phase)) / (30.0 * step), 2e-6 * A * q);
+    EXPECT_NEAR(value(rows, "Rdq"),
+                A / std::sqrt(2.0) * (45.0 * std::sin(phase) - 9.0 * std::sin(2.0 * phase) + std::sin(3.0 * phase)) /
+                    (30.0 * step),
+                2e-6 * A * q);
     EXPECT_NEAR(value(rows, "Rdq") / (A * q), std::sqrt(0.5), 1e-5);
     EXPECT_NEAR(value(rows, "Rda") / (A * q), 2.0 / pi, 1e-3);
     EXPECT_NEAR(value(rows, "Rdt") / (A * q), 1.0, 1e-3);
@@ -99,7 +104,8 @@ TEST(ProfileElements, NeedEveryHeightAndALine) {
     LineScan scan = sine(100, 1.0, 10.0, 1.0);
     scan.heights[5] = undefined;
     EXPECT_THROW((void)profile_elements(scan, 0.1, 0.1, 0.0), UndefinedDataError);
-    EXPECT_THROW((void)profile_elements(HeightMap{tests::random_map(4, 4), {1.0, 1.0}}, 0.1, 0.1, 0.0), InvalidArgument);
+    EXPECT_THROW((void)profile_elements(HeightMap{tests::random_map(4, 4), {1.0, 1.0}}, 0.1, 0.1, 0.0),
+                 InvalidArgument);
 }
 
 TEST(Sections, OfStepsGiveMeansOfTheirExtremes) {
@@ -144,7 +150,9 @@ TEST(ProfileSlopes, WrapInPeriodicLinesAndSkipHoles) {
     scan.periodic = true;
     const double phase = 2.0 * pi * 3.0 / 64.0;
     EXPECT_NEAR(profile_slopes(scan).Rdq_2, std::sqrt(2.0) * std::sin(0.5 * phase), 1e-13);
-    EXPECT_NEAR(profile_slopes(scan).Rdq, std::sqrt(0.5) * (45.0 * std::sin(phase) - 9.0 * std::sin(2.0 * phase) + std::sin(3.0 * phase)) / 30.0, 1e-13);
+    EXPECT_NEAR(profile_slopes(scan).Rdq,
+                std::sqrt(0.5) * (45.0 * std::sin(phase) - 9.0 * std::sin(2.0 * phase) + std::sin(3.0 * phase)) / 30.0,
+                1e-13);
     scan.heights[10] = undefined;
     EXPECT_TRUE(std::isfinite(profile_slopes(scan).Rdq));
 }
@@ -154,9 +162,11 @@ TEST(ProfileParameters, FiltersPartRoughnessFromWaviness) {
     scan.heights += sine(8000, 1e-6, 40e-6, 1e-6).heights;
     const Filters filters{.l_filter = 0.4e-3};
     const auto R = by_symbol(profile_parameters(scan, {.filters = filters}));
-    const auto W = by_symbol(profile_parameters(scan, {.kind = ProfileKind::waviness, .filters = filters, .section_length = 8e-3}));
+    const auto W = by_symbol(
+        profile_parameters(scan, {.kind = ProfileKind::waviness, .filters = filters, .section_length = 8e-3}));
     const auto P = by_symbol(profile_parameters(scan, {.kind = ProfileKind::primary, .section_length = 8e-3}));
-    EXPECT_NEAR(value(R, "Rq"), 1e-6 / std::sqrt(2.0), 0.02e-6);  // the wave passes with 2^−(0.4/4)² = 0.7 %: 25 nm of rms beside 707
+    EXPECT_NEAR(value(R, "Rq"), 1e-6 / std::sqrt(2.0),
+                0.02e-6);  // the wave passes with 2^−(0.4/4)² = 0.7 %: 25 nm of rms beside 707
     EXPECT_NEAR(value(W, "Wq"), 5e-6 / std::sqrt(2.0), 0.05e-6);
     EXPECT_NEAR(value(P, "Pq"), std::sqrt(13.0) * 1e-6, 0.01e-6);
     EXPECT_EQ(R.at("Rq").filter, "Gaussian L-filter 400 µm");

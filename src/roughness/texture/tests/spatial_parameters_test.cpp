@@ -26,8 +26,11 @@ HeightMap waves(Index nx, Index ny, const std::vector<Wave>& list, std::array<do
     for (const auto& wave : list)
         for (Index i = 0; i < nx; ++i)
             for (Index j = 0; j < ny; ++j)
-                map.heights(i, j) += wave.amplitude * std::cos(2.0 * pi * (wave.k * static_cast<double>(i) / static_cast<double>(nx) +
-                                                                           wave.m * static_cast<double>(j) / static_cast<double>(ny)) + wave.phase);
+                map.heights(i, j) +=
+                    wave.amplitude * std::cos(2.0 * pi *
+                                                  (wave.k * static_cast<double>(i) / static_cast<double>(nx) +
+                                                   wave.m * static_cast<double>(j) / static_cast<double>(ny)) +
+                                              wave.phase);
     return map;
 }
 

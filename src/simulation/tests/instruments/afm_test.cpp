@@ -43,7 +43,8 @@ TEST(AfmMap, ReadsTheDilatedSurfaceAtItsPixels) {
     const auto map = afm_map(surface, options);
     const auto touched = dilated(surface, options.tip);
     for (Index i = 0; i < 30; ++i)
-        for (Index j = 0; j < 20; ++j) EXPECT_EQ(map.heights(i, j), touched.heights((10 + 3 * i) % 120, (50 + 3 * j) % 90));
+        for (Index j = 0; j < 20; ++j)
+            EXPECT_EQ(map.heights(i, j), touched.heights((10 + 3 * i) % 120, (50 + 3 * j) % 90));
     EXPECT_NEAR(map.size[1], 60e-9, 1e-22);
     EXPECT_EQ(map.metadata.instrument.type, "afm");
     EXPECT_EQ(map.metadata.instrument.tip_radius, 8e-9);
@@ -70,7 +71,8 @@ TEST(AfmMap, FollowsAWaveAsAFirstOrderFilter) {
     // amplitude 1/√(1 + (qλ)²) once the start has died out; straight pieces of 40 a wave read the wave 0.2 % low
     auto surface = flat(400, 4);
     const double wave = 2.0 * pi / 40e-9, amplitude = 1e-9, lag = 10e-9;
-    for (Index i = 0; i < 400; ++i) surface.heights.row(i).setConstant(amplitude * std::cos(wave * 1e-9 * static_cast<double>(i)));
+    for (Index i = 0; i < 400; ++i)
+        surface.heights.row(i).setConstant(amplitude * std::cos(wave * 1e-9 * static_cast<double>(i)));
     auto options = small_map(400, 4);
     options.feedback_lag = lag;
     const auto map = afm_map(surface, options);
@@ -126,7 +128,8 @@ TEST(AfmMap, ShiftsWholeLinesByOffsetsAndARandomWalk) {
     EXPECT_EQ(walk[0], 0.0);
     const Array1D steps = walk.tail(lines - 1) - walk.head(lines - 1);
     EXPECT_NEAR(std::sqrt(steps.square().mean()) / 0.2e-9, 1.0, tolerance);
-    EXPECT_NEAR((steps.head(lines - 2) * steps.tail(lines - 2)).mean() / 0.04e-18, 0.0, 4.0 / std::sqrt(static_cast<double>(lines)));
+    EXPECT_NEAR((steps.head(lines - 2) * steps.tail(lines - 2)).mean() / 0.04e-18, 0.0,
+                4.0 / std::sqrt(static_cast<double>(lines)));
 }
 
 TEST(AfmMap, HasWhiteNoiseAndTheSameBytesForAnyNumberOfThreads) {

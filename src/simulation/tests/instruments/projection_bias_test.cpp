@@ -39,9 +39,9 @@ TEST(ProjectionBias, OfAFoilWithoutThicknessIsNone) {
 TEST(ProjectionBias, SparesWavesLongerThanTheFoilAndAddsKinksAtTheShortEnd) {
     const auto bias = projection_bias(density(rough), foils(2e-9));
     const auto last = bias.C1D.size() - 1;
-    EXPECT_NEAR(bias.C1D[0], 1.0, 0.03);              // 100 nm against 2 nm
-    EXPECT_LT(bias.C1D.minCoeff(), 0.9);              // between: valleys behind ridges
-    EXPECT_GT(bias.C1D[last], 1.5);                   // where lines have no power left, ridges taking over from ridges do
+    EXPECT_NEAR(bias.C1D[0], 1.0, 0.03);  // 100 nm against 2 nm
+    EXPECT_LT(bias.C1D.minCoeff(), 0.9);  // between: valleys behind ridges
+    EXPECT_GT(bias.C1D[last], 1.5);       // where lines have no power left, ridges taking over from ridges do
     EXPECT_GT(bias.mean_height_shift, 0.1);
     EXPECT_LT(bias.rms_slope.value, 1.0);
     const auto alerts = projection_alerts(bias, "contour 3");
@@ -82,7 +82,9 @@ TEST(ProjectionBias, DividedOutGivesTheLineScansOfOtherSurfaces) {
 TEST(ProjectionBias, FindsTheCorrelationLengthOfAGaussianSpectrum) {
     // C_iso = π ℓ² h² exp(−q²ℓ²/4) has the autocorrelation h² exp(−x²/ℓ²)
     const double length = 3e-9, height = 1e-9;
-    const auto gaussian = [=](double q) { return pi * length * length * height * height * std::exp(-0.25 * q * q * length * length); };
+    const auto gaussian = [=](double q) {
+        return pi * length * length * height * height * std::exp(-0.25 * q * q * length * length);
+    };
     const auto bias = projection_bias(gaussian, foils(0.0));
     // eight maps of (102.4/3)²/π patches each know h² to 1.5 %, the length to about 1 %
     EXPECT_NEAR(bias.correlation_length, length, 0.04 * length);

@@ -38,7 +38,8 @@ TEST(Silhouette, OfRidgesAlongTheBeamIsTheirSection) {
 }
 
 TEST(Silhouette, OfCrossedWavesRisesByTheAmplitudeAcross) {
-    const auto map = map_of([](double x, double y) { return std::sin(0.3 * x) + 0.5 * std::cos(0.1 * pi * y); }, 30, 20);
+    const auto map =
+        map_of([](double x, double y) { return std::sin(0.3 * x) + 0.5 * std::cos(0.1 * pi * y); }, 30, 20);
     const Array1D shift = silhouette(map, 19.0, 3.0).heights - map.heights.col(10);
     EXPECT_LT((shift - 1.0).abs().maxCoeff(), 1e-15);  // cos = −1 at y = 10: 2 · 0.5
 }
@@ -125,7 +126,8 @@ TEST(SideViewContour, BlurDampsAWaveByItsGaussian) {
     const auto contour = side_view_contour(map, options);
     const double damping = std::exp(-0.5 * std::pow(wave * blur, 2));
     for (Index k = 0; k < contour.heights.size(); ++k)
-        EXPECT_NEAR(contour.heights[k], damping * std::cos(wave * static_cast<double>(k)), 1e-7);  // cut at six rms radii
+        EXPECT_NEAR(contour.heights[k], damping * std::cos(wave * static_cast<double>(k)),
+                    1e-7);  // cut at six rms radii
 }
 
 TEST(SideViewContour, HandDeviatesWithItsStrengthAndCorrelation) {
@@ -163,7 +165,8 @@ TEST(SideViewContour, CleaningCutsReentrantStretchesAndNothingElse) {
     EXPECT_TRUE((cleaned.profile.positions == straight.positions(kept)).all());
     EXPECT_TRUE((cleaned.profile.heights == straight.heights(kept)).all());
     // whole blocks of 30 points have three each
-    EXPECT_NEAR(static_cast<double>(moved) / static_cast<double>(straight.positions.size()), 0.1, 3.0 / static_cast<double>(straight.positions.size()));
+    EXPECT_NEAR(static_cast<double>(moved) / static_cast<double>(straight.positions.size()), 0.1,
+                3.0 / static_cast<double>(straight.positions.size()));
 }
 
 TEST(SideViewContour, RefusesWhatNoTraceIs) {

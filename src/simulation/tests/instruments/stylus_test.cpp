@@ -19,7 +19,10 @@ using topography::HeightMap;
 using topography::LineScan;
 
 HeightMap rough_strip(Index nx = 600, Index ny = 20) {
-    return {1e-8 * tests::random_map(nx, ny, 3), {static_cast<double>(nx) * 1e-7, static_cast<double>(ny) * 1e-7}, true, {}};
+    return {1e-8 * tests::random_map(nx, ny, 3),
+            {static_cast<double>(nx) * 1e-7, static_cast<double>(ny) * 1e-7},
+            true,
+            {}};
 }
 
 StylusOptions short_scan() {
@@ -54,7 +57,8 @@ TEST(StylusScan, ShowsAWaveShorterThanTwoStepsAsItsAlias) {
     const Index n = 1000;
     HeightMap strip{Array2D(n, 4), {100e-6, 0.4e-6}, true, {}};
     const double amplitude = 1e-9, wave = 2.0 * pi / 1.25e-6;
-    for (Index i = 0; i < n; ++i) strip.heights.row(i).setConstant(amplitude * std::cos(wave * 1e-7 * static_cast<double>(i)));
+    for (Index i = 0; i < n; ++i)
+        strip.heights.row(i).setConstant(amplitude * std::cos(wave * 1e-7 * static_cast<double>(i)));
     auto options = short_scan();
     options.start_y = 0.0;
     options.step = 1e-6;

@@ -17,14 +17,17 @@ namespace {
 using loops::ContactPointMethod;
 
 constexpr double fixed_grips = std::numeric_limits<double>::infinity();
-constexpr LoopSpecimen specimen{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.060};
+constexpr LoopSpecimen specimen{
+    .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.060};
 /// −3/2 πRW of the approach [N]: noise is a share of it.
 constexpr double pull = 1.5 * 3.14159265 * 1.25e-3 * 0.040;
 
 LoadingProtocol protocol_of(double stiffness, std::uint64_t seed) {
     // where within a sample the jumps fall is another chance
     const double step = 30e-9;
-    const auto number = [&](std::uint64_t stream) { return numerics::uniform_number({.seed = seed, .stream = stream}, 0); };
+    const auto number = [&](std::uint64_t stream) {
+        return numerics::uniform_number({.seed = seed, .stream = stream}, 0);
+    };
     return {.maximum_force = 5e-4 * (1.0 + 0.05 * number(2)),
             .start_gap = 6e-6 + step * number(1),
             .force_rate = 2.0,
@@ -33,13 +36,14 @@ LoadingProtocol protocol_of(double stiffness, std::uint64_t seed) {
 }
 
 SimulatedLoop noisy_loop(double signal_to_noise, double stiffness, std::uint64_t seed) {
-    const LoopArtefacts noise{.force_noise = pull / signal_to_noise, .displacement_noise = 5e-9, .radius_noise = 2e-7, .key = {.seed = seed}};
+    const LoopArtefacts noise{
+        .force_noise = pull / signal_to_noise, .displacement_noise = 5e-9, .radius_noise = 2e-7, .key = {.seed = seed}};
     return simulated_loop(specimen, protocol_of(stiffness, seed), noise);
 }
 
 loops::LoopAnalysis analysed(const loops::Loop& loop) {
     return loops::analyse(loop, {.radius = specimen.radius, .counter_youngs_modulus = fixed_grips},
-                               {.samples_dropped = 1, .sensitivity_dropped = {}});
+                          {.samples_dropped = 1, .sensitivity_dropped = {}});
 }
 
 /// Deviations in standard errors.
@@ -71,7 +75,8 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
                  .machine_stiffness = fixed_grips});
             const auto interval = interval_of(ledger.loop.estimate());
             ASSERT_TRUE(interval);
-            covered += interval->lower <= made.truth.energy_loss() && made.truth.energy_loss() <= interval->upper ? 1 : 0;
+            covered +=
+                interval->lower <= made.truth.energy_loss() && made.truth.energy_loss() <= interval->upper ? 1 : 0;
         }
         EXPECT_GE(covered, 0.90 * seeds) << signal_to_noise;
         EXPECT_LE(covered, 0.98 * seeds) << signal_to_noise;
@@ -84,7 +89,8 @@ TEST(LedgerRecovery, KnowsTheIdealLossOfThisMachine) {
     smooth.work_retraction = smooth.work_approach;
     for (const double stiffness : {3.0, 40.0, 300.0, 1e5, fixed_grips}) {
         const LoopTruth truth = loop_truth(smooth, {.machine_stiffness = stiffness});
-        const auto jumps = loops::spring_jumps({smooth.radius, smooth.contact_modulus, smooth.work_approach}, stiffness);
+        const auto jumps =
+            loops::spring_jumps({smooth.radius, smooth.contact_modulus, smooth.work_approach}, stiffness);
         EXPECT_NEAR(jumps.jump_in_loss / truth.jump_in_loss, 1.0, 1e-10) << stiffness;
         EXPECT_NEAR(jumps.jump_out_loss / truth.jump_out_loss, 1.0, 1e-10) << stiffness;
         EXPECT_NEAR(jumps.before_jump_out.force / truth.parting.force, 1.0, 1e-7) << stiffness;
@@ -106,7 +112,8 @@ TEST_P(Recovery, OfContactPointsIsHonest) {
         const auto analysis = analysed(noisy_loop(signal_to_noise, stiffness, seed).loop);
         ASSERT_TRUE(analysis.contact_points) << analysis.contact_points.reason;
         for (const auto& estimate : analysis.contact_points->estimates)
-            if (estimate.contact_point) found[estimate.method].add(estimate.contact_point->value / estimate.contact_point->standard_error);
+            if (estimate.contact_point)
+                found[estimate.method].add(estimate.contact_point->value / estimate.contact_point->standard_error);
     }
     int methods = 0;
     for (const auto& [method, pulls] : found) {
@@ -121,8 +128,9 @@ TEST_P(Recovery, OfContactPointsIsHonest) {
     EXPECT_GE(methods, signal_to_noise < 10.0 ? 5 : 6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Noise, Recovery, testing::Values(Case{5.0, fixed_grips}, Case{5.0, 300.0}, Case{20.0, fixed_grips}, Case{20.0, 300.0},
-                                                          Case{100.0, fixed_grips}, Case{100.0, 300.0}));
+INSTANTIATE_TEST_SUITE_P(Noise, Recovery,
+                         testing::Values(Case{5.0, fixed_grips}, Case{5.0, 300.0}, Case{20.0, fixed_grips},
+                                         Case{20.0, 300.0}, Case{100.0, fixed_grips}, Case{100.0, 300.0}));
 
 }  // namespace
 }  // namespace setae::simulation

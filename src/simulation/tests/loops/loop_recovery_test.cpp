@@ -25,7 +25,8 @@ loops::LoopAnalysis analysed(const loops::Loop& loop, const LoopSpecimen& specim
 }
 
 bool has_alert(const loops::LoopAnalysis& analysis, const std::string& code) {
-    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(), [&](const Alert& alert) { return alert.code == code; });
+    return std::any_of(analysis.alerts.begin(), analysis.alerts.end(),
+                       [&](const Alert& alert) { return alert.code == code; });
 }
 
 TEST(LoopRecovery, FindsWhatWasPlantedWithoutNoise) {
@@ -56,8 +57,8 @@ TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
     EXPECT_NEAR(made.loop.force[analysis.pinned->last], made.truth.unpinned.force, force_between_frames);
 }
 
-// The twentieth part of a long record that is taken for free flight reaches into the contact, which the camera shows a frame late: what
-// is no free flight is left out, and the noise stays that of the sensor.
+// The twentieth part of a long record that is taken for free flight reaches into the contact, which the camera shows a
+// frame late: what is no free flight is left out, and the noise stays that of the sensor.
 TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
     LoopSpecimen soft = rough;
     soft.contact_modulus = 0.25e6;
@@ -69,19 +70,24 @@ TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
     EXPECT_LE(analysis.segments.before.range->last, touch);
 }
 
-// Where W is almost 0, a(F) is vertical at F = 0: least squares in a alone takes noise of the force for the contact, errors in both do not.
+// Where W is almost 0, a(F) is vertical at F = 0: least squares in a alone takes noise of the force for the contact,
+// errors in both do not.
 TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
-    const LoopSpecimen dry{.radius = 1.25e-3, .contact_modulus = 1.3333e6, .work_approach = 1e-7, .work_retraction = 0.02};
+    const LoopSpecimen dry{
+        .radius = 1.25e-3, .contact_modulus = 1.3333e6, .work_approach = 1e-7, .work_retraction = 0.02};
     constexpr int loops = 60;
     double by_radius = 0.0, by_both = 0.0;
     int held_by_radius = 0, held_by_both = 0;
     for (std::uint64_t seed = 1; seed <= loops; ++seed) {
-        const SimulatedLoop made = simulated_loop(dry, {.camera_rate = 2.0}, {.force_noise = 1e-6, .displacement_noise = 5e-10, .radius_noise = 3e-7, .key = {seed, 0}});
+        const SimulatedLoop made =
+            simulated_loop(dry, {.camera_rate = 2.0},
+                           {.force_noise = 1e-6, .displacement_noise = 5e-10, .radius_noise = 3e-7, .key = {seed, 0}});
         const auto loading = analysed(made.loop, dry).loading;
         const auto add = [&](const Estimate& modulus, double& bias, int& held) {
             bias += (modulus.value / dry.contact_modulus - 1.0) / loops;
             const auto interval = interval_of(modulus);
-            held += interval && interval->lower <= dry.contact_modulus && dry.contact_modulus <= interval->upper ? 1 : 0;
+            held +=
+                interval && interval->lower <= dry.contact_modulus && dry.contact_modulus <= interval->upper ? 1 : 0;
         };
         add(loading.radius_force->contact_modulus, by_radius, held_by_radius);
         add(loading.radius_force_effective_variance->contact_modulus, by_both, held_by_both);
@@ -125,7 +131,8 @@ TEST(LoopRecovery, CoversThePlantedValuesWithNoiseAndDrift) {
     for (std::uint64_t seed = 1; seed <= loops; ++seed) {
         artefacts.key = {.seed = seed};
         // where within a sample the jumps fall is another chance
-        const LoadingProtocol protocol{.start_gap = 2e-6 + 6e-9 * numerics::uniform_number({.seed = seed, .stream = 1}, 0)};
+        const LoadingProtocol protocol{.start_gap =
+                                           2e-6 + 6e-9 * numerics::uniform_number({.seed = seed, .stream = 1}, 0)};
         const SimulatedLoop made = simulated_loop(rough, protocol, artefacts);
         const loops::LoopAnalysis analysis = analysed(made.loop, rough);
         EXPECT_FALSE(has_alert(analysis, "POOR_FIT")) << seed;

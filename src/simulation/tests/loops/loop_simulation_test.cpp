@@ -62,7 +62,8 @@ TEST(LoopTruth, PartsWhereTheContactIsAsSoftAsTheMachine) {
     const contact::jkr::Contact retraction = contact_of(rough, rough.work_retraction);
     const double a = truth.parting.contact_radius, step = 1e-5 * a;
     const double dF = contact::jkr::force(a + step, retraction) - contact::jkr::force(a - step, retraction);
-    const double dd = contact::jkr::displacement(a + step, retraction) - contact::jkr::displacement(a - step, retraction);
+    const double dd =
+        contact::jkr::displacement(a + step, retraction) - contact::jkr::displacement(a - step, retraction);
     EXPECT_NEAR(dF / dd / stiffness, -1.0, 1e-7);
 }
 
@@ -70,8 +71,9 @@ TEST(LoopTruth, JumpsInAlongTheMachinesLine) {
     constexpr double stiffness = 40.0;
     const contact::jkr::State state = loop_truth(rough, {.machine_stiffness = stiffness}).after_jump_in;
     EXPECT_NEAR(state.force / (-stiffness * state.displacement), 1.0, 1e-12);
-    EXPECT_NEAR(contact::jkr::force_at_displacement(state.displacement, contact_of(rough, rough.work_approach)) / state.force,
-                1.0, 1e-10);
+    EXPECT_NEAR(
+        contact::jkr::force_at_displacement(state.displacement, contact_of(rough, rough.work_approach)) / state.force,
+        1.0, 1e-10);
 }
 
 TEST(LoopTruth, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) {
@@ -80,7 +82,8 @@ TEST(LoopTruth, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState)
     const LoopTruth truth = loop_truth(sticky, {.maximum_force = 1e-5});
     EXPECT_EQ(truth.parting.contact_radius, truth.turning_point.contact_radius);
     EXPECT_EQ(truth.smallest_force, truth.unpinned.force);
-    const SimulatedLoop simulated = simulated_loop(sticky, {.maximum_force = 1e-5, .force_rate = 500.0, .camera_rate = 500.0});
+    const SimulatedLoop simulated =
+        simulated_loop(sticky, {.maximum_force = 1e-5, .force_rate = 500.0, .camera_rate = 500.0});
     EXPECT_NEAR(loop_area(simulated.loop) / truth.energy_loss(), 1.0, 1e-3);
 }
 
@@ -89,7 +92,8 @@ TEST(SimulatedLoop, EnclosesTheEnergyOfItsBalance) {
         const LoadingProtocol protocol{.force_rate = 100.0, .camera_rate = 1.0, .machine_stiffness = stiffness};
         const SimulatedLoop simulated = simulated_loop(rough, protocol);
         // what the two steps in which the jumps fall leave open: a force of order πRW times the step, 0.6 nm
-        const double jumps = 4.0 * pi * rough.radius * rough.work_retraction * protocol.approach_speed / protocol.force_rate;
+        const double jumps =
+            4.0 * pi * rough.radius * rough.work_retraction * protocol.approach_speed / protocol.force_rate;
         EXPECT_NEAR(loop_area(simulated.loop), simulated.truth.energy_loss(), jumps) << stiffness;
         EXPECT_LT(jumps, 5e-4 * simulated.truth.energy_loss());
     }
@@ -108,8 +112,8 @@ TEST(SimulatedLoop, UnloadsAsAFlatPunchWhileTheEdgeIsPinned) {
     EXPECT_NEAR(slope / (2.0 * rough.contact_modulus * a), 1.0, 1e-9);
     for (Index i = peak + 1; i <= last; ++i) EXPECT_EQ(loop.contact_radius[i], a) << i;
     const contact::SphereOnFlat bodies{rough.radius, rough.contact_modulus};
-    EXPECT_NEAR(contact::jkr::energy_release_rate_at_force(a, simulated.truth.unpinned.force, bodies), rough.work_retraction,
-                1e-9 * rough.work_retraction);
+    EXPECT_NEAR(contact::jkr::energy_release_rate_at_force(a, simulated.truth.unpinned.force, bodies),
+                rough.work_retraction, 1e-9 * rough.work_retraction);
 }
 
 TEST(SimulatedLoop, FollowsJkrOnBothBranches) {
@@ -150,8 +154,8 @@ TEST(SimulatedLoop, ShowsTheRadiusInCameraFramesOnly) {
 TEST(SimulatedLoop, AddsTheArtefactsAskedFor) {
     const LoadingProtocol protocol{.camera_rate = 10.0};
     const loops::Loop plain = simulated_loop(smooth, protocol).loop;
-    const LoopArtefacts artefacts{.compliance = 2e-3, .force_drift_rate = 1e-8, .displacement_drift_rate = 2e-10,
-                                  .baseline_offset = 3e-5};
+    const LoopArtefacts artefacts{
+        .compliance = 2e-3, .force_drift_rate = 1e-8, .displacement_drift_rate = 2e-10, .baseline_offset = 3e-5};
     const loops::Loop bent = simulated_loop(smooth, protocol, artefacts).loop;
     const Array1D displacement = plain.displacement + 2e-3 * plain.force + 2e-10 * plain.time;
     EXPECT_LT((bent.displacement - displacement).abs().maxCoeff(), 1e-18);
@@ -175,7 +179,8 @@ TEST(SimulatedLoop, HasNoiseOfTheStandardDeviationAskedFor) {
     EXPECT_NEAR(spread(noisy.displacement - plain.displacement) / 2e-10, 1.0, five_errors(n));
     const Array1D contact = (plain.contact_radius > 0.0).cast<double>();
     const Index frames = static_cast<Index>(contact.sum());
-    const Array1D radius = (noisy.contact_radius - plain.contact_radius) * std::sqrt(static_cast<double>(n) / contact.sum());
+    const Array1D radius =
+        (noisy.contact_radius - plain.contact_radius) * std::sqrt(static_cast<double>(n) / contact.sum());
     EXPECT_NEAR(spread(radius) / 3e-8, 1.0, five_errors(frames));
     EXPECT_TRUE((noisy.contact_radius > 0.0).cwiseEqual(plain.contact_radius > 0.0).all());
     const double product = ((noisy.force - plain.force) * (noisy.displacement - plain.displacement)).mean();
@@ -184,13 +189,16 @@ TEST(SimulatedLoop, HasNoiseOfTheStandardDeviationAskedFor) {
 
 TEST(SimulatedLoop, OfTheSameKeyIsTheSame) {
     const LoopArtefacts artefacts{.force_noise = 1e-7, .key = {.seed = 7}};
-    const loops::Loop first = simulated_loop(smooth, {}, artefacts).loop, again = simulated_loop(smooth, {}, artefacts).loop;
+    const loops::Loop first = simulated_loop(smooth, {}, artefacts).loop,
+                      again = simulated_loop(smooth, {}, artefacts).loop;
     EXPECT_TRUE((first.force == again.force).all());
-    EXPECT_FALSE((first.force == simulated_loop(smooth, {}, {.force_noise = 1e-7, .key = {.seed = 8}}).loop.force).all());
+    EXPECT_FALSE(
+        (first.force == simulated_loop(smooth, {}, {.force_noise = 1e-7, .key = {.seed = 8}}).loop.force).all());
 }
 
 TEST(SimulatedLoop, RefusesWhatCannotBe) {
-    const auto message = [](const LoopSpecimen& specimen, const LoadingProtocol& protocol, const LoopArtefacts& artefacts = {}) {
+    const auto message = [](const LoopSpecimen& specimen, const LoadingProtocol& protocol,
+                            const LoopArtefacts& artefacts = {}) {
         try {
             (void)simulated_loop(specimen, protocol, artefacts);
         } catch (const InvalidArgument& error) {
@@ -234,7 +242,8 @@ TEST(RetractionWork, ByPinningMeetsTheSimulatedFrontsAndIsMonotoneBetween) {
     EXPECT_EQ(work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05}), 0.05);
     double previous = 0.05;
     for (double share = 1e-4; share < 1.0; share *= 1.3) {
-        const double work = work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05, .stored_energy = 0.05 * share});
+        const double work =
+            work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05, .stored_energy = 0.05 * share});
         EXPECT_GT(work, previous) << share;
         previous = work;
     }

@@ -29,30 +29,45 @@ PixelCurve wave(double mean, double height, double length, double width) {
 }
 
 /// No noise, no blur: vacuum 0 and sample 1, so that grey levels are areas.
-MicrographOptions exact(long width, long height) { return {.width = width, .height = height, .vacuum_level = 0.0, .sample_level = 1.0, .noise = 0.0, .blur = 0.0}; }
+MicrographOptions exact(long width, long height) {
+    return {.width = width, .height = height, .vacuum_level = 0.0, .sample_level = 1.0, .noise = 0.0, .blur = 0.0};
+}
 
 double standard_deviation(const Array2D& values) { return std::sqrt((values - values.mean()).square().mean()); }
 
 TEST(PolygonCoverage, SumsToThePolygonsAreaEvenWithOverhangs) {
     // a mushroom: the curve runs back over itself; shoelace area of what is below within 0 … 40 × 0 … 30, corners at −½
-    const auto curve = curve_of({{-3.0, 20.3}, {15.2, 19.7}, {15.7, 14.1}, {9.3, 12.2}, {12.4, 6.9}, {21.8, 4.4}, {31.1, 9.6}, {24.6, 13.3}, {23.9, 20.8}, {45.0, 18.2}});
+    const auto curve = curve_of({{-3.0, 20.3},
+                                 {15.2, 19.7},
+                                 {15.7, 14.1},
+                                 {9.3, 12.2},
+                                 {12.4, 6.9},
+                                 {21.8, 4.4},
+                                 {31.1, 9.6},
+                                 {24.6, 13.3},
+                                 {23.9, 20.8},
+                                 {45.0, 18.2}});
     const Array2D coverage = coverage_below(curve, {0, 0, 40, 30});
-    const auto at = [](double x, double x0, double y0, double x1, double y1) { return y0 + (y1 - y0) * (x - x0) / (x1 - x0); };
+    const auto at = [](double x, double x0, double y0, double x1, double y1) {
+        return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+    };
     double area = 0.0;
     PixelCurve clipped = curve;
     clipped.y[0] = at(-0.5, -3.0, 20.3, 15.2, 19.7), clipped.x[0] = -0.5;
     clipped.y[9] = at(39.5, 23.9, 20.8, 45.0, 18.2), clipped.x[9] = 39.5;
-    for (Index i = 1; i < 10; ++i) area += (clipped.x[i] - clipped.x[i - 1]) * (29.5 - 0.5 * (clipped.y[i] + clipped.y[i - 1]));
+    for (Index i = 1; i < 10; ++i)
+        area += (clipped.x[i] - clipped.x[i - 1]) * (29.5 - 0.5 * (clipped.y[i] + clipped.y[i - 1]));
     EXPECT_NEAR(coverage.sum(), area, 1e-9);
     EXPECT_GE(coverage.minCoeff(), -1e-12);
     EXPECT_LE(coverage.maxCoeff(), 1.0 + 1e-12);
-    EXPECT_EQ(coverage(14, 11), coverage(0, 0));        // vacuum below the cap
-    EXPECT_NEAR(coverage(9, 18), 1.0, 1e-12);           // within it
+    EXPECT_EQ(coverage(14, 11), coverage(0, 0));  // vacuum below the cap
+    EXPECT_NEAR(coverage(9, 18), 1.0, 1e-12);     // within it
     EXPECT_NEAR(coverage(29, 12), 1.0, 1e-12);
 }
 
 TEST(PolygonCoverage, OfOnePixelIsItsShare) {
-    // the line y = x/2 through the pixel (0, 0), whose square is ±½: half of it; pixel (0, 1), x in ½ … 1½: ½ − ½ = 0 at its middle
+    // the line y = x/2 through the pixel (0, 0), whose square is ±½: half of it; pixel (0, 1), x in ½ … 1½: ½ − ½ = 0
+    // at its middle
     const auto curve = curve_of({{-4.0, -2.0}, {4.0, 2.0}});
     const Array2D coverage = coverage_below(curve, {-1, -1, 3, 3});
     EXPECT_NEAR(coverage(1, 1), 0.5, 1e-15);
@@ -63,7 +78,8 @@ TEST(PolygonCoverage, OfOnePixelIsItsShare) {
 }
 
 TEST(PolygonCoverage, OfACurveAboveTheWindowIsAllOfIt) {
-    const Array2D coverage = coverage_below(curve_of({{-4.0, -7.0}, {1.3, -2.0}, {1.3, -9.0}, {9.0, -3.0}}), {0, 0, 6, 5});
+    const Array2D coverage =
+        coverage_below(curve_of({{-4.0, -7.0}, {1.3, -2.0}, {1.3, -9.0}, {9.0, -3.0}}), {0, 0, 6, 5});
     EXPECT_TRUE((coverage - 1.0).abs().maxCoeff() < 1e-14);
     EXPECT_EQ(coverage_below(curve_of({{-4.0, 7.0}, {1.3, 12.0}, {9.0, 6.0}}), {0, 0, 6, 5}).abs().maxCoeff(), 0.0);
 }
@@ -141,7 +157,8 @@ TEST(Micrograph, TextureAndLatticeLieWithinTheSampleAlone) {
     auto with_texture = options, with_lattice = options;
     with_texture.texture = 0.2;
     with_lattice.lattice_amplitude = 0.3;
-    const Array2D texture = render_micrograph(curve, with_texture).cast<double>() - bare, lattice = render_micrograph(curve, with_lattice).cast<double>() - bare;
+    const Array2D texture = render_micrograph(curve, with_texture).cast<double>() - bare,
+                  lattice = render_micrograph(curve, with_lattice).cast<double>() - bare;
     EXPECT_EQ(texture.topRows(61).abs().maxCoeff(), 0.0);
     EXPECT_EQ(lattice.topRows(61).abs().maxCoeff(), 0.0);
     // 139 × 240 pixels, 8π of them to an independent one: 2 %
@@ -186,9 +203,13 @@ TEST(Micrograph, RefusesWhatItCannotRender) {
     refused([](auto& o) { o.texture = -0.1; });
     refused([](auto& o) { o.width = 200; });  // the curve ends before
     EXPECT_THROW((void)render_micrograph(curve_of({{-1.0, 3.0}}), good), InvalidArgument);
-    EXPECT_THROW((void)render_micrograph(curve_of({{-1.0, 3.0}, {70.0, std::numeric_limits<double>::infinity()}}), good), InvalidArgument);
+    EXPECT_THROW(
+        (void)render_micrograph(curve_of({{-1.0, 3.0}, {70.0, std::numeric_limits<double>::infinity()}}), good),
+        InvalidArgument);
     // a loop that crosses itself
-    EXPECT_THROW((void)render_micrograph(curve_of({{-1.0, 30.0}, {40.0, 30.0}, {30.0, 10.0}, {20.0, 40.0}, {70.0, 35.0}}), good), InvalidArgument);
+    EXPECT_THROW(
+        (void)render_micrograph(curve_of({{-1.0, 30.0}, {40.0, 30.0}, {30.0, 10.0}, {20.0, 40.0}, {70.0, 35.0}}), good),
+        InvalidArgument);
 }
 
 }  // namespace

@@ -18,13 +18,16 @@ TEST(RoughCurve, SpansThePictureAndHasTheHeightsAskedFor) {
     double mean_square = 0.0;
     constexpr int seeds = 40;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const auto curve = rough_curve({.width = 400, .height = 300, .rms_height = 6.0, .rolloff_wavelength = 100.0, .key = {seed, 0}}).curve;
+        const auto curve =
+            rough_curve({.width = 400, .height = 300, .rms_height = 6.0, .rolloff_wavelength = 100.0, .key = {seed, 0}})
+                .curve;
         EXPECT_LE(curve.x[0], -0.5);
         EXPECT_GE(curve.x[curve.x.size() - 1], 399.5);
         EXPECT_TRUE((curve.x.tail(curve.x.size() - 1) > curve.x.head(curve.x.size() - 1)).all());
         mean_square += (curve.y - 149.5).square().mean() / seeds;
     }
-    // a third of the period is not shown: about 10 independent waves in each of 40 curves, so 5 % of 36, 3 standard errors
+    // a third of the period is not shown: about 10 independent waves in each of 40 curves, so 5 % of 36, 3 standard
+    // errors
     EXPECT_NEAR(mean_square, 36.0, 5.4);
 }
 
@@ -34,13 +37,20 @@ TEST(RoughCurve, HasNoWavesBelowItsCutoff) {
     const Index n = curve.x.size();
     const Array1D bend = (curve.y.head(n - 2) - 2.0 * curve.y.segment(1, n - 2) + curve.y.tail(n - 2)) / (0.25 * 0.25);
     const auto rougher = rough_curve({.width = 600, .height = 300, .cutoff_wavelength = 4.0, .key = {2, 0}}).curve;
-    const Array1D more = (rougher.y.head(n - 2) - 2.0 * rougher.y.segment(1, n - 2) + rougher.y.tail(n - 2)) / (0.25 * 0.25);
+    const Array1D more =
+        (rougher.y.head(n - 2) - 2.0 * rougher.y.segment(1, n - 2) + rougher.y.tail(n - 2)) / (0.25 * 0.25);
     // ∫ q^4 C dq goes as cutoff^(2H − 4): the rms bend by (12/4)^1.2 = 3.74; scatter of curvatures of 50 waves: 10 %
     EXPECT_NEAR(rms(more) / rms(bend), std::pow(3.0, 1.2), 0.8);
 }
 
 TEST(RoughCurve, TurnsBackAtEveryBulgeByItsDepth) {
-    const auto rough = rough_curve({.width = 800, .height = 400, .rms_height = 4.0, .bulges = 4, .least_depth = 5.0, .largest_depth = 10.0, .key = {9, 0}});
+    const auto rough = rough_curve({.width = 800,
+                                    .height = 400,
+                                    .rms_height = 4.0,
+                                    .bulges = 4,
+                                    .least_depth = 5.0,
+                                    .largest_depth = 10.0,
+                                    .key = {9, 0}});
     ASSERT_EQ(rough.overhangs.size(), 8u);
     const auto& x = rough.curve.x;
     // runs to the left, longer than rounding
@@ -57,21 +67,26 @@ TEST(RoughCurve, TurnsBackAtEveryBulgeByItsDepth) {
         EXPECT_NEAR(depths[i], rough.overhangs[i].depth, 0.004) << i;
         EXPECT_GE(rough.overhangs[i].depth, 5.0);
         EXPECT_LE(rough.overhangs[i].depth, 10.0);
-        const double nearest = ((x - rough.overhangs[i].x).square() + (rough.curve.y - rough.overhangs[i].y).square()).minCoeff();
+        const double nearest =
+            ((x - rough.overhangs[i].x).square() + (rough.curve.y - rough.overhangs[i].y).square()).minCoeff();
         EXPECT_LT(std::sqrt(nearest), 0.2) << i;
     }
 }
 
 TEST(RoughCurve, CanBeRenderedWithItsOverhangs) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const auto rough = rough_curve({.width = 500, .height = 300, .rms_height = 8.0, .tilt = 0.35, .bulges = 5, .key = {seed, 0}});
+        const auto rough =
+            rough_curve({.width = 500, .height = 300, .rms_height = 8.0, .tilt = 0.35, .bulges = 5, .key = {seed, 0}});
         EXPECT_NO_THROW((void)render_micrograph(rough.curve, {.width = 500, .height = 300, .noise = 0.0})) << seed;
     }
 }
 
 TEST(RoughCurve, IsTurnedByItsTilt) {
-    const auto level = rough_curve({.width = 300, .height = 300, .key = {4, 0}}).curve, tilted = rough_curve({.width = 300, .height = 300, .tilt = 0.3, .key = {4, 0}}).curve;
-    const auto slope = [](const PixelCurve& c) { return (c.y[c.y.size() - 1] - c.y[0]) / (c.x[c.x.size() - 1] - c.x[0]); };
+    const auto level = rough_curve({.width = 300, .height = 300, .key = {4, 0}}).curve,
+               tilted = rough_curve({.width = 300, .height = 300, .tilt = 0.3, .key = {4, 0}}).curve;
+    const auto slope = [](const PixelCurve& c) {
+        return (c.y[c.y.size() - 1] - c.y[0]) / (c.x[c.x.size() - 1] - c.x[0]);
+    };
     EXPECT_LT(std::abs(slope(level)), 0.2);  // ends of a curve 8 px high, 420 px apart
     EXPECT_NEAR(slope(tilted), std::tan(0.3), 0.2);
 }

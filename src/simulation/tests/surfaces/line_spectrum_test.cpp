@@ -12,7 +12,8 @@
 namespace setae::simulation {
 namespace {
 
-constexpr spectra::SelfAffine model{.plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
+constexpr spectra::SelfAffine model{
+    .plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
 
 KnownSurface stretched(double stretch, double angle) {
     return {.C_iso = spectra::density(model),
@@ -49,27 +50,31 @@ TEST(LineSpectrum, OfAStretchedSurfaceIsTheIntegralOfItsSpectrumAcrossX) {
 }
 
 TEST(SurfaceTruth, OfAStretchedSurfaceIsThatOfItsModes) {
-    constexpr spectra::SelfAffine small{.plateau = 1e-27, .rolloff_wavevector = 2e8, .hurst_exponent = 0.8, .short_wavevector = 3e9};
+    constexpr spectra::SelfAffine small{
+        .plateau = 1e-27, .rolloff_wavevector = 2e8, .hurst_exponent = 0.8, .short_wavevector = 3e9};
     const KnownSurface surface{.C_iso = spectra::density(small),
                                .rolloff_wavelength = 2.0 * pi / small.rolloff_wavevector,
                                .short_wavelength = 2.0 * pi / small.short_wavevector,
                                .anisotropy = {2.0, 0.4}};
     const auto truth = surface_truth(surface).parameters;
-    const auto modes = synthesis::expected_roughness(surface.C_iso, {1024, 1024, 1e-6, 1e-6}, {.anisotropy = surface.anisotropy});
+    const auto modes =
+        synthesis::expected_roughness(surface.C_iso, {1024, 1024, 1e-6, 1e-6}, {.anisotropy = surface.anisotropy});
     EXPECT_NEAR(truth.rms_height / modes.rms_height, 1.0, 2e-3);  // a mode's cell is 1/30 of the roll-off's wavevector
     EXPECT_NEAR(truth.rms_slope / modes.rms_slope, 1.0, 2e-3);
     // shallow slopes: A/A0 = 1 + h'²/2 whatever their directions, next order h'⁴
     KnownSurface shallow = surface;
     shallow.C_iso = [inner = surface.C_iso](double q) { return 1e-4 * inner(q); };
     const auto flat = surface_truth(shallow);
-    EXPECT_NEAR((flat.area_ratio - 1.0) / (0.5 * std::pow(flat.parameters.rms_slope, 2)), 1.0, 2.0 * std::pow(flat.parameters.rms_slope, 2));
+    EXPECT_NEAR((flat.area_ratio - 1.0) / (0.5 * std::pow(flat.parameters.rms_slope, 2)), 1.0,
+                2.0 * std::pow(flat.parameters.rms_slope, 2));
 }
 
 TEST(SurfaceTruth, OfABandHasTheWavesOfTheBand) {
     const KnownSurface surface = stretched(1.0, 0.0);
     const auto whole = surface_truth(surface).parameters, band = surface_truth(surface, {3e6, 1.5e10}).parameters;
     // below the roll-off C_iso is flat: h² loses C0 q²/4π
-    EXPECT_NEAR(std::pow(whole.rms_height, 2) - std::pow(band.rms_height, 2), model.plateau * 9e12 / (4.0 * pi), 1e-5 * std::pow(whole.rms_height, 2));
+    EXPECT_NEAR(std::pow(whole.rms_height, 2) - std::pow(band.rms_height, 2), model.plateau * 9e12 / (4.0 * pi),
+                1e-5 * std::pow(whole.rms_height, 2));
     EXPECT_LT(band.elastic_energy_per_modulus, whole.elastic_energy_per_modulus);
     const auto upper = surface_truth(surface, {3e6, 1e9}), lower = surface_truth(surface, {1e9, 1.5e10});
     EXPECT_NEAR(std::hypot(upper.parameters.rms_slope, lower.parameters.rms_slope) / band.rms_slope, 1.0, 1e-6);

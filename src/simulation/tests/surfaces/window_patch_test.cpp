@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "surfaces/long_waves.hpp"
-#include "surfaces/surface_patches.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/synthesis/random_surface.hpp"
+#include "surfaces/long_waves.hpp"
+#include "surfaces/surface_patches.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -18,13 +18,16 @@ constexpr double length = 1e-6;
 /// Roll-off and cutoff as parts of the length.
 KnownSurface self_affine(double rolloff, double shortest) {
     const spectra::SelfAffine model{1e-30, 2.0 * pi / (rolloff * length), 0.8, 2.0 * pi / (shortest * length)};
-    return {.C_iso = spectra::density(model), .rolloff_wavelength = rolloff * length, .short_wavelength = shortest * length};
+    return {.C_iso = spectra::density(model),
+            .rolloff_wavelength = rolloff * length,
+            .short_wavelength = shortest * length};
 }
 
 TEST(SplitSpectrum, AddsUpToTheWhole) {
     const auto C_iso = self_affine(1.0, 0.01).C_iso;
     const auto parts = split_spectrum(C_iso, 1e8);
-    for (const double q : {1e6, 0.8e8, 1e8, 1.3e8, 5e8}) EXPECT_NEAR((parts.longer(q) + parts.shorter(q)) / C_iso(q), 1.0, 1e-14) << q;
+    for (const double q : {1e6, 0.8e8, 1e8, 1.3e8, 5e8})
+        EXPECT_NEAR((parts.longer(q) + parts.shorter(q)) / C_iso(q), 1.0, 1e-14) << q;
     EXPECT_EQ(parts.shorter(0.7e8), 0.0);
     EXPECT_EQ(parts.longer(1.42e8), 0.0);
     EXPECT_NEAR(parts.longer(1e8) / C_iso(1e8), 0.5, 1e-12);
@@ -35,9 +38,13 @@ TEST(LongWaves, BetweenTheirPointsAreTheSameSurface) {
     const double end = 2.0 * pi * 8.0 / length;
     const auto parts = split_spectrum(self_affine(10.0, 0.01).C_iso, end / std::sqrt(2.0));
     const LongWaves waves(parts.longer, {}, {.end = end, .period_x = 4.0 * length, .period_y = 4.0 * length}, {3, 4});
-    const auto fine = synthesis::random_surface(parts.longer, {1024, 1024, 4.0 * length, 4.0 * length}, {.key = {3, 4}});
-    topography::HeightMap map{.heights = Array2D::Zero(300, 120), .size = {300.0 * length / 256.0, 120.0 * length / 256.0}};
-    waves.add_to(map, {.x = 3.5 * length, .y = 3.75 * length, .first_column = 20, .columns = 100});  // over both ends of the patch
+    const auto fine =
+        synthesis::random_surface(parts.longer, {1024, 1024, 4.0 * length, 4.0 * length}, {.key = {3, 4}});
+    topography::HeightMap map{.heights = Array2D::Zero(300, 120),
+                              .size = {300.0 * length / 256.0, 120.0 * length / 256.0}};
+    waves.add_to(
+        map,
+        {.x = 3.5 * length, .y = 3.75 * length, .first_column = 20, .columns = 100});  // over both ends of the patch
     double error = 0.0, power = 0.0;
     for (Index i = 0; i < 300; ++i)
         for (Index j = 0; j < 100; ++j) {
@@ -50,8 +57,8 @@ TEST(LongWaves, BetweenTheirPointsAreTheSameSurface) {
 }
 
 TEST(WindowPatch, HoldsWavesFarLongerThanItself) {
-    // roll-off at 50 windows: ⟨(h(x + d) − h(x))²⟩ = (2/π) ∫ C1D (1 − cos qd) dq at half a window; a map of its own modes
-    // alone would turn back within it
+    // roll-off at 50 windows: ⟨(h(x + d) − h(x))²⟩ = (2/π) ∫ C1D (1 − cos qd) dq at half a window; a map of its own
+    // modes alone would turn back within it
     const KnownSurface surface = self_affine(50.0, 0.05);
     const LineSpectrum C1D(surface);
     const Index n = 40, distance = 16;
@@ -65,7 +72,8 @@ TEST(WindowPatch, HoldsWavesFarLongerThanItself) {
     double sum = 0.0;
     constexpr int maps = 40;
     for (std::uint64_t seed = 0; seed < maps; ++seed) {
-        const auto map = window_patch(surface, {.nx = n, .ny = n, .pixel = pixel, .window = length, .pointwise = true}, {seed, 1});
+        const auto map =
+            window_patch(surface, {.nx = n, .ny = n, .pixel = pixel, .window = length, .pointwise = true}, {seed, 1});
         sum += 0.5 * (map.heights.middleRows(12, 8) - map.heights.middleRows(12 + distance, 8)).square().mean();
         sum += 0.5 * (map.heights.middleCols(12, 8) - map.heights.middleCols(12 + distance, 8)).square().mean();
     }
@@ -76,10 +84,12 @@ TEST(WindowPatch, HoldsWavesFarLongerThanItself) {
 TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesBetweenItsPoints) {
     // points 0.25 of the roll-off apart still scatter by the whole rms height
     const KnownSurface surface = self_affine(0.02, 1e-4);
-    const StylusProtocol protocol{.lengths = std::vector<double>(20, length), .steps = {0.005 * length}, .tip_radius = 0.0};
+    const StylusProtocol protocol{
+        .lengths = std::vector<double>(20, length), .steps = {0.005 * length}, .tip_radius = 0.0};
     const double variance = std::pow(surface_truth(surface).parameters.rms_height, 2);
     double sum = 0.0;
-    for (const auto& scan : stylus_scans(surface, LineSpectrum(surface), protocol, {5, 6})) sum += scan.heights.square().mean();
+    for (const auto& scan : stylus_scans(surface, LineSpectrum(surface), protocol, {5, 6}))
+        sum += scan.heights.square().mean();
     // 20 lines of 50 roll-offs: √(2/1000)
     EXPECT_NEAR(sum / 20.0 / variance, 1.0, 3.0 * std::sqrt(2.0 / 1000.0));
 }
@@ -94,7 +104,8 @@ TEST(AfmMap, WithoutTipKeepsTheVarianceOfWavesBetweenItsPixels) {
 }
 
 TEST(TemContour, HasTheCurvatureOfItsSurface) {
-    // second differences a third of the shortest wave apart weigh the end of the spectrum: 10 % less with eight points a wave
+    // second differences a third of the shortest wave apart weigh the end of the spectrum: 10 % less with eight points
+    // a wave
     const KnownSurface surface = self_affine(1.0, 4e-4);
     const LineSpectrum C1D(surface);
     const double distance = surface.short_wavelength / 3.0;
@@ -104,7 +115,8 @@ TEST(TemContour, HasTheCurvatureOfItsSurface) {
         const double q = std::exp(t + 0.5 * step);
         expected += C1D(q) / pi * std::pow(2.0 - 2.0 * std::cos(q * distance), 2) * q * step;
     }
-    const TemProtocol protocol{.lengths = std::vector<double>(300, 20e-9), .step = distance, .steps = ContourSteps::regular};
+    const TemProtocol protocol{
+        .lengths = std::vector<double>(300, 20e-9), .step = distance, .steps = ContourSteps::regular};
     double sum = 0.0;
     Index count = 0;
     for (std::size_t k = 0; k < protocol.lengths.size(); ++k) {
@@ -126,7 +138,8 @@ TEST(TemContour, OfAThickFoilLiesHigherThanALine) {
 
 TEST(StylusStrip, OfEachLengthKeepsTheOrderOfTheProtocol) {
     const KnownSurface surface = self_affine(1.0, 4e-4);
-    const StylusProtocol protocol{.lengths = {10e-6, 20e-6, 10e-6}, .steps = {0.5e-6, 0.5e-6, 0.25e-6}, .tip_radius = 5e-6, .tilt = 0.5};
+    const StylusProtocol protocol{
+        .lengths = {10e-6, 20e-6, 10e-6}, .steps = {0.5e-6, 0.5e-6, 0.25e-6}, .tip_radius = 5e-6, .tilt = 0.5};
     const auto scans = stylus_scans(surface, LineSpectrum(surface), protocol, {9, 1});
     ASSERT_EQ(scans.size(), 3u);
     EXPECT_EQ(scans[0].heights.size(), 20);

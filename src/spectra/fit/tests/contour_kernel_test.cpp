@@ -9,9 +9,9 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/spectra/self_affine.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/spectra/self_affine.hpp"
 #include "setae/topography/trace_response.hpp"
 
 namespace {
@@ -57,13 +57,16 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     }
     mean /= curves;
     const auto kernel = contour_kernel(contour, nodes);
-    const Array1D expected = (kernel.response.matrix() * spectra::isotropic_power_spectrum(model, nodes).matrix()).array();
+    const Array1D expected =
+        (kernel.response.matrix() * spectra::isotropic_power_spectrum(model, nodes).matrix()).array();
     const Array1D ratio = mean / expected;
-    for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
+    for (Index k = 0; k < ratio.size(); ++k)
+        EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
     EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
     // Var Σ_k P_k/E_k = Σ_kk' |ρ_kk'|² = Σ_k 1/ω_k, known to √(2/400) = 7 % from so many curves
     const Array1D share = independent_share(contour, nodes, spectra::isotropic_power_spectrum(model, nodes));
-    const Array1D counts = Array1D::NullaryExpr(share.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
+    const Array1D counts =
+        Array1D::NullaryExpr(share.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
     double sum = 0.0, squares = 0.0;
     for (const auto& periodogram : periodograms) {
         const double s = (counts * periodogram / expected).sum();
@@ -75,7 +78,8 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
 }
 
 TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
-    // irregular points with errors that differ, noise smoothed from point to point, curve and noise of like power at the end
+    // irregular points with errors that differ, noise smoothed from point to point, curve and noise of like power at
+    // the end
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> step(0.6, 1.4);
     constexpr Index points = 100;
@@ -88,22 +92,31 @@ TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
     // long waves of the noise have C1D 0.01: Σ a² d² = 0.01 L
     Array1D share(points);
     for (Index i = 0; i < points; ++i)
-        share[i] = 0.5 * (contour.positions[std::min<Index>(i + 1, points - 1)] - contour.positions[std::max<Index>(i - 1, 0)]);
-    const Array1D deviation = contour.standard_error * std::sqrt(0.01 * contour.size() / (contour.standard_error * share).square().sum());
+        share[i] = 0.5 * (contour.positions[std::min<Index>(i + 1, points - 1)] -
+                          contour.positions[std::max<Index>(i - 1, 0)]);
+    const Array1D deviation =
+        contour.standard_error * std::sqrt(0.01 * contour.size() / (contour.standard_error * share).square().sum());
 
     const spectra::SelfAffine model{1.0, 0.08, 0.8, pi};
     const auto& response = *contour.response;
     const Array1D table_q = Array1D::LinSpaced(300, 1e-3, pi);
-    const auto curve_density = spectra::tabulated_density(table_q, spectra::profile_power_spectrum(model, table_q) * topography::trace_transfer(response, table_q).square());
-    const auto noise_density = [&](double angle) { return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, angle / response.step))[0], 2); };
+    const auto curve_density =
+        spectra::tabulated_density(table_q, spectra::profile_power_spectrum(model, table_q) *
+                                                topography::trace_transfer(response, table_q).square());
+    const auto noise_density = [&](double angle) {
+        return std::pow(topography::smoothing_transfer(response, Array1D::Constant(1, angle / response.step))[0], 2);
+    };
     constexpr int curves = 200, fine = 16;
     const Index grid = 2 * points * fine;
     Array1D mean;
     for (int curve = 0; curve < curves; ++curve) {
-        const synthesis::SurfaceOptions one{.key = {static_cast<std::uint64_t>(curve), 1}}, other{.key = {static_cast<std::uint64_t>(curve), 2}};
+        const synthesis::SurfaceOptions one{.key = {static_cast<std::uint64_t>(curve), 1}},
+            other{.key = {static_cast<std::uint64_t>(curve), 2}};
         const auto surface = synthesis::random_line(curve_density, {grid, 2.0 * points}, one);
         const auto noise = synthesis::random_line(noise_density, {2 * points, 2.0 * points}, other);
-        for (Index i = 0; i < points; ++i) contour.heights[i] = surface.heights[std::lround(fine * contour.positions[i])] + deviation[i] * noise.heights[i];
+        for (Index i = 0; i < points; ++i)
+            contour.heights[i] =
+                surface.heights[std::lround(fine * contour.positions[i])] + deviation[i] * noise.heights[i];
         const auto periodogram = contour_periodogram(contour);
         mean = curve == 0 ? periodogram : Array1D(mean + periodogram);
     }
@@ -111,10 +124,12 @@ TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
     const Array1D nodes = nodes_up_to(pi, 150);
     const auto kernel = contour_kernel(contour, nodes);
     ASSERT_EQ(kernel.noise.size(), mean.size());
-    const Array1D expected = (kernel.response.matrix() * spectra::isotropic_power_spectrum(model, nodes).matrix()).array() + kernel.noise;
+    const Array1D expected =
+        (kernel.response.matrix() * spectra::isotropic_power_spectrum(model, nodes).matrix()).array() + kernel.noise;
     EXPECT_GT((kernel.noise / expected).maxCoeff(), 0.4);
     const Array1D ratio = mean / expected;
-    for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
+    for (Index k = 0; k < ratio.size(); ++k)
+        EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
     EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.07 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
 }
 

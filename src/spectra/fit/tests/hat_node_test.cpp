@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include "setae/core/constants.hpp"
 

@@ -15,7 +15,8 @@ TEST(IndependentLines, OfAGaussianSpectrumAreTheClosedForm) {
     const auto C_iso = [](double q) { return std::exp(-q * q * length * length); };
     double sum = 0.0;
     for (Index i = 0; i < lines; ++i)
-        for (Index j = 0; j < lines; ++j) sum += std::exp(-std::pow(static_cast<double>(i - j) * pitch / length, 2) / 2.0);
+        for (Index j = 0; j < lines; ++j)
+            sum += std::exp(-std::pow(static_cast<double>(i - j) * pitch / length, 2) / 2.0);
     Array1D q(2);
     q << 0.2 / length, 1.0 / length;
     const Array1D found = independent_lines(C_iso, q, Array1D::Ones(2), lines, pitch);

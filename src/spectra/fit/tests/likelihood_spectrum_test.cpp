@@ -8,22 +8,28 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::spectral_fit {
 namespace {
 
 constexpr double shortest_wavelength = 20e-9;
 
-spectra::SelfAffine model() { return {.plateau = 2e-30, .rolloff_wavevector = 2.0 * pi / 500e-9, .hurst_exponent = 0.8, .short_wavevector = 2.0 * pi / shortest_wavelength}; }
+spectra::SelfAffine model() {
+    return {.plateau = 2e-30,
+            .rolloff_wavevector = 2.0 * pi / 500e-9,
+            .hurst_exponent = 0.8,
+            .short_wavevector = 2.0 * pi / shortest_wavelength};
+}
 
 /// Points of a patch twice as wide and fine enough for the shortest waves: longer waves and aliases are in them.
 topography::HeightMap cut_map(std::uint64_t seed, Index points, double pixel, double factor = 1.0) {
     const auto stride = std::max<Index>(1, static_cast<Index>(std::lround(pixel / (0.5 * shortest_wavelength))));
     const Index fine = 2 * points * stride;
     const double size = 2.0 * static_cast<double>(points) * pixel;
-    const auto patch = synthesis::random_surface(spectra::density(model()), {fine, fine, size, size}, {.key = {seed, 1}, .threads = {1}});
+    const auto patch = synthesis::random_surface(spectra::density(model()), {fine, fine, size, size},
+                                                 {.key = {seed, 1}, .threads = {1}});
     topography::HeightMap map{Array2D(points, points), {0.5 * size, 0.5 * size}, false, {}};
     for (Index i = 0; i < points; ++i)
         for (Index j = 0; j < points; ++j) map.heights(i, j) = factor * patch.heights(i * stride, j * stride);
@@ -35,8 +41,10 @@ topography::HeightMap cut_map(std::uint64_t seed, Index points, double pixel, do
 topography::Measurement traced(std::uint64_t seed) {
     const auto map = cut_map(seed, 512, 1e-9);
     std::vector<Index> places{0};
-    for (std::uint64_t i = 0; places.back() + 7 < 512; ++i) places.push_back(places.back() + 3 + static_cast<Index>((seed * 31 + i * i * 7) % 5));
-    topography::Profile profile{Array1D(static_cast<Index>(places.size())), Array1D(static_cast<Index>(places.size())), {}};
+    for (std::uint64_t i = 0; places.back() + 7 < 512; ++i)
+        places.push_back(places.back() + 3 + static_cast<Index>((seed * 31 + i * i * 7) % 5));
+    topography::Profile profile{
+        Array1D(static_cast<Index>(places.size())), Array1D(static_cast<Index>(places.size())), {}};
     for (Index p = 0; p < profile.positions.size(); ++p) {
         profile.positions[p] = 1e-9 * static_cast<double>(places[static_cast<std::size_t>(p)]);
         profile.heights[p] = map.heights(places[static_cast<std::size_t>(p)], 0);
@@ -56,7 +64,8 @@ std::vector<ObservedSurface> observed(double factor_of_last = 1.0) {
 }
 
 const LikelihoodSpectrum& fitted() {
-    static const auto fit = likelihood_spectrum(observed(), {.shortest_wavelength = shortest_wavelength, .threads = {1}});
+    static const auto fit =
+        likelihood_spectrum(observed(), {.shortest_wavelength = shortest_wavelength, .threads = {1}});
     return fit;
 }
 
@@ -95,15 +104,18 @@ TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
     std::vector<ObservedSurface> short_ones;  // 500 nm of waves up to 500 nm
     for (std::uint64_t seed : {4, 5, 6}) short_ones.push_back({traced(seed), topography::Trend::mean});
     const auto fit = likelihood_spectrum(short_ones, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
-    EXPECT_TRUE(std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "ROLLOFF_NOT_SEEN"; }));
+    EXPECT_TRUE(
+        std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "ROLLOFF_NOT_SEEN"; }));
 }
 
 // The same places measured twice as high: nothing but the places can tell them apart.
 TEST(LikelihoodSpectrum, WidensItsIntervalsWhereMeasurementsDifferAsWholes) {
     auto scattered = observed();
-    for (std::size_t i = 0; i < 2; ++i) scattered.push_back({cut_map(10 + i, 128, 40e-9, 1.5), topography::Trend::tilt});
+    for (std::size_t i = 0; i < 2; ++i)
+        scattered.push_back({cut_map(10 + i, 128, 40e-9, 1.5), topography::Trend::tilt});
     const auto fit = likelihood_spectrum(scattered, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
-    EXPECT_TRUE(std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "MEASUREMENTS_SCATTER"; }));
+    EXPECT_TRUE(std::any_of(fit.alerts.begin(), fit.alerts.end(),
+                            [](const Alert& a) { return a.code == "MEASUREMENTS_SCATTER"; }));
     const Index middle = fit.wavevector.size() / 2;
     EXPECT_GT(fit.standard_error[middle], 1.5 * fitted().standard_error[middle]);
 }
@@ -115,7 +127,8 @@ TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
     for (const Index i : {fit.wavevector.size() / 3, fit.wavevector.size() / 2}) {
         const Array1D logs = spectra.col(i).log();
         EXPECT_NEAR(logs.mean(), std::log(fit.C_iso[i]), 5.0 * fit.standard_error[i] / std::sqrt(draws));
-        EXPECT_NEAR(std::sqrt((logs - logs.mean()).square().sum() / (draws - 1.0)) / fit.standard_error[i], 1.0, 5.0 / std::sqrt(2.0 * draws));
+        EXPECT_NEAR(std::sqrt((logs - logs.mean()).square().sum() / (draws - 1.0)) / fit.standard_error[i], 1.0,
+                    5.0 / std::sqrt(2.0 * draws));
     }
     EXPECT_TRUE((drawn_spectra(fit, 3, 9) == spectra.topRows(3)).all());
 }

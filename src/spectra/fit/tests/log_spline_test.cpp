@@ -13,14 +13,16 @@ namespace {
 constexpr double lowest = 1e4, shortest = 1.5e10;
 
 Eigen::VectorXd of_positions(const LogSpline& spline, double (*value)(double)) {
-    return Eigen::VectorXd::NullaryExpr(spline.coefficients(), [&](Eigen::Index m) { return value(spline.position(m)); });
+    return Eigen::VectorXd::NullaryExpr(spline.coefficients(),
+                                        [&](Eigen::Index m) { return value(spline.position(m)); });
 }
 
 // Cubic B-splines sum to one and keep straight lines: coefficients on a line at their positions are that line.
 TEST(LogSpline, KeepsPowerLaws) {
     const LogSpline spline(lowest, shortest);
     const auto theta = of_positions(spline, [](double u) { return 2.0 - 3.6 * u; });
-    for (const double q : {1e4, 3.3e6, 7e9, 1.5e10}) EXPECT_NEAR(std::log(spline.value(theta, q)), 2.0 - 3.6 * std::log(q), 1e-10) << q;
+    for (const double q : {1e4, 3.3e6, 7e9, 1.5e10})
+        EXPECT_NEAR(std::log(spline.value(theta, q)), 2.0 - 3.6 * std::log(q), 1e-10) << q;
 }
 
 TEST(LogSpline, EndsAtTheShortestAndIsFlatBelowTheLowest) {

@@ -8,8 +8,8 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/spectral_fit/hat_node.hpp"
 
 namespace {
 
@@ -19,7 +19,10 @@ using namespace setae::spectral_fit;
 /// E[P] of a self-affine surface by its own C_iso at the nodes.
 Array1D expected(const spectra::SelfAffine& model, const ScanShape& shape, double step, Index first, Index last) {
     const auto kernel = scan_kernel(shape, first, last);
-    const Array1D q = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
+    const Array1D q =
+        (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) * node_spacing)
+            .exp() /
+        step;
     const Array1D f = spectra::isotropic_power_spectrum(model, q);
     return ((kernel.response.matrix() * f.matrix()).array() + kernel.flat_response * f[0]) / step;
 }
@@ -56,14 +59,16 @@ TEST(ScanKernel, ExpectsTheMeanPeriodogramOfRandomLines) {
         const auto heights = lines_of(model, shape.points, 1.0, 400, 5);
         const Array1D ratio = scan_periodogram(heights, 1.0, degree) / expected(model, shape, 1.0, -120, 24);
         // 400 lines: 5 % a mode, groups beyond the 16th hold several
-        for (Index k = 0; k < ratio.size(); ++k) EXPECT_NEAR(ratio[k], 1.0, 4.5 * 0.05) << "degree " << degree << ", group " << k;
+        for (Index k = 0; k < ratio.size(); ++k)
+            EXPECT_NEAR(ratio[k], 1.0, 4.5 * 0.05) << "degree " << degree << ", group " << k;
         EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
     }
 }
 
 TEST(ScanKernel, DetrendingTakesFromTheFirstModes) {
     const spectra::SelfAffine steep{1.0, 1e-3, 0.8, 3.0};
-    const auto mean = expected(steep, {256, 0}, 1.0, -140, 19), tilt = expected(steep, {256, 1}, 1.0, -140, 19), parabola = expected(steep, {256, 2}, 1.0, -140, 19);
+    const auto mean = expected(steep, {256, 0}, 1.0, -140, 19), tilt = expected(steep, {256, 1}, 1.0, -140, 19),
+               parabola = expected(steep, {256, 2}, 1.0, -140, 19);
     EXPECT_LT(tilt[0], 0.5 * mean[0]);
     EXPECT_LT(parabola[0], 0.5 * tilt[0]);
     EXPECT_NEAR(parabola[40] / mean[40], 1.0, 1e-3);

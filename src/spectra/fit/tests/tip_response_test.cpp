@@ -23,7 +23,12 @@ spectra::SpectralDensity gentle(double slope) {
 }
 
 TipSimulation simulation(double radius) {
-    return {.tip_radius = radius, .step = 10e-9, .points = 512, .repetitions = 1, .correlation_length = 300e-9, .threads = {1}};
+    return {.tip_radius = radius,
+            .step = 10e-9,
+            .points = 512,
+            .repetitions = 1,
+            .correlation_length = 300e-9,
+            .threads = {1}};
 }
 
 double at(const Array1D& x, const Array1D& y, double wavevector) {
@@ -37,8 +42,8 @@ TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
     EXPECT_LT(response.log_transfer.abs().maxCoeff(), 2e-3);
 }
 
-// The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of sixteen
-// lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation behind T to as much.
+// The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of
+// sixteen lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation behind T to as much.
 TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     auto options = simulation(1e-6);
     options.repetitions = 4;
@@ -51,13 +56,15 @@ TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
         for (Index j = 0; j < n; j += 8)
             for (Index k = first; k <= last; ++k) {
                 std::complex<double> mode = 0.0;
-                for (Index i = 0; i < n; ++i) mode += heights(i, j) * std::polar(1.0, -2.0 * pi * static_cast<double>(i * k) / n);
+                for (Index i = 0; i < n; ++i)
+                    mode += heights(i, j) * std::polar(1.0, -2.0 * pi * static_cast<double>(i * k) / n);
                 sum += std::norm(mode);
             }
         return sum;
     };
     for (std::uint64_t r = 0; r < 4; ++r) {
-        const auto surface = synthesis::random_surface(gentle(0.1), {n, n, n * options.step, n * options.step}, {.key = {77, r}, .threads = {1}});
+        const auto surface = synthesis::random_surface(gentle(0.1), {n, n, n * options.step, n * options.step},
+                                                       {.key = {77, r}, .threads = {1}});
         plain += band_power(surface.heights);
         read += band_power(topography::dilated(surface, topography::SphereTip{1e-6}, {.threads = {1}}).heights);
     }
@@ -71,17 +78,23 @@ TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     EXPECT_NEAR(read / plain, expected / weight, 0.09);
 }
 
-// Smoothing is linear, so that differences of ln T between two radii, or two amplitudes, are the derivatives themselves.
+// Smoothing is linear, so that differences of ln T between two radii, or two amplitudes, are the derivatives
+// themselves.
 TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     const auto C_iso = gentle(0.1);
     const auto response = tip_response(C_iso, simulation(1e-6)), blunter = tip_response(C_iso, simulation(1.1e-6)),
                higher = tip_response([&](double q) { return 1.2 * C_iso(q); }, simulation(1e-6));
-    EXPECT_NEAR(((blunter.log_transfer - response.log_transfer) / std::log(1.1) - response.radius_response).abs().maxCoeff(), 0.0, 1e-9);
-    EXPECT_NEAR(((higher.log_transfer - response.log_transfer) / std::log(1.2) - response.amplitude_response).abs().maxCoeff(), 0.0, 1e-9);
+    EXPECT_NEAR(
+        ((blunter.log_transfer - response.log_transfer) / std::log(1.1) - response.radius_response).abs().maxCoeff(),
+        0.0, 1e-9);
+    EXPECT_NEAR(
+        ((higher.log_transfer - response.log_transfer) / std::log(1.2) - response.amplitude_response).abs().maxCoeff(),
+        0.0, 1e-9);
     EXPECT_LT(at(response.wavevector, response.radius_response, 2.0 * pi / 300e-9), -0.05);
 }
 
-// A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than they are.
+// A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than
+// they are.
 TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
     auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
     peaks.skewness = 0.8;
@@ -104,8 +117,9 @@ TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
     EXPECT_TRUE((again.radius_response == first.radius_response).all());
     // T itself is what the derivative foretold
     const double q = 2.0 * pi / 400e-9, change = std::log(1.05 * 1.05);
-    EXPECT_NEAR(at(again.wavevector, again.log_transfer, q),
-                at(first.wavevector, first.log_transfer, q) + change * at(first.wavevector, first.amplitude_response, q), 2e-3);
+    EXPECT_NEAR(
+        at(again.wavevector, again.log_transfer, q),
+        at(first.wavevector, first.log_transfer, q) + change * at(first.wavevector, first.amplitude_response, q), 2e-3);
 }
 
 TEST(TipResponse, IsTheSameForAnyNumberOfThreads) {

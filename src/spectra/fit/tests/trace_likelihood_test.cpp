@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
+#include "setae/spectra/self_affine.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/synthesis/random_surface.hpp"
-#include "setae/spectra/self_affine.hpp"
 #include "setae/topography/trace_response.hpp"
 
 namespace setae::spectral_fit {
@@ -16,7 +16,12 @@ namespace {
 constexpr double nm = 1e-9, shortest_wavelength = 2.5 * nm;
 constexpr topography::TraceResponse response{0.5 * nm, 0.9 * nm, 1.0 * nm, 2e-29};
 
-spectra::SelfAffine model() { return {.plateau = 1e-34, .rolloff_wavevector = 2.0 * pi / (60.0 * nm), .hurst_exponent = 0.8, .short_wavevector = 2.0 * pi / shortest_wavelength}; }
+spectra::SelfAffine model() {
+    return {.plateau = 1e-34,
+            .rolloff_wavevector = 2.0 * pi / (60.0 * nm),
+            .hurst_exponent = 0.8,
+            .short_wavevector = 2.0 * pi / shortest_wavelength};
+}
 
 /// A contour as a picture gives it: C1D is twice its noise at a wavelength of 7 nm.
 topography::Profile traced(std::uint64_t seed) {
@@ -24,11 +29,19 @@ topography::Profile traced(std::uint64_t seed) {
     const auto kept = [](double q) { return Array1D::Constant(1, q); };
     const double end = model().short_wavevector;
     const auto curve = synthesis::random_line(
-        [&](double q) { return q > end ? 0.0 : spectra::profile_power_spectrum(model(), kept(q))[0] * std::pow(topography::trace_transfer(response, kept(q))[0], 2); },
+        [&](double q) {
+            return q > end ? 0.0
+                           : spectra::profile_power_spectrum(model(), kept(q))[0] *
+                                 std::pow(topography::trace_transfer(response, kept(q))[0], 2);
+        },
         {grid, grid * nm}, {.key = {seed, 1}, .threads = {1}});
-    const auto noise = synthesis::random_line([&](double q) { return response.noise_density * std::pow(topography::smoothing_transfer(response, kept(q))[0], 2); },
-                                              {grid, grid * nm}, {.key = {seed, 2}, .threads = {1}});
-    topography::Profile profile{Array1D::LinSpaced(points, 0.0, nm * (points - 1)), (curve.heights + noise.heights).head(points), {}};
+    const auto noise = synthesis::random_line(
+        [&](double q) {
+            return response.noise_density * std::pow(topography::smoothing_transfer(response, kept(q))[0], 2);
+        },
+        {grid, grid * nm}, {.key = {seed, 2}, .threads = {1}});
+    topography::Profile profile{
+        Array1D::LinSpaced(points, 0.0, nm * (points - 1)), (curve.heights + noise.heights).head(points), {}};
     profile.metadata.instrument.type = "tem";
     profile.response = response;
     return profile;
@@ -43,7 +56,8 @@ LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1, doub
         if (!with_response) profile.response.reset();
         contours.push_back({profile, topography::Trend::mean});
     }
-    return likelihood_spectrum(contours, {.shortest_wavelength = shortest_wavelength, .tip_factor = false, .threads = {1}});
+    return likelihood_spectrum(contours,
+                               {.shortest_wavelength = shortest_wavelength, .tip_factor = false, .threads = {1}});
 }
 
 /// ln(C_iso/truth) in standard errors at every other knot between a wavelength of 60 nm and the end of the band.
@@ -52,7 +66,8 @@ std::vector<double> departures(const LikelihoodSpectrum& fit) {
     std::vector<double> found;
     for (Index i = 0; i < fit.wavevector.size(); i += 8) {
         const double q = fit.wavevector[i];
-        if (q > 2.0 * pi / (60.0 * nm) && q < 0.97 * fit.band.upper) found.push_back(std::log(fit.C_iso[i] / density(q)) / fit.standard_error[i]);
+        if (q > 2.0 * pi / (60.0 * nm) && q < 0.97 * fit.band.upper)
+            found.push_back(std::log(fit.C_iso[i] / density(q)) / fit.standard_error[i]);
     }
     return found;
 }
@@ -85,7 +100,9 @@ TEST(LikelihoodOfTraces, BearNoiseStatedAThirdTooLow) {
     EXPECT_LT(mean_square(departures(fit)), 3.0);
 }
 
-TEST(LikelihoodOfTraces, AreBiasedByManyErrorsWithoutTheirResponse) { EXPECT_GT(mean_square(departures(fitted(false))), 30.0); }
+TEST(LikelihoodOfTraces, AreBiasedByManyErrorsWithoutTheirResponse) {
+    EXPECT_GT(mean_square(departures(fitted(false))), 30.0);
+}
 
 }  // namespace
 }  // namespace setae::spectral_fit

@@ -62,7 +62,8 @@ TEST(WhittleFit, TellsNoiseFromTheSurface) {
     EXPECT_NEAR(log_error(fit, 5e7), 0.0, 5e-3);
 }
 
-// A tip with ln T = −0.3 (A/A_truth), linearised where A was 20 % too large: the fit returns to the truth, since T answers to A.
+// A tip with ln T = −0.3 (A/A_truth), linearised where A was 20 % too large: the fit returns to the truth, since T
+// answers to A.
 TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
     auto c = direct(1e5, 9.9e7, 1e4);
     const double A = amplitude_of_truth(1.0);
@@ -80,7 +81,8 @@ TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
     EXPECT_NEAR(log_error(fit_whittle({c}, spline(), {}), 1e6), 0.06, 0.01);
 }
 
-// P is gamma distributed with ν about E: the covariance is the scatter of the fits. 300 fits know a standard deviation to 4 %.
+// P is gamma distributed with ν about E: the covariance is the scatter of the fits. 300 fits know a standard deviation
+// to 4 %.
 TEST(WhittleFit, CovarianceIsTheScatterOfFits) {
     constexpr double freedom = 6.0;
     constexpr int fits = 300;
@@ -101,9 +103,11 @@ TEST(WhittleFit, CovarianceIsTheScatterOfFits) {
         stated += (design * fit.covariance * design.transpose()).diagonal();
     }
     for (int i = 0; i < 2; ++i) {
-        const double bias = sum[i] / fits, scatter = std::sqrt(squares[i] / fits - bias * bias), deviation = std::sqrt(stated[i] / fits);
+        const double bias = sum[i] / fits, scatter = std::sqrt(squares[i] / fits - bias * bias),
+                     deviation = std::sqrt(stated[i] / fits);
         EXPECT_NEAR(bias, 0.0, 4.0 * scatter / std::sqrt(fits) + 0.01) << at[i];
-        EXPECT_NEAR(scatter / deviation, 1.0, 0.2) << at[i];  // the prior takes part in the covariance, less in the scatter
+        EXPECT_NEAR(scatter / deviation, 1.0, 0.2)
+            << at[i];  // the prior takes part in the covariance, less in the scatter
         EXPECT_LT(scatter, 1.1 * deviation);
     }
 }

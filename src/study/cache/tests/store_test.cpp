@@ -24,12 +24,16 @@ protected:
         fs::remove_all(folder);
     }
     void TearDown() override { fs::remove_all(folder); }
-    [[nodiscard]] fs::path entry(const std::string& name) const { return fs::path(folder) / name.substr(0, 2) / (name + ".entry"); }
+    [[nodiscard]] fs::path entry(const std::string& name) const {
+        return fs::path(folder) / name.substr(0, 2) / (name + ".entry");
+    }
     [[nodiscard]] std::string bytes(const std::string& name) const {
         std::ifstream file(entry(name), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    void overwrite(const std::string& name, const std::string& content) const { std::ofstream(entry(name), std::ios::binary) << content; }
+    void overwrite(const std::string& name, const std::string& content) const {
+        std::ofstream(entry(name), std::ios::binary) << content;
+    }
 
     std::string folder;
     const std::string key = KeyBuilder("test").add("file", "abc").key();
@@ -96,7 +100,8 @@ TEST_F(StoreTest, RefusesAnEntryOfAnotherVersion) {
 TEST_F(StoreTest, RemovesItsOwnFilesAlone) {
     const Store store(folder, "1");
     store.keep(key, "content");
-    const auto left_by_a_writer = entry(key).string() + ".99.0.part", foreign = (fs::path(folder) / "notes.txt").string();
+    const auto left_by_a_writer = entry(key).string() + ".99.0.part",
+               foreign = (fs::path(folder) / "notes.txt").string();
     std::ofstream(left_by_a_writer) << "half";
     std::ofstream(foreign) << "mine";
     EXPECT_EQ(store.remove(true).entries, 0);

@@ -68,7 +68,9 @@ Study study_of_nine_pairs() {
     for (const auto& [name, scale] : {std::pair{"A", 0.7}, std::pair{"B", 1.0}, std::pair{"C", 1.3}}) {
         SurfaceInput surface;
         surface.name = name;
-        surface.moments = PublishedMoments{.rms_height = {scale * 4.6e-9, 0.3e-9, "given"}, .rms_slope = {scale * 0.39, 0.02, "given"}, .rms_curvature = {scale * 1.13e9, 0.05e9, "given"},
+        surface.moments = PublishedMoments{.rms_height = {scale * 4.6e-9, 0.3e-9, "given"},
+                                           .rms_slope = {scale * 0.39, 0.02, "given"},
+                                           .rms_curvature = {scale * 1.13e9, 0.05e9, "given"},
                                            .short_wavevector = 1.6e10};
         study.surfaces.push_back(surface);
     }
@@ -90,7 +92,9 @@ Study planted(const Study& nominal, std::mt19937_64& random, double measured_err
     const auto drawn = [&](Estimate& estimate) { estimate.value += estimate.standard_error * normal(random); };
     auto truth = nominal;
     for (auto& surface : truth.surfaces)
-        for (auto* moment : {&surface.moments->rms_height, &surface.moments->rms_slope, &surface.moments->rms_curvature}) drawn(*moment);
+        for (auto* moment :
+             {&surface.moments->rms_height, &surface.moments->rms_slope, &surface.moments->rms_curvature})
+            drawn(*moment);
     for (auto& elastomer : truth.elastomers) {
         drawn(elastomer.youngs_modulus);
         drawn(elastomer.surface_energy);
@@ -99,8 +103,10 @@ Study planted(const Study& nominal, std::mt19937_64& random, double measured_err
     const auto true_result = run_study(truth, {1});
     auto study = nominal;
     for (const auto& pair : true_result.pairs)
-        study.published.push_back({.surface = pair.surface, .elastomer = pair.elastomer,
-                                   .approach = Estimate{pair.modified->work.raw + measured_error * normal(random), measured_error, "given"}});
+        study.published.push_back(
+            {.surface = pair.surface,
+             .elastomer = pair.elastomer,
+             .approach = Estimate{pair.modified->work.raw + measured_error * normal(random), measured_error, "given"}});
     return study;
 }
 
@@ -130,13 +136,16 @@ TEST(PredictionTest, OfPlantedTruthsIsItsDegreesOfFreedom) {
 TEST(PredictionTest, LeavesPairsWithoutErrorsOutByName) {
     auto study = study_of_nine_pairs();
     study.published.push_back({.surface = "A", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03}});
-    study.published.push_back({.surface = "B", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03, 0.002, "given"}});
+    study.published.push_back(
+        {.surface = "B", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03, 0.002, "given"}});
     const auto result = run_study(study, {1});
     ASSERT_TRUE(result.prediction_test) << result.prediction_test.reason;
     EXPECT_EQ(result.prediction_test->n, 1);
-    EXPECT_EQ(result.prediction_test->left_out.at(0), "A × " + study.elastomers[0].name + ": no standard error of the measured value");
+    EXPECT_EQ(result.prediction_test->left_out.at(0),
+              "A × " + study.elastomers[0].name + ": no standard error of the measured value");
     const auto json = output::to_json(result);
-    EXPECT_DOUBLE_EQ(json.at("prediction_test").at("chi_squared").at("value").get<double>(), result.prediction_test->chi_squared);
+    EXPECT_DOUBLE_EQ(json.at("prediction_test").at("chi_squared").at("value").get<double>(),
+                     result.prediction_test->chi_squared);
     const auto table = output::prediction_test_table(result);
     ASSERT_EQ(table.rows.size(), 2U);
     EXPECT_EQ(table.rows[0].size(), table.columns.size());
@@ -155,11 +164,13 @@ TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
     const auto result = run_study(study, {1});
     for (const auto& pair : result.pairs) {
         ASSERT_TRUE(pair.modified);
-        const auto curve = prediction_curve(result.surface(pair.surface), study.elastomers[0].surface_energy, *study.work_of_adhesion,
-                                            Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
+        const auto curve =
+            prediction_curve(result.surface(pair.surface), study.elastomers[0].surface_energy, *study.work_of_adhesion,
+                             Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
         EXPECT_NEAR(curve.work_of_adhesion[0], pair.modified->work.floored, 1e-15);
         // the pair's error without that of its modulus, normal
-        const double error = std::sqrt(pair.modified->estimate.variance() - pair.budget->modulus * pair.budget->modulus);
+        const double error =
+            std::sqrt(pair.modified->estimate.variance() - pair.budget->modulus * pair.budget->modulus);
         EXPECT_NEAR(curve.upper[0] - curve.work_of_adhesion[0], 1.959964 * error, 1e-4 * error);
     }
 }

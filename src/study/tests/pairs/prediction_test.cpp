@@ -19,7 +19,10 @@ Study uncertain_study() {
     Study study;
     SurfaceInput surface;
     surface.name = "NCD";
-    surface.moments = PublishedMoments{.rms_height = {121.7e-9, 8e-9, "given"}, .rms_slope = {1.15, 0.04, "given"}, .rms_curvature = {3.19e9, 0.1e9, "given"}, .short_wavevector = 1.6e10};
+    surface.moments = PublishedMoments{.rms_height = {121.7e-9, 8e-9, "given"},
+                                       .rms_slope = {1.15, 0.04, "given"},
+                                       .rms_curvature = {3.19e9, 0.1e9, "given"},
+                                       .short_wavevector = 1.6e10};
     study.surfaces = {surface};
     ElastomerInput elastomer;
     elastomer.name = "soft";
@@ -46,15 +49,20 @@ TEST(Prediction, PropagatesEveryUncertainInputAsDrawsOfThemDo) {
     // 6000 draws know a standard deviation to 1/√12000 = 0.9 %; three of it, and 2 % for what is not linear
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
-    const auto drawn = [&](const Estimate& estimate) { return estimate.value + estimate.standard_error * normal(random); };
+    const auto drawn = [&](const Estimate& estimate) {
+        return estimate.value + estimate.standard_error * normal(random);
+    };
     Moments work, energy, loss;
     for (int i = 0; i < 6000; ++i) {
         auto moved = study.surfaces.front();
-        for (auto* moment : {&moved.moments->rms_height, &moved.moments->rms_slope, &moved.moments->rms_curvature}) *moment = {drawn(*moment), 0.0, "given"};
+        for (auto* moment : {&moved.moments->rms_height, &moved.moments->rms_slope, &moved.moments->rms_curvature})
+            *moment = {drawn(*moment), 0.0, "given"};
         const auto surface = analyse_surface(moved, study.analysis, {1});
         ASSERT_FALSE(surface.failed()) << surface.error;
-        const double modulus = drawn(study.elastomers.front().youngs_modulus) / 0.75, gamma = drawn(study.elastomers.front().surface_energy);
-        const double intrinsic = drawn(*study.work_of_adhesion), stored = modulus * surface.average.parameters.elastic_energy_per_modulus;
+        const double modulus = drawn(study.elastomers.front().youngs_modulus) / 0.75,
+                     gamma = drawn(study.elastomers.front().surface_energy);
+        const double intrinsic = drawn(*study.work_of_adhesion),
+                     stored = modulus * surface.average.parameters.elastic_energy_per_modulus;
         work.add(adhesion::modified_balance(intrinsic, gamma, {surface.area_ratio(), stored}).raw);
         energy.add(stored);
         loss.add(intrinsic * surface.area_ratio() * pi * contact_radius * contact_radius);
@@ -68,9 +76,11 @@ TEST(Prediction, BudgetsItsVarianceByInput) {
     const auto result = run_study(uncertain_study(), {1});
     const auto& pair = result.pairs.at(0);
     const auto& b = *pair.budget;
-    const double sum = b.spectrum * b.spectrum + b.modulus * b.modulus + b.surface_energy * b.surface_energy + b.work_of_adhesion * b.work_of_adhesion;
+    const double sum = b.spectrum * b.spectrum + b.modulus * b.modulus + b.surface_energy * b.surface_energy +
+                       b.work_of_adhesion * b.work_of_adhesion;
     EXPECT_NEAR(pair.modified->estimate.variance() / sum, 1.0, 1e-12);
-    EXPECT_NEAR(b.modulus, 0.03e6 / 0.75 * result.surfaces[0].average.parameters.elastic_energy_per_modulus, 1e-6 * b.modulus);
+    EXPECT_NEAR(b.modulus, 0.03e6 / 0.75 * result.surfaces[0].average.parameters.elastic_energy_per_modulus,
+                1e-6 * b.modulus);
     EXPECT_NEAR(b.surface_energy, (pair.area_ratio - 1.0) * 0.002, 1e-12);
     EXPECT_NEAR(b.work_of_adhesion, pair.area_ratio * 0.0015, 1e-12);
 }
@@ -82,7 +92,8 @@ TEST(Prediction, HasTheFreedomOfItsInputs) {
     const auto pair = run_study(study, {1}).pairs.at(0);
     const auto& b = *pair.budget;
     // only the work is known with few: ν = 3 (Σ v)²/v_W²
-    EXPECT_NEAR(*pair.modified->estimate.degrees_of_freedom, 3.0 * std::pow(pair.modified->estimate.variance(), 2) / std::pow(b.work_of_adhesion, 4), 1e-9);
+    EXPECT_NEAR(*pair.modified->estimate.degrees_of_freedom,
+                3.0 * std::pow(pair.modified->estimate.variance(), 2) / std::pow(b.work_of_adhesion, 4), 1e-9);
 }
 
 TEST(Prediction, StandsInTablesByEachMethod) {

@@ -24,15 +24,15 @@ using roughness::SpectralParameters;
 
 struct Setting {
     std::string name;
-    int measurements;     ///< of each of three instruments
-    double level_scatter; ///< relative, of a measurement's whole spectrum: the surface differs from place to place
+    int measurements;      ///< of each of three instruments
+    double level_scatter;  ///< relative, of a measurement's whole spectrum: the surface differs from place to place
 };
 
 /// Flat to a roll-off of 2 µm, then of Hurst exponent 0.8.
 double true_power_spectrum(double q) { return 1e-24 * std::pow(1.0 + std::pow(q / 3e6, 2), -1.3); }
 
-/// Three instruments in overlapping bands. A bin holds the mean of its modes' periodograms, each distributed exponentially
-/// about the truth: gamma with as many degrees of shape as modes.
+/// Three instruments in overlapping bands. A bin holds the mean of its modes' periodograms, each distributed
+/// exponentially about the truth: gamma with as many degrees of shape as modes.
 spectra::BinnedSpectra draw_measurements(const Setting& setting, std::mt19937_64& engine) {
     struct Band {
         const char* instrument;
@@ -51,11 +51,14 @@ spectra::BinnedSpectra draw_measurements(const Setting& setting, std::mt19937_64
             const auto row = static_cast<Index>(binned.instruments.size());
             binned.instruments.emplace_back(band.instrument);
             const double shape = 1.0 / (setting.level_scatter * setting.level_scatter);
-            const double level = setting.level_scatter > 0.0 ? std::gamma_distribution<double>(shape, 1.0 / shape)(engine) : 1.0;
+            const double level =
+                setting.level_scatter > 0.0 ? std::gamma_distribution<double>(shape, 1.0 / shape)(engine) : 1.0;
             for (int bin = band.first_bin; bin <= band.last_bin; ++bin) {
-                const double modes = std::max(1.0, std::round((binned.grid.edge(bin + 1) - binned.grid.edge(bin)) * band.length / (2.0 * pi)));
+                const double modes = std::max(
+                    1.0, std::round((binned.grid.edge(bin + 1) - binned.grid.edge(bin)) * band.length / (2.0 * pi)));
                 const Index b = bin - first;
-                binned.C1D(row, b) = level * true_power_spectrum(binned.wavevector[b]) * std::gamma_distribution<double>(modes, 1.0 / modes)(engine);
+                binned.C1D(row, b) = level * true_power_spectrum(binned.wavevector[b]) *
+                                     std::gamma_distribution<double>(modes, 1.0 / modes)(engine);
                 binned.relative_variance(row, b) = 1.0 / modes;
             }
         }
@@ -70,12 +73,14 @@ struct Statistic {
     const char* name;
     double (*of)(const SpectralParameters&);
 };
-constexpr std::array<Statistic, 4> statistics{{{"h_rms", [](const SpectralParameters& p) { return std::log(p.rms_height); }},
-                                               {"slope", [](const SpectralParameters& p) { return std::log(p.rms_slope); }},
-                                               {"curvature", [](const SpectralParameters& p) { return std::log(p.rms_curvature); }},
-                                               {"U_el", [](const SpectralParameters& p) { return std::log(p.elastic_energy_per_modulus); }}}};
+constexpr std::array<Statistic, 4> statistics{
+    {{"h_rms", [](const SpectralParameters& p) { return std::log(p.rms_height); }},
+     {"slope", [](const SpectralParameters& p) { return std::log(p.rms_slope); }},
+     {"curvature", [](const SpectralParameters& p) { return std::log(p.rms_curvature); }},
+     {"U_el", [](const SpectralParameters& p) { return std::log(p.elastic_energy_per_modulus); }}}};
 
-std::vector<LeaveOneOut> left_out(const std::vector<std::vector<SpectralParameters>>& strata, const Statistic& statistic) {
+std::vector<LeaveOneOut> left_out(const std::vector<std::vector<SpectralParameters>>& strata,
+                                  const Statistic& statistic) {
     std::vector<LeaveOneOut> values;
     for (const auto& stratum : strata) {
         auto& list = values.emplace_back();
@@ -84,7 +89,8 @@ std::vector<LeaveOneOut> left_out(const std::vector<std::vector<SpectralParamete
     return values;
 }
 
-std::vector<std::vector<SpectralParameters>> jackknifed(const spectra::BinnedSpectra& binned, const spectra::Multiplicity& drawn = {}) {
+std::vector<std::vector<SpectralParameters>> jackknifed(const spectra::BinnedSpectra& binned,
+                                                        const spectra::Multiplicity& drawn = {}) {
     const auto without = spectra::jackknife(binned, spectra::Weighting::equal, drawn);
     std::vector<std::vector<SpectralParameters>> strata;
     for (const auto& curves : without.C1D) {
@@ -108,7 +114,8 @@ public:
         return static_cast<double>(tally.hits) / tally.sets;
     }
     void print(const Setting& setting) const {
-        fmt::print("{}\n| method | h_rms | slope | curvature | U_el | width of ln U_el |\n|---|---|---|---|---|---|\n", setting.name);
+        fmt::print("{}\n| method | h_rms | slope | curvature | U_el | width of ln U_el |\n|---|---|---|---|---|---|\n",
+                   setting.name);
         for (const auto& [method, by_statistic] : tallies_) {
             fmt::print("| {} |", method);
             for (const auto& statistic : statistics) fmt::print(" {:.1f} |", 100.0 * of(method, statistic.name));
@@ -127,7 +134,7 @@ private:
 
 struct Effort {
     int repetitions;
-    int resamples;        ///< 0: only what needs none
+    int resamples;  ///< 0: only what needs none
     bool studentised = false;
 };
 
@@ -137,7 +144,8 @@ Coverage measure(const Setting& setting, const Effort& effort) {
     for (int repetition = 0; repetition < effort.repetitions; ++repetition) {
         const auto binned = draw_measurements(setting, engine);
         const Array1D truth_curve = binned.wavevector.unaryExpr([](double q) { return true_power_spectrum(q); });
-        const auto truth = parameters(binned.wavevector, truth_curve), found = parameters(binned.wavevector, spectra::combine(binned).C1D);
+        const auto truth = parameters(binned.wavevector, truth_curve),
+                   found = parameters(binned.wavevector, spectra::combine(binned).C1D);
         const auto without = jackknifed(binned);
         for (const auto& s : statistics) {
             const auto estimate = jackknife_estimate(s.of(found), left_out(without, s));
@@ -145,10 +153,13 @@ Coverage measure(const Setting& setting, const Effort& effort) {
         }
         if (effort.resamples == 0) continue;
         const auto seed = static_cast<std::uint64_t>(repetition);
-        const auto replicas_of = [&](spectra::Draw draw, std::vector<std::vector<std::vector<SpectralParameters>>>* inner = nullptr) {
-            const auto resampled = spectra::bootstrap(binned, {.resamples = effort.resamples, .seed = seed, .draw = draw, .threads = {1}});
+        const auto replicas_of = [&](spectra::Draw draw,
+                                     std::vector<std::vector<std::vector<SpectralParameters>>>* inner = nullptr) {
+            const auto resampled =
+                spectra::bootstrap(binned, {.resamples = effort.resamples, .seed = seed, .draw = draw, .threads = {1}});
             std::vector<SpectralParameters> replicas;
-            for (Index r = 0; r < resampled.C1D.rows(); ++r) replicas.push_back(parameters(resampled.wavevector, resampled.C1D.row(r)));
+            for (Index r = 0; r < resampled.C1D.rows(); ++r)
+                replicas.push_back(parameters(resampled.wavevector, resampled.C1D.row(r)));
             if (inner)
                 for (const auto& drawn : resampled.drawn) inner->push_back(jackknifed(binned, drawn));
             return replicas;
@@ -159,10 +170,12 @@ Coverage measure(const Setting& setting, const Effort& effort) {
             return list;
         };
         const auto plain = replicas_of(spectra::Draw::measurements);
-        for (const auto& s : statistics) coverage.add("percentile", s, percentile_interval(values(plain, s)), s.of(truth));
+        for (const auto& s : statistics)
+            coverage.add("percentile", s, percentile_interval(values(plain, s)), s.of(truth));
         if (!effort.studentised) continue;
         std::vector<std::vector<std::vector<SpectralParameters>>> inner;
-        const auto within = replicas_of(spectra::Draw::within_instruments, &inner), nested = replicas_of(spectra::Draw::instruments_and_within);
+        const auto within = replicas_of(spectra::Draw::within_instruments, &inner),
+                   nested = replicas_of(spectra::Draw::instruments_and_within);
         for (const auto& s : statistics) {
             const double value = s.of(found), true_value = s.of(truth);
             const auto strata = left_out(without, s);
@@ -171,14 +184,17 @@ Coverage measure(const Setting& setting, const Effort& effort) {
             coverage.add("percentile, hierarchical", s, percentile_interval(values(nested, s)), true_value);
             coverage.add("BCa on ln", s, bca_interval(value, values(within, s), strata), true_value);
             std::vector<double> errors;
-            for (std::size_t r = 0; r < within.size(); ++r) errors.push_back(jackknife_estimate(s.of(within[r]), left_out(inner[r], s)).standard_error);
+            for (std::size_t r = 0; r < within.size(); ++r)
+                errors.push_back(jackknife_estimate(s.of(within[r]), left_out(inner[r], s)).standard_error);
             coverage.add("bootstrap-t on ln", s, bootstrap_t_interval(estimate, values(within, s), errors), true_value);
             const auto linear = [&](const SpectralParameters& p) { return std::exp(s.of(p)); };
             std::vector<LeaveOneOut> plain_scale = strata;
             for (auto& stratum : plain_scale)
                 for (double& v : stratum) v = std::exp(v);
             const auto direct = jackknife_estimate(linear(found), plain_scale);
-            coverage.add("jackknife t", s, {std::log(std::max(1e-300, direct.interval->lower)), std::log(direct.interval->upper)}, true_value);
+            coverage.add("jackknife t", s,
+                         {std::log(std::max(1e-300, direct.interval->lower)), std::log(direct.interval->upper)},
+                         true_value);
         }
     }
     return coverage;
@@ -207,7 +223,8 @@ TEST(IntervalCoverage, OfThePercentileBootstrapIsLess) {
 TEST(IntervalCoverage, TableOfMethods) {
     const char* repetitions = std::getenv("SETAE_COVERAGE_REPETITIONS");
     if (!repetitions) GTEST_SKIP() << "set SETAE_COVERAGE_REPETITIONS to print it";
-    for (const auto& setting : {few, Setting{"7 an instrument", 7, 0.0}, uneven, Setting{"7 an instrument, levels scatter by 30 %", 7, 0.3}})
+    for (const auto& setting :
+         {few, Setting{"7 an instrument", 7, 0.0}, uneven, Setting{"7 an instrument, levels scatter by 30 %", 7, 0.3}})
         measure(setting, {.repetitions = std::atoi(repetitions), .resamples = 199, .studentised = true}).print(setting);
 }
 

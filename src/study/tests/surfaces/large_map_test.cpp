@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "setae/formats/npy.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "setae/study/surface_analysis.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::study {
 namespace {
@@ -16,7 +16,8 @@ constexpr Index nx = 200, ny = 150;
 class LargeMap : public testing::Test {
 protected:
     void SetUp() override {
-        const auto map = synthesis::random_surface(spectra::density({1e-28, 1e7, 0.8, 1e9}), {nx, ny, 1e-6, 0.75e-6}, {.key = {5}});
+        const auto map =
+            synthesis::random_surface(spectra::density({1e-28, 1e7, 0.8, 1e9}), {nx, ny, 1e-6, 0.75e-6}, {.key = {5}});
         const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
         folder = std::filesystem::temp_directory_path() / ("setae_large_map_" + test);  // tests run side by side
         std::filesystem::create_directories(folder);
@@ -47,12 +48,14 @@ TEST_F(LargeMap, HasTheNumbersOfTheWholeMap) {
     EXPECT_EQ(by_bands.trend, whole.trend);
     EXPECT_EQ(by_bands.name, whole.name);
     EXPECT_NEAR(by_bands.real_space.rms_height, whole.real_space.rms_height, 1e-10 * whole.real_space.rms_height);
-    EXPECT_NEAR(by_bands.real_space.rms_curvature, whole.real_space.rms_curvature, 1e-10 * whole.real_space.rms_curvature);
+    EXPECT_NEAR(by_bands.real_space.rms_curvature, whole.real_space.rms_curvature,
+                1e-10 * whole.real_space.rms_curvature);
     EXPECT_LT(((by_bands.spectrum.C1D - whole.spectrum.C1D) / whole.spectrum.C1D).abs().maxCoeff(), 1e-8);
     EXPECT_NEAR(by_bands.spectrum.q_max, whole.spectrum.q_max, 1e-6 * whole.spectrum.q_max);
     ASSERT_TRUE(whole.bands_of_uncertain_tip && by_bands.bands_of_uncertain_tip);
     for (const std::size_t side : {0, 1})
-        EXPECT_NEAR((*by_bands.bands_of_uncertain_tip)[side].upper, (*whole.bands_of_uncertain_tip)[side].upper, 1e-6 * whole.spectrum.q_max);
+        EXPECT_NEAR((*by_bands.bands_of_uncertain_tip)[side].upper, (*whole.bands_of_uncertain_tip)[side].upper,
+                    1e-6 * whole.spectrum.q_max);
     EXPECT_LT((by_bands.preview.map - whole.preview.map).abs().maxCoeff(), 1e-12 * whole.real_space.rms_height / 1e-9);
 }
 

@@ -69,7 +69,8 @@ TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
     spread.sources = {{"tip radius", of_height(1.002), of_height(0.998)}};
     const auto estimate = spread.estimate(1.0, height);
     const double half_width = 0.5 * std::log(estimate.interval->upper / estimate.interval->lower);
-    EXPECT_NEAR(half_width / (student_t_quantile(0.975, *estimate.degrees_of_freedom) * estimate.standard_error), 1.0, 2e-3);
+    EXPECT_NEAR(half_width / (student_t_quantile(0.975, *estimate.degrees_of_freedom) * estimate.standard_error), 1.0,
+                2e-3);
     EXPECT_FALSE(estimate.seed) << "no random numbers behind it";
     EXPECT_NEAR(std::pow(estimate.standard_error, 2), spread.covariance(height, height), 1e-18);
 }

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "surfaces/average_spectrum.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/synthesis/random_surface.hpp"
+#include "surfaces/average_spectrum.hpp"
 
 namespace setae::study {
 namespace {
@@ -38,19 +38,24 @@ SurfaceResult alone(const topography::Measurement& measurement, topography::Tren
 /// A piece of a line four times as long.
 topography::LineScan scan(std::uint64_t seed) {
     constexpr Index points = 1000;
-    auto line = synthesis::random_line(C1D, {.points = 4 * points, .size = 4.0 * points * 10e-9}, {.key = {seed, 0}, .threads = {1}});
+    auto line = synthesis::random_line(C1D, {.points = 4 * points, .size = 4.0 * points * 10e-9},
+                                       {.key = {seed, 0}, .threads = {1}});
     line.heights = Array1D(line.heights.head(points));
     line.size = points * 10e-9;
     line.periodic = false;
     return line;
 }
 
-// 60 scans: a share of 95 % scatters by 3 %. The slope rests on hundreds of modes, so that windows and trends do not matter.
+// 60 scans: a share of 95 % scatters by 3 %. The slope rests on hundreds of modes, so that windows and trends do not
+// matter.
 TEST(SingleMeasurement, HoldsTheTruthInItsIntervalAsOftenAsItSays) {
     int held = 0;
     constexpr int scans = 60;
     for (std::uint64_t seed = 0; seed < scans; ++seed) {
-        const auto estimate = alone(scan(seed), topography::Trend::tilt).average.estimate([](const roughness::SpectralParameters& p) { return p.rms_slope; });
+        const auto estimate =
+            alone(scan(seed), topography::Trend::tilt).average.estimate([](const roughness::SpectralParameters& p) {
+                return p.rms_slope;
+            });
         EXPECT_EQ(estimate.method, "parametric noise on ln");
         const auto interval = interval_of(estimate);
         ASSERT_TRUE(interval);
@@ -64,8 +69,11 @@ TEST(SingleMeasurement, CountsTheLinesOfAMapThatAreIndependent) {
     const auto C_iso = [](double q) { return 1e-28 * std::pow(1.0 + q * q / (rolloff * rolloff), -1.8); };
     const auto surface = synthesis::random_surface(C_iso, {256, 256, 5e-6, 5e-6}, {.key = {3, 0}, .threads = {1}});
     const auto error_of = [&](Index lines) {
-        topography::HeightMap map{surface.heights.leftCols(lines), {5e-6, 5e-6 * static_cast<double>(lines) / 256.0}, false, {}};
-        return alone(map, topography::Trend::tilt).average.estimate([](const roughness::SpectralParameters& p) { return p.rms_height; }).standard_error;
+        topography::HeightMap map{
+            surface.heights.leftCols(lines), {5e-6, 5e-6 * static_cast<double>(lines) / 256.0}, false, {}};
+        return alone(map, topography::Trend::tilt)
+            .average.estimate([](const roughness::SpectralParameters& p) { return p.rms_height; })
+            .standard_error;
     };
     const double one = error_of(4), many = error_of(64);
     EXPECT_LT(many, one);

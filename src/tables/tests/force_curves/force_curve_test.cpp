@@ -12,14 +12,17 @@ using namespace setae::tests;
 namespace setae::tables::tests {
 namespace {
 
-Table curve(const std::string& content, const ForceCurveOptions& options = {}) { return read_force_curve(bytes::memory_source("f", content), options); }
+Table curve(const std::string& content, const ForceCurveOptions& options = {}) {
+    return read_force_curve(bytes::memory_source("f", content), options);
+}
 
 TEST(JpkForce, FollowsTheConversionsOfTheFile) {
     for (const bool shared : {false, true}) {
         SCOPED_TRACE(shared);
         const auto table = curve(jpk_force_file(shared));
         ASSERT_EQ(table.rows(), 6);
-        // heights 1e-6 (0.5 raw + 1), deflection 50 nm/V (0.001 raw + 0.25 V): offsets of the slots do not enter the sensitivity
+        // heights 1e-6 (0.5 raw + 1), deflection 50 nm/V (0.001 raw + 0.25 V): offsets of the slots do not enter the
+        // sensitivity
         EXPECT_NEAR(table.at("height")[0], 3e-6, 1e-20);
         EXPECT_NEAR(table.at("deflection")[1], 50e-9 * 0.35, 1e-22);
         EXPECT_NEAR(table.at("force")[2], 0.2 * 50e-9 * 0.45, 1e-22);
@@ -43,9 +46,12 @@ TEST(JpkForce, ConstantsGivenOverruleTheFile) {
     EXPECT_THROW((void)curve(jpk_force_file(), {.sensitivity = std::nan("")}), InvalidArgument);
 }
 
-std::string changed_segment(const std::string& from, const std::string& to, const std::string& heights = big_endian<std::int16_t>({4, 2, 0})) {
+std::string changed_segment(const std::string& from, const std::string& to,
+                            const std::string& heights = big_endian<std::int16_t>({4, 2, 0})) {
     auto properties = jpk_segment("extend", 3, false);
-    for (auto at = properties.find(from); at != std::string::npos && !from.empty(); at = properties.find(from, at + to.size())) properties.replace(at, from.size(), to);
+    for (auto at = properties.find(from); at != std::string::npos && !from.empty();
+         at = properties.find(from, at + to.size()))
+        properties.replace(at, from.size(), to);
     return message_of([&] {
         (void)curve(zip_archive({{"header.properties", "jpk-data-file=spm-forcefile\n"},
                                  {"segments/0/segment-header.properties", properties},
@@ -56,12 +62,14 @@ std::string changed_segment(const std::string& from, const std::string& to, cons
 
 TEST(JpkForce, DamageIsNamedByMember) {
     EXPECT_EQ(changed_segment("", ""), "no error");
-    EXPECT_TRUE(holds(changed_segment("", "", big_endian<std::int16_t>({4, 2})), "channels of different length: 'measuredHeight' has 2 values, 'vDeflection' 3"));
+    EXPECT_TRUE(holds(changed_segment("", "", big_endian<std::int16_t>({4, 2})),
+                      "channels of different length: 'measuredHeight' has 2 values, 'vDeflection' 3"));
     EXPECT_TRUE(holds(changed_segment("", "", "12345"), "5 bytes are no whole number of values of 2 bytes"));
     EXPECT_TRUE(holds(changed_segment("num-points=3", "num-points=4"), "the header announces 4"));
     EXPECT_TRUE(holds(changed_segment("signedshort", "nibbles"), "encoded as 'nibbles'"));
     EXPECT_TRUE(holds(changed_segment("offsetmultiplier", "spline"), "of style 'spline'"));
-    EXPECT_TRUE(holds(changed_segment("base-calibration-slot=distance", "base-calibration-slot=force"), "run in a circle"));
+    EXPECT_TRUE(
+        holds(changed_segment("base-calibration-slot=distance", "base-calibration-slot=force"), "run in a circle"));
     EXPECT_TRUE(holds(changed_segment("multiplier=0.2", "multiplier=two"), "'two' is no number"));
     EXPECT_TRUE(holds(changed_segment("measuredHeight", "somethingElse"), "no channel of height"));
 }
@@ -86,7 +94,8 @@ TEST(AfmWorkshop, SaysWhichConstantIsMissing) {
     EXPECT_NE(curve(text, {.spring_constant = 1.5}).find("displacement"), nullptr);
     text = afm_workshop_file();
     text.replace(text.find("120,40,,"), 8, "120,40,1,");
-    EXPECT_TRUE(holds(message_of([&] { (void)curve(text); }), "channels of different length: row 3 of the retract branch has a height alone"));
+    EXPECT_TRUE(holds(message_of([&] { (void)curve(text); }),
+                      "channels of different length: row 3 of the retract branch has a height alone"));
 }
 
 TEST(NtMdt, ReversesApproachAndCutsPadding) {
@@ -105,14 +114,16 @@ TEST(ForceCurves, FormatsAreToldApart) {
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", jpk_force_file())), "jpk-force");
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", afm_workshop_file())), "afm-workshop");
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", nt_mdt_file())), "nt-mdt");
-    for (const auto& other : {xlsx_loop(), std::string("a,b\n1,2\n"), std::string("time,force,radius\n1,2,3\n2,3,4\n"), std::string()})
+    for (const auto& other :
+         {xlsx_loop(), std::string("a,b\n1,2\n"), std::string("time,force,radius\n1,2,3\n2,3,4\n"), std::string()})
         EXPECT_EQ(force_curve_format(bytes::memory_source("f", other)), std::nullopt);
     EXPECT_TRUE(holds(message_of([] { (void)curve("a,b\n1,2\n"); }), "no force curve setae reads"));
 }
 
 TEST(IgorForce, ReadsChannelsByTheirLabels) {
     for (const bool big : {false, true}) {
-        const auto table = curve(igor_force_file("SpringConstant: 0.5\rInvOLS: 1e-7\rNumPtsPerSec: 10\rIndexes: 0,2,3,5\rMicroscopeModel: MFP\r", big));
+        const auto table = curve(igor_force_file(
+            "SpringConstant: 0.5\rInvOLS: 1e-7\rNumPtsPerSec: 10\rIndexes: 0,2,3,5\rMicroscopeModel: MFP\r", big));
         ASSERT_EQ(table.rows(), 5);
         EXPECT_NEAR(table.at("force")[2], 2e-9, 1e-16);  // floats have 7 digits
         EXPECT_NEAR(table.at("displacement")[2], 3e-6 - 4e-9, 1e-12);
@@ -121,7 +132,9 @@ TEST(IgorForce, ReadsChannelsByTheirLabels) {
         EXPECT_EQ(table.at("segment")[4], 2.0);
         EXPECT_EQ(table.metadata.at("segments"), "extend, pause, retract");
         EXPECT_EQ(table.metadata.at("instrument"), "MFP");
-        EXPECT_NEAR(curve(igor_force_file("InvOLS: 1e-7\r"), {.spring_constant = 1.0, .sensitivity = 2e-7}).at("force")[2], 8e-9, 1e-15);
+        EXPECT_NEAR(
+            curve(igor_force_file("InvOLS: 1e-7\r"), {.spring_constant = 1.0, .sensitivity = 2e-7}).at("force")[2],
+            8e-9, 1e-15);
     }
 }
 

@@ -28,17 +28,14 @@ Table camera_record(const Array1D& time, const Array1D& radius) {
 }
 
 TEST(MergedByTime, PutsFramesOnTheNearestSampleAndInventsNothing) {
-    const auto table = merged_by_time(force_record(), camera_record(Array1D{{10.02, 10.38, 10.71}}, Array1D{{1e-5, 2e-5, 3e-5}}), -10.0);
+    const auto table = merged_by_time(
+        force_record(), camera_record(Array1D{{10.02, 10.38, 10.71}}, Array1D{{1e-5, 2e-5, 3e-5}}), -10.0);
     const auto& radius = table.at("contact_radius");
     for (Index i = 0; i < 10; ++i) {
-        if (i == 0)
-            EXPECT_EQ(radius[i], 1e-5);
-        else if (i == 4)
-            EXPECT_EQ(radius[i], 2e-5);
-        else if (i == 7)
-            EXPECT_EQ(radius[i], 3e-5);
-        else
-            EXPECT_TRUE(std::isnan(radius[i])) << i;
+        if (i == 0) EXPECT_EQ(radius[i], 1e-5);
+        else if (i == 4) EXPECT_EQ(radius[i], 2e-5);
+        else if (i == 7) EXPECT_EQ(radius[i], 3e-5);
+        else EXPECT_TRUE(std::isnan(radius[i])) << i;
     }
     EXPECT_EQ(table.metadata.at("frames_used"), "3");
     EXPECT_EQ(table.metadata.at("camera_clock_offset"), "-10 s");
@@ -47,7 +44,10 @@ TEST(MergedByTime, PutsFramesOnTheNearestSampleAndInventsNothing) {
 }
 
 TEST(MergedByTime, KeepsTheClosestOfCrowdedFramesAndCountsThoseOutside) {
-    const auto table = merged_by_time(force_record(), camera_record(Array1D{{-0.2, -0.04, 0.18, 0.21, 0.24, 0.94, 0.97}}, Array1D{{9., 1., 2., 3., 4., 5., 9.}}), 0.0);
+    const auto table = merged_by_time(
+        force_record(),
+        camera_record(Array1D{{-0.2, -0.04, 0.18, 0.21, 0.24, 0.94, 0.97}}, Array1D{{9., 1., 2., 3., 4., 5., 9.}}),
+        0.0);
     EXPECT_EQ(table.at("contact_radius")[0], 1.0);
     EXPECT_EQ(table.at("contact_radius")[2], 3.0);
     EXPECT_EQ(table.at("contact_radius")[9], 5.0);
@@ -58,13 +58,16 @@ TEST(MergedByTime, KeepsTheClosestOfCrowdedFramesAndCountsThoseOutside) {
 
 TEST(MergedByTime, BadClocksAreNamed) {
     const auto camera = camera_record(Array1D{{0.1, 0.2}}, Array1D{{1.0, 2.0}});
-    const auto message = [](const Table& force, const Table& frames, double offset = 0.0) { return message_of([&] { (void)merged_by_time(force, frames, offset); }); };
+    const auto message = [](const Table& force, const Table& frames, double offset = 0.0) {
+        return message_of([&] { (void)merged_by_time(force, frames, offset); });
+    };
     auto backwards = force_record();
     backwards.columns[0].values[4] = 0.25;
     EXPECT_TRUE(holds(message(backwards, camera), "force record: time runs backwards from row 4 to 5"));
     backwards.columns[0].values[4] = backwards.columns[0].values[3];
     EXPECT_TRUE(holds(message(backwards, camera), "force record: time stands still from row 4 to 5"));
-    EXPECT_TRUE(holds(message(force_record(), camera_record(Array1D{{0.1, undefined_cell}}, Array1D{{1.0, 2.0}})), "camera record: time is undefined in row 2"));
+    EXPECT_TRUE(holds(message(force_record(), camera_record(Array1D{{0.1, undefined_cell}}, Array1D{{1.0, 2.0}})),
+                      "camera record: time is undefined in row 2"));
     EXPECT_TRUE(holds(message(force_record(), camera, 100.0), "the clocks do not overlap"));
     EXPECT_TRUE(holds(message(force_record(), force_record()), "camera record: no column 'contact_radius'"));
     auto milliseconds = camera;
@@ -79,7 +82,8 @@ TEST(OneClock, ChannelsOfDifferentLengthAreNamed) {
     auto table = force_record();
     EXPECT_NO_THROW(require_one_clock(table, "t"));
     table.columns[1].values.tail(4) = undefined_cell;
-    EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }), "channels of different length: column 'force' ends in row 6 of 10"));
+    EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }),
+                      "channels of different length: column 'force' ends in row 6 of 10"));
     table.columns[1].values = undefined_cell;
     EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }), "column 'force' holds no number at all"));
     table.columns[1].values = Array1D::Zero(3);

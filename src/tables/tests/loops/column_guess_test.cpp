@@ -12,7 +12,9 @@ using namespace setae::tests;
 namespace setae::tables::tests {
 namespace {
 
-ColumnGuess guess_of(const std::string& text) { return guess_columns(read_raw_table(bytes::memory_source("t", text)), "t"); }
+ColumnGuess guess_of(const std::string& text) {
+    return guess_columns(read_raw_table(bytes::memory_source("t", text)), "t");
+}
 
 /// Columns from 1 for force, displacement, contact radius, time; 0 where none, negative where undecided.
 std::vector<int> found(const std::string& names) {
@@ -20,7 +22,9 @@ std::vector<int> found(const std::string& names) {
     std::string numbers = "1";
     for (const char c : names) numbers += c == ';' ? ";2" : "";
     for (const auto& role : guess_of(fmt::format("{}\n{}\n{}\n", names, numbers, numbers)).roles)
-        columns.push_back(role.candidates.empty() ? 0 : role.candidates.size() > 1 ? -1 : static_cast<int>(role.candidates.front().column) + 1);
+        columns.push_back(role.candidates.empty()      ? 0
+                          : role.candidates.size() > 1 ? -1
+                                                       : static_cast<int>(role.candidates.front().column) + 1);
     return columns;
 }
 
@@ -36,7 +40,10 @@ TEST(ColumnGuess, KnowsTheWordsOfTheField) {
 }
 
 TEST(ColumnGuess, LeavesOtherQuantitiesAside) {
-    EXPECT_EQ(found("Force [mN];Force std [mN];Lateral force [mN];Displacement [um];Sphere radius [mm];Approach speed [um/s]"), (Columns{1, 4, 0, 0}));
+    EXPECT_EQ(
+        found(
+            "Force [mN];Force std [mN];Lateral force [mN];Displacement [um];Sphere radius [mm];Approach speed [um/s]"),
+        (Columns{1, 4, 0, 0}));
     EXPECT_EQ(found("Force [mN];Displacement [um];X position [mm];Y position [mm]"), (Columns{1, 2, 0, 0}));
 }
 
@@ -60,12 +67,17 @@ TEST(ColumnGuess, RadiusFromAreaComesWithANote) {
 TEST(ColumnGuess, TwoCandidatesAreBothNamedAndRefused) {
     const auto guess = guess_of("Force [mN];Piezo position [um];MEMS displ. [nm]\n1;2;3\n3;4;5\n");
     const auto text = describe(guess);
-    EXPECT_TRUE(holds(text, "displacement: undecided between column 2 'Piezo position' [um] and column 3 'MEMS displ.' [nm]")) << text;
+    EXPECT_TRUE(
+        holds(text, "displacement: undecided between column 2 'Piezo position' [um] and column 3 'MEMS displ.' [nm]"))
+        << text;
     const auto message = message_of([&] { (void)mapping_from(guess); });
     EXPECT_TRUE(holds(message, "'Piezo position'") && holds(message, "'MEMS displ.'")) << message;
     EXPECT_EQ(*mapping_from(guess, {{"displacement", "Piezo position"}}).columns[1].header, "Piezo position");
     EXPECT_EQ(*mapping_from(guess, {{"displacement", "3"}}).columns[1].header, "MEMS displ.");
-    EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(guess, {{"displacement", "Stage"}}); }), "no column 'Stage'"));
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)mapping_from(guess, {{"displacement", "Stage"}});
+                      }),
+                      "no column 'Stage'"));
     EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(guess, {{"depth", "2"}}); }), "chosen for 'depth'"));
 }
 
@@ -73,23 +85,35 @@ TEST(ColumnGuess, ShowsWhatItSawAndWhy) {
     const auto text = describe(guess_of("Force [mN];depth [um];state\n1,5;2;ok\n3,5;4;ok\n"));
     EXPECT_TRUE(holds(text, "3 columns between semicolons, decimal comma")) << text;
     EXPECT_TRUE(holds(text, "column 1 'Force' [mN]: 1.5, 3.5")) << text;
-    EXPECT_TRUE(holds(text, "force: column 1 'Force' [mN], confidence 0.95: 'Force' is a word for force, mN its unit")) << text;
+    EXPECT_TRUE(holds(text, "force: column 1 'Force' [mN], confidence 0.95: 'Force' is a word for force, mN its unit"))
+        << text;
     EXPECT_TRUE(holds(text, "(text: 'ok' on line 2)")) << text;
     EXPECT_TRUE(holds(text, "contact_radius: no column found")) << text;
     EXPECT_TRUE(holds(text, "force positive where it presses")) << text;
 }
 
 TEST(ColumnGuess, UnusableColumnsAreRefusedByName) {
-    const auto message = [](const std::string& text) { return message_of([&] { (void)mapping_from(guess_of(text)); }); };
+    const auto message = [](const std::string& text) {
+        return message_of([&] { (void)mapping_from(guess_of(text)); });
+    };
     EXPECT_TRUE(holds(message("Force;depth [um]\n1;2\n3;4\n"), "column 1 'Force' for force has no unit"));
-    EXPECT_TRUE(holds(message("depth [um];T [K]\n1;2\n3;4\n"), "no column found for force, the file has column 1 'depth' [um]"));
+    EXPECT_TRUE(holds(message("depth [um];T [K]\n1;2\n3;4\n"),
+                      "no column found for force, the file has column 1 'depth' [um]"));
     EXPECT_TRUE(holds(message("Force [mN];T [K]\n1;2\n3;4\n"), "no column found for displacement or contact_radius"));
-    EXPECT_TRUE(holds(message("Force [mN];depth [um];T [K]\n1;;2\n3;;4\n"), "column 2 'depth' [um] (all values undefined)"));
+    EXPECT_TRUE(
+        holds(message("Force [mN];depth [um];T [K]\n1;;2\n3;;4\n"), "column 2 'depth' [um] (all values undefined)"));
     const auto without_radii = guess_of("Force [mN];depth [um];a [um]\n1;2;\n3;4;\n");
-    EXPECT_TRUE(holds(as_toml(mapping_from(without_radii)), "# contact_radius: column 3 'a' [um] left out, it holds no number at all"));
-    EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(without_radii, {{"contact_radius", "a"}}); }), "for contact_radius holds no number at all"));
+    EXPECT_TRUE(holds(as_toml(mapping_from(without_radii)),
+                      "# contact_radius: column 3 'a' [um] left out, it holds no number at all"));
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)mapping_from(without_radii, {{"contact_radius", "a"}});
+                      }),
+                      "for contact_radius holds no number at all"));
     const auto text = guess_of("Force [mN];depth [um];state\n1;2;ok\n3;4;ok\n");
-    EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(text, {{"displacement", "state"}}); }), "holds text: 'ok' on line 2, expected numbers"));
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)mapping_from(text, {{"displacement", "state"}});
+                      }),
+                      "holds text: 'ok' on line 2, expected numbers"));
 }
 
 void expect_same(const Mapping& a, const Mapping& b) {
@@ -101,11 +125,13 @@ void expect_same(const Mapping& a, const Mapping& b) {
 
 TEST(MappingTemplate, GuessesAreWrittenAndAppliedToOtherFiles) {
     const TemporaryFolder folder;
-    const auto mapping = mapping_from(guess_columns(folder.write("a.csv", "Time [ms];Load [mN];depth [um]\n0,5;1,5;2\n1,0;3,5;4\n")));
+    const auto mapping =
+        mapping_from(guess_columns(folder.write("a.csv", "Time [ms];Load [mN];depth [um]\n0,5;1,5;2\n1,0;3,5;4\n")));
     write_mapping(folder.path("m.toml"), mapping);
     const auto back = read_mapping(folder.path("m.toml"));
     expect_same(mapping, back);
-    const auto table = read_mapped_table(folder.write("b.csv", "depth [nm];Load [N];Time [s]\n7,5;8;9\n1,5;2;10\n"), back);
+    const auto table =
+        read_mapped_table(folder.write("b.csv", "depth [nm];Load [N];Time [s]\n7,5;8;9\n1,5;2;10\n"), back);
     EXPECT_DOUBLE_EQ(table.at("force")[0], 8.0);
     EXPECT_DOUBLE_EQ(table.at("displacement")[0], 7.5e-9);
     EXPECT_DOUBLE_EQ(table.at("time")[1], 10.0);
@@ -113,12 +139,19 @@ TEST(MappingTemplate, GuessesAreWrittenAndAppliedToOtherFiles) {
 
 TEST(MappingTemplate, EveryPartSurvivesTheRoundTrip) {
     const TemporaryFolder folder;
-    const Mapping mapping{.path = {},
-                          .file = {.encoding = bytes::Encoding::latin1, .separator = '\t', .decimal_point = ',', .header_end = "e\"o\\h", .sheet = "Tabelle 1"},
-                          .constants = {{"k", 3.01, dimension::stiffness}, {"share", 0.1, {}}, {"v", 1.0 / 3.0, parse_unit("m/s").dimension}},
-                          .columns = {{"a", "Piezo \"x\" [µm]", {}, "um"}, {"b", {}, 2, {}}},
-                          .results = {{"force", "k * b", dimension::force}, {"my power", "k * a * b", dimension::energy}},
-                          .notes = {"made by a test"}};
+    const Mapping mapping{
+        .path = {},
+        .file = {.encoding = bytes::Encoding::latin1,
+                 .separator = '\t',
+                 .decimal_point = ',',
+                 .header_end = "e\"o\\h",
+                 .sheet = "Tabelle 1"},
+        .constants = {{"k", 3.01, dimension::stiffness},
+                      {"share", 0.1, {}},
+                      {"v", 1.0 / 3.0, parse_unit("m/s").dimension}},
+        .columns = {{"a", "Piezo \"x\" [µm]", {}, "um"}, {"b", {}, 2, {}}},
+        .results = {{"force", "k * b", dimension::force}, {"my power", "k * a * b", dimension::energy}},
+        .notes = {"made by a test"}};
     write_mapping(folder.path("m.toml"), mapping);
     expect_same(mapping, read_mapping(folder.path("m.toml")));
     expect_same(read_mapping("examples/mappings/eoh.toml"), [&] {
@@ -140,11 +173,15 @@ TEST(MappingTemplate, WorksOnWorkbooks) {
 
 TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
     const TemporaryFolder folder;
-    const auto mapping = read_mapping(folder.write("m.toml", "[columns.f]\nheader = \"F\"\nunit = \"N\"\n[table]\nforce = \"f\"\n"));
-    const auto message = [&](const std::string& text) { return message_of([&] { (void)read_mapped_table(folder.write("t.csv", text), mapping); }); };
+    const auto mapping =
+        read_mapping(folder.write("m.toml", "[columns.f]\nheader = \"F\"\nunit = \"N\"\n[table]\nforce = \"f\"\n"));
+    const auto message = [&](const std::string& text) {
+        return message_of([&] { (void)read_mapped_table(folder.write("t.csv", text), mapping); });
+    };
     EXPECT_TRUE(holds(message("F,x\na,1\nb,2\n"), "column 'f' holds text ('a' on line 2), expected numbers"));
     EXPECT_TRUE(holds(message("F,x\n,1\n,2\n"), "column 'f' holds no number at all"));
-    EXPECT_TRUE(holds(message("F,x\n1 mN,1\n2 N,2\n"), "holds text ('1 mN' on line 2)"));  // units in cells may be mixed
+    EXPECT_TRUE(
+        holds(message("F,x\n1 mN,1\n2 N,2\n"), "holds text ('1 mN' on line 2)"));  // units in cells may be mixed
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ topography::Mask islands(Index n) {
         for (Index j = 0; j < n; ++j) {
             const Index a = i / 8, b = j / 8;
             const double s = static_cast<double>(i % 8) / 8.0, t = static_cast<double>(j % 8) / 8.0;
-            const double value = (1 - s) * ((1 - t) * numbers[a * m + b] + t * numbers[a * m + b + 1]) + s * ((1 - t) * numbers[(a + 1) * m + b] + t * numbers[(a + 1) * m + b + 1]);
+            const double value = (1 - s) * ((1 - t) * numbers[a * m + b] + t * numbers[a * m + b + 1]) +
+                                 s * ((1 - t) * numbers[(a + 1) * m + b] + t * numbers[(a + 1) * m + b + 1]);
             mask(i, j) = value > 0.6 ? 1 : 0;
         }
     return mask;
@@ -41,7 +42,8 @@ BENCHMARK(memory_copy)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 
 void find_patches(benchmark::State& state) {
     const auto mask = islands(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(geometry::patches(mask, geometry::Neighbours::edges_and_corners, true));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(geometry::patches(mask, geometry::Neighbours::edges_and_corners, true));
 }
 BENCHMARK(find_patches)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 
@@ -59,7 +61,8 @@ BENCHMARK(length_of_edges)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 
 void distances(benchmark::State& state) {
     const auto mask = islands(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(geometry::distance_map(mask, {{1.0, 1.0}, true}, {static_cast<int>(state.range(1))}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(geometry::distance_map(mask, {{1.0, 1.0}, true}, {static_cast<int>(state.range(1))}));
 }
 BENCHMARK(distances)->Args({1024, 1})->Args({4096, 1})->Args({4096, 2})->Unit(benchmark::kMillisecond);
 

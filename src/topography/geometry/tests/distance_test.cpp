@@ -16,7 +16,9 @@ using topography::Mask;
 
 Mask random_mask(Index nx, Index ny, double share, std::uint64_t seed) {
     std::mt19937_64 source(seed);
-    return Mask::NullaryExpr(nx, ny, [&](Index, Index) { return static_cast<std::uint8_t>(static_cast<double>(source()) / 0x1p64 < share); });
+    return Mask::NullaryExpr(nx, ny, [&](Index, Index) {
+        return static_cast<std::uint8_t>(static_cast<double>(source()) / 0x1p64 < share);
+    });
 }
 
 double separation(Index a, Index b, Index n, bool periodic) {
@@ -25,7 +27,8 @@ double separation(Index a, Index b, Index n, bool periodic) {
 }
 
 double distance_between(Index i, Index j, Index k, Index l, const Mask& mask, const PointGrid& grid) {
-    return std::hypot(separation(i, k, mask.rows(), grid.periodic) * grid.pixel_size[0], separation(j, l, mask.cols(), grid.periodic) * grid.pixel_size[1]);
+    return std::hypot(separation(i, k, mask.rows(), grid.periodic) * grid.pixel_size[0],
+                      separation(j, l, mask.cols(), grid.periodic) * grid.pixel_size[1]);
 }
 
 double nearest(const Mask& mask, Index i, Index j, const PointGrid& grid) {
@@ -49,7 +52,9 @@ TEST(DistanceMap, AgreesWithAllPairsOfPoints) {
                         for (Index j = 0; j < ny; ++j) {
                             const double expected = nearest(mask, i, j, grid);
                             if (std::isinf(expected)) EXPECT_TRUE(std::isinf(map(i, j)));
-                            else ASSERT_NEAR(map(i, j), expected, 1e-14 * expected) << nx << " x " << ny << " at " << i << ", " << j;
+                            else
+                                ASSERT_NEAR(map(i, j), expected, 1e-14 * expected)
+                                    << nx << " x " << ny << " at " << i << ", " << j;
                         }
                 }
 }
@@ -59,7 +64,8 @@ TEST(DistanceMap, FromOnePointIsACone) {
     mask(20, 30) = 1;
     const auto map = distance_map(mask, {{2.0, 1.0}, false});
     for (const Index i : {0, 20, 59})
-        for (const Index j : {0, 30, 69}) EXPECT_DOUBLE_EQ(map(i, j), std::hypot(2.0 * static_cast<double>(i - 20), static_cast<double>(j - 30)));
+        for (const Index j : {0, 30, 69})
+            EXPECT_DOUBLE_EQ(map(i, j), std::hypot(2.0 * static_cast<double>(i - 20), static_cast<double>(j - 30)));
 }
 
 TEST(DistanceMap, OfAnEmptyMaskIsInfiniteOfAFullOneZero) {

@@ -18,7 +18,9 @@ using topography::Mask;
 
 Mask random_mask(Index nx, Index ny, double share, std::uint64_t seed) {
     std::mt19937_64 source(seed);
-    return Mask::NullaryExpr(nx, ny, [&](Index, Index) { return static_cast<std::uint8_t>(static_cast<double>(source()) / 0x1p64 < share); });
+    return Mask::NullaryExpr(nx, ny, [&](Index, Index) {
+        return static_cast<std::uint8_t>(static_cast<double>(source()) / 0x1p64 < share);
+    });
 }
 
 /// Flood fill with a list, in storage order: slow and obvious.
@@ -51,19 +53,22 @@ PatchNumbers flooded(const Mask& mask, Neighbours neighbours, bool periodic) {
 TEST(Patches, AgreeWithAFloodFillNumbersIncluded) {
     std::uint64_t seed = 0;
     for (const double share : {0.1, 0.4, 0.5, 0.6, 0.9})
-        for (const auto& [nx, ny] : std::vector<std::array<Index, 2>>{{1, 1}, {1, 17}, {23, 1}, {2, 2}, {13, 29}, {31, 8}, {64, 64}})
+        for (const auto& [nx, ny] :
+             std::vector<std::array<Index, 2>>{{1, 1}, {1, 17}, {23, 1}, {2, 2}, {13, 29}, {31, 8}, {64, 64}})
             for (const auto neighbours : {Neighbours::edges, Neighbours::edges_and_corners})
                 for (const bool periodic : {false, true}) {
                     const auto mask = random_mask(nx, ny, share, ++seed);
                     const auto found = patches(mask, neighbours, periodic);
                     const auto expected = flooded(mask, neighbours, periodic);
-                    ASSERT_TRUE((found.numbers == expected).all()) << nx << " x " << ny << ", share " << share << ", periodic " << periodic;
+                    ASSERT_TRUE((found.numbers == expected).all())
+                        << nx << " x " << ny << ", share " << share << ", periodic " << periodic;
                     EXPECT_EQ(found.count, expected.maxCoeff());
                 }
 }
 
 TEST(Patches, OfACheckerboardAreOneWithCornersAndAllPointsWithout) {
-    const auto mask = Mask::NullaryExpr(10, 12, [](Index i, Index j) { return static_cast<std::uint8_t>((i + j) % 2); }).eval();
+    const auto mask =
+        Mask::NullaryExpr(10, 12, [](Index i, Index j) { return static_cast<std::uint8_t>((i + j) % 2); }).eval();
     EXPECT_EQ(patches(mask, Neighbours::edges_and_corners).count, 1);
     EXPECT_EQ(patches(mask, Neighbours::edges).count, 60);
     EXPECT_EQ(patches(mask, Neighbours::edges, true).count, 60);
@@ -97,11 +102,15 @@ TEST(Patches, RefuseAMaskWithoutPoints) { EXPECT_THROW((void)patches(Mask(0, 5))
 
 TEST(PatchShapes, OfADiscHaveItsAreaCentroidAndPerimeter) {
     const double radius = 60.3, pixel = 2e-9;
-    const auto mask = Mask::NullaryExpr(200, 180, [&](Index i, Index j) { return static_cast<std::uint8_t>(std::hypot(static_cast<double>(i) - 90.2, static_cast<double>(j) - 85.7) < radius); }).eval();
+    const auto mask = Mask::NullaryExpr(200, 180, [&](Index i, Index j) {
+                          return static_cast<std::uint8_t>(
+                              std::hypot(static_cast<double>(i) - 90.2, static_cast<double>(j) - 85.7) < radius);
+                      }).eval();
     const auto shapes = patch_shapes(patches(mask), {pixel, pixel});
     ASSERT_EQ(shapes.size(), 1U);
     const double r = radius * pixel;
-    EXPECT_NEAR(shapes[0].area / (std::numbers::pi * r * r), 1.0, 2e-3);  // lattice points in a circle: error ~ R^(2/3)/R²
+    EXPECT_NEAR(shapes[0].area / (std::numbers::pi * r * r), 1.0,
+                2e-3);  // lattice points in a circle: error ~ R^(2/3)/R²
     EXPECT_NEAR(shapes[0].centroid_x, 90.2 * pixel, 0.05 * pixel);
     EXPECT_NEAR(shapes[0].centroid_y, 85.7 * pixel, 0.05 * pixel);
     // every edge of a convex digital shape is seen once from each side: the bounding box's, whatever the pixels
@@ -142,7 +151,8 @@ TEST(PatchShapes, OfAStripeAcrossAPeriodicGridAreEndless) {
     EXPECT_TRUE(std::isnan(shape.centroid_x));
     EXPECT_DOUBLE_EQ(shape.edge_length, 24.0);
     // a diagonal chain closes on itself over the corners only where corners count
-    const auto diagonal = Mask::NullaryExpr(12, 12, [](Index i, Index j) { return static_cast<std::uint8_t>(i == j); }).eval();
+    const auto diagonal =
+        Mask::NullaryExpr(12, 12, [](Index i, Index j) { return static_cast<std::uint8_t>(i == j); }).eval();
     EXPECT_TRUE(patch_shapes(patches(diagonal, Neighbours::edges_and_corners, true)).front().spans_period);
     for (const auto& alone : patch_shapes(patches(diagonal, Neighbours::edges, true))) EXPECT_FALSE(alone.spans_period);
 }
@@ -154,7 +164,9 @@ TEST(PatchShapes, MoveWithThePatchAroundAPeriodicGrid) {
     const auto still = patch_shapes(patches(mask, Neighbours::edges, true)).front();
     for (const Index di : {3, 7, 11})
         for (const Index dj : {5, 14}) {
-            const auto moved_mask = Mask::NullaryExpr(16, 20, [&](Index i, Index j) { return mask((i - di + 16) % 16, (j - dj + 20) % 20); }).eval();
+            const auto moved_mask = Mask::NullaryExpr(16, 20, [&](Index i, Index j) {
+                                        return mask((i - di + 16) % 16, (j - dj + 20) % 20);
+                                    }).eval();
             const auto moved = patch_shapes(patches(moved_mask, Neighbours::edges, true)).front();
             EXPECT_NEAR(moved.centroid_x, std::fmod(still.centroid_x + static_cast<double>(di), 16.0), 1e-12);
             EXPECT_NEAR(moved.centroid_y, std::fmod(still.centroid_y + static_cast<double>(dj), 20.0), 1e-12);

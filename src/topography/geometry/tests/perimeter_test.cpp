@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/core/arrays.hpp"
 #include "setae/geometry/perimeter.hpp"
+#include "setae/core/arrays.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,8 @@ Mask square(Index n, Index first, Index side) {
 }
 
 TEST(EdgeLength, OfACheckerboardIsEveryEdge) {
-    const auto mask = Mask::NullaryExpr(6, 8, [](Index i, Index j) { return static_cast<std::uint8_t>((i + j) % 2); }).eval();
+    const auto mask =
+        Mask::NullaryExpr(6, 8, [](Index i, Index j) { return static_cast<std::uint8_t>((i + j) % 2); }).eval();
     const auto open = edge_length(mask, {{1.0, 1.0}, false}), closed = edge_length(mask, {{2.0, 3.0}, true});
     EXPECT_DOUBLE_EQ(open.along_x, 6.0 * 7.0);
     EXPECT_DOUBLE_EQ(open.along_y, 5.0 * 8.0);
@@ -58,8 +59,14 @@ TEST(IsotropicPerimeter, IsRightOnAverageForLinesOfAllDirections) {
     for (int d = 0; d < directions; ++d) {
         const double angle = std::numbers::pi * (d + 0.37) / directions;
         double edges = 0.0;
-        const auto inside = [&](Index i, Index j) { return std::hypot(static_cast<double>(i) - centre, static_cast<double>(j) - centre) < radius; };
-        const auto chosen = [&](Index i, Index j) { return (static_cast<double>(i) - centre) * std::cos(angle) + (static_cast<double>(j) - centre) * std::sin(angle) > 0.0; };
+        const auto inside = [&](Index i, Index j) {
+            return std::hypot(static_cast<double>(i) - centre, static_cast<double>(j) - centre) < radius;
+        };
+        const auto chosen = [&](Index i, Index j) {
+            return (static_cast<double>(i) - centre) * std::cos(angle) +
+                       (static_cast<double>(j) - centre) * std::sin(angle) >
+                   0.0;
+        };
         for (Index i = 0; i + 1 < n; ++i)
             for (Index j = 0; j + 1 < n; ++j) {
                 if (inside(i, j) && inside(i + 1, j)) edges += chosen(i, j) != chosen(i + 1, j);
@@ -91,7 +98,8 @@ TEST(PerimeterPoints, OfTheInverseExchangeInsideAndOutside) {
     const auto mask = square(12, 4, 5);
     const Mask inverse = 1 - mask;
     EXPECT_TRUE((inner_perimeter(mask) == outer_perimeter(inverse)).all());
-    EXPECT_TRUE((inner_perimeter(mask, Neighbours::edges, true) == outer_perimeter(inverse, Neighbours::edges, true)).all());
+    EXPECT_TRUE(
+        (inner_perimeter(mask, Neighbours::edges, true) == outer_perimeter(inverse, Neighbours::edges, true)).all());
 }
 
 TEST(PerimeterPoints, MeetAcrossAPeriodicBorder) {

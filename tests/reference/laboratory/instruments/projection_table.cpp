@@ -17,10 +17,12 @@ int main() {
             fmt::print("\n");
             first = false;
         }
-        fmt::print("| {} | {:.0f} | {:.1f} | {:.1f} | {:.3f} ± {:.3f} | {:.3f} ± {:.3f} |", row.hurst_exponent, row.rolloff_wavelength * 1e9,
-                   row.thickness * 1e9, bias.correlation_length * 1e9, bias.rms_height.value, bias.rms_height.standard_error,
-                   bias.rms_slope.value, bias.rms_slope.standard_error);
-        for (Index b = 0; b < bias.C1D.size(); ++b) fmt::print(" {:.2f} ± {:.2f} |", bias.C1D[b], bias.C1D_standard_error[b]);
+        fmt::print("| {} | {:.0f} | {:.1f} | {:.1f} | {:.3f} ± {:.3f} | {:.3f} ± {:.3f} |", row.hurst_exponent,
+                   row.rolloff_wavelength * 1e9, row.thickness * 1e9, bias.correlation_length * 1e9,
+                   bias.rms_height.value, bias.rms_height.standard_error, bias.rms_slope.value,
+                   bias.rms_slope.standard_error);
+        for (Index b = 0; b < bias.C1D.size(); ++b)
+            fmt::print(" {:.2f} ± {:.2f} |", bias.C1D[b], bias.C1D_standard_error[b]);
         fmt::print("\n");
     }
 }

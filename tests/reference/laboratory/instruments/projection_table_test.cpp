@@ -17,7 +17,8 @@ std::vector<double> documented(const tests::ProjectionCase& wanted) {
     std::ifstream page("docs/tem-projection.md");
     for (std::string line; std::getline(page, line);) {
         for (const std::string mark : {"|", "±"})
-            for (auto at = line.find(mark); at != std::string::npos; at = line.find(mark)) line.replace(at, mark.size(), " ");
+            for (auto at = line.find(mark); at != std::string::npos; at = line.find(mark))
+                line.replace(at, mark.size(), " ");
         std::istringstream words(line);
         double hurst_exponent = 0.0, rolloff = 0.0, thickness = 0.0, correlation = 0.0;
         if (!(words >> hurst_exponent >> rolloff >> thickness >> correlation)) continue;
@@ -32,7 +33,8 @@ std::vector<double> documented(const tests::ProjectionCase& wanted) {
 }
 
 TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
-    for (const tests::ProjectionCase row : {tests::ProjectionCase{0.8, 25e-9, 20e-9}, tests::ProjectionCase{0.8, 50e-9, 20e-9}}) {
+    for (const tests::ProjectionCase row :
+         {tests::ProjectionCase{0.8, 25e-9, 20e-9}, tests::ProjectionCase{0.8, 50e-9, 20e-9}}) {
         const auto expected = documented(row);
         const auto bias = tests::simulated(row, 4, 99, 204.8e-9);
         ASSERT_EQ(expected.size(), 4 + 2 * static_cast<std::size_t>(bias.C1D.size()));
@@ -49,7 +51,8 @@ TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
 
 TEST(ProjectionTable, HasARowForEachOfItsCases) {
     for (const auto& row : tests::projection_cases())
-        EXPECT_EQ(documented(row).size(), 18U) << row.hurst_exponent << ' ' << row.rolloff_wavelength << ' ' << row.thickness;
+        EXPECT_EQ(documented(row).size(), 18U)
+            << row.hurst_exponent << ' ' << row.rolloff_wavelength << ' ' << row.thickness;
 }
 
 }  // namespace

@@ -33,12 +33,15 @@ TEST(Silhouette, OfWhiteNoiseHasTheMomentsOfTheHighestOfNormalNumbers) {
         EXPECT_NEAR(std::pow(bias.rms_height.value, 2) / expected.variance, 1.0, 4.0 * error) << expected.lines;
         EXPECT_NEAR(bias.rms_slope.value, bias.rms_height.value, 4.0 * error) << expected.lines;
         // the line scans' own rms, about each line's mean, is √(1 − 1/200) of the noise
-        EXPECT_NEAR(bias.mean_height_shift, expected.mean / std::sqrt(1.0 - 1.0 / 200.0), 4.0 * std::sqrt(expected.variance / values)) << expected.lines;
+        EXPECT_NEAR(bias.mean_height_shift, expected.mean / std::sqrt(1.0 - 1.0 / 200.0),
+                    4.0 * std::sqrt(expected.variance / values))
+            << expected.lines;
         for (Index b = 0; b < bias.C1D.size(); ++b)
             EXPECT_NEAR(bias.C1D[b], expected.variance, 5.0 * bias.C1D_standard_error[b]) << expected.lines << ' ' << b;
         // the standard error the test rests on: of the highest bin, a third of all modes
         const auto last = bias.C1D.size() - 1;
-        EXPECT_LT(bias.C1D_standard_error[last], 4.0 * expected.variance * std::sqrt(2.0 / (values / 3.0))) << expected.lines;
+        EXPECT_LT(bias.C1D_standard_error[last], 4.0 * expected.variance * std::sqrt(2.0 / (values / 3.0)))
+            << expected.lines;
         EXPECT_TRUE(std::isfinite(bias.correlation_length));
         EXPECT_LT(bias.correlation_length, pixel);
     }

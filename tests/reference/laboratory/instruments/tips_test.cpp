@@ -38,8 +38,8 @@ TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDo
     constexpr std::uint64_t surfaces = 6;
     for (std::uint64_t seed = 0; seed < surfaces; ++seed) {
         const double hurst_exponent = 0.75 + 0.05 * static_cast<double>(seed % 3);
-        const auto surface = synthesis::random_surface(density(with_slope(0.7, hurst_exponent, 1e-6)), {4096, 1024, 1e-6, 0.25e-6},
-                                                       {.key = {7, seed}});
+        const auto surface = synthesis::random_surface(density(with_slope(0.7, hurst_exponent, 1e-6)),
+                                                       {4096, 1024, 1e-6, 0.25e-6}, {.key = {7, seed}});
         AfmOptions options{.tip = topography::SphereTip{10e-9}, .nx = 512, .ny = 128, .size = 1e-6};
         auto seen = afm_map(surface, options);
         seen.periodic = true;
@@ -48,7 +48,9 @@ TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDo
             for (Index j = 0; j < 128; ++j) truth.heights(i, j) = surface.heights(8 * i, 8 * j);
         const double cutoff = 2.0 * pi / spectra::tip_cutoff(seen, 10e-9).value;
         const auto measured = power_spectrum(seen, periodic_lines), known = power_spectrum(truth, periodic_lines);
-        const auto factor = [&](double q) { return power_between(measured, 0.89 * q, 1.13 * q) / power_between(known, 0.89 * q, 1.13 * q); };
+        const auto factor = [&](double q) {
+            return power_between(measured, 0.89 * q, 1.13 * q) / power_between(known, 0.89 * q, 1.13 * q);
+        };
         at_cutoff += factor(cutoff) / surfaces;
         at_half += factor(0.5 * cutoff) / surfaces;
     }
@@ -62,12 +64,14 @@ TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDo
 TEST(StylusScan, OfABallLowersThePlateauThatADiscAlongALineRaises) {
     const double rolloff = 1e-6, pixel = rolloff / 40.0;
     const Index nx = 6000, ny = 640;
-    const auto strip = synthesis::random_surface(density(with_slope(0.7, 0.85, rolloff)),
-                                      {nx, ny, static_cast<double>(nx) * pixel, static_cast<double>(ny) * pixel}, {.key = {7, 1}});
+    const auto strip = synthesis::random_surface(
+        density(with_slope(0.7, 0.85, rolloff)),
+        {nx, ny, static_cast<double>(nx) * pixel, static_cast<double>(ny) * pixel}, {.key = {7, 1}});
     const topography::Dilator touched(strip, topography::SphereTip{5e-6});
     double ball = 0.0, disc = 0.0, surface = 0.0;
     for (Index line = 0; line < 8; ++line) {
-        StylusOptions options{.length = strip.size[0], .step = pixel, .start_y = static_cast<double>(80 * line) * pixel};
+        StylusOptions options{
+            .length = strip.size[0], .step = pixel, .start_y = static_cast<double>(80 * line) * pixel};
         auto seen = stylus_scan(touched, options);
         seen.periodic = true;
         const topography::LineScan truth{strip.heights.col(80 * line), strip.size[0], true, {}};

@@ -19,14 +19,15 @@ struct PairPoint {
     std::string surface;
     std::string elastomer;
     Estimate measured;
-    double slope = 0.0;              ///< > 0
+    double slope = 0.0;  ///< > 0
     double offset = 0.0;
-    /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) + offset_variance
+    /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) +
+    /// offset_variance
     double slope_variance = 0.0;
     double slope_centre = 0.0;
     double slope_offset_covariance = 0.0;
     double offset_variance = 0.0;
-    bool floored = true;             ///< predictions stop at 0
+    bool floored = true;  ///< predictions stop at 0
 
     [[nodiscard]] double prediction(double work) const;
     [[nodiscard]] double prediction_variance(double work) const;
@@ -41,19 +42,20 @@ struct WorkEstimate {
 
 /// W from all pairs, and how well the model fits.
 struct WorkFit {
-    Estimate work_of_adhesion;            ///< least squares, every pair alike; error from the residuals, pairs independent
-    /// The same value, pairs of one surface and of one elastomer correlated (two-way sandwich); as many degrees of freedom
-    /// as the rarer kind of group has members, less one.
+    Estimate work_of_adhesion;  ///< least squares, every pair alike; error from the residuals, pairs independent
+    /// The same value, pairs of one surface and of one elastomer correlated (two-way sandwich); as many degrees of
+    /// freedom as the rarer kind of group has members, less one.
     Estimate clustered;
-    double r_squared = 0.0;               ///< 1 − SS_res/SS_tot
+    double r_squared = 0.0;  ///< 1 − SS_res/SS_tot
     double residual_standard_deviation = 0.0;
     int n = 0;
     int degrees_of_freedom = 0;
-    std::vector<PairPoint> pairs;         ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
-    std::optional<WorkEstimate> weighted;           ///< by the measured ± alone; its χ² tests the model
-    std::optional<WorkEstimate> with_extra_scatter; ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
-    std::optional<WorkEstimate> errors_in_both;     ///< measured and predicted ±, and the scatter still missing
-    std::optional<Estimate> likelihood;             ///< 95 % profile likelihood over the extra scatter
+    std::vector<PairPoint> pairs;  ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
+    std::optional<WorkEstimate> weighted;  ///< by the measured ± alone; its χ² tests the model
+    std::optional<WorkEstimate>
+        with_extra_scatter;  ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
+    std::optional<WorkEstimate> errors_in_both;  ///< measured and predicted ±, and the scatter still missing
+    std::optional<Estimate> likelihood;          ///< 95 % profile likelihood over the extra scatter
 };
 
 /// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.

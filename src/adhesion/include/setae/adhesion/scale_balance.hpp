@@ -10,20 +10,20 @@ namespace setae::adhesion {
 
 /// Energy of conforming, scale by scale: what the roughness above each wavevector gains and stores.
 struct ScaleBalance {
-    Array1D wavevector;    ///< q [1/m]
-    Array1D gained;        ///< W_int r_{>q} − γ1 (r_{>q} − 1) [J/m²], r_{>q} the area ratio of the roughness above q alone
+    Array1D wavevector;  ///< q [1/m]
+    Array1D gained;  ///< W_int r_{>q} − γ1 (r_{>q} − 1) [J/m²], r_{>q} the area ratio of the roughness above q alone
     Array1D stored;        ///< U_el/A_app of the roughness above q [J/m²]
     Array1D stored_share;  ///< share of the whole U_el stored below q: cumulative, 0 … 1
     Array1D area_share;    ///< share of r − 1 reached by the roughness below q, 0 … 1
-    Array1D work_share;    ///< (W_app of the roughness below q alone − W_int)/(W_app − W_int): cumulative change of W_app
+    Array1D work_share;  ///< (W_app of the roughness below q alone − W_int)/(W_app − W_int): cumulative change of W_app
     std::optional<Band> bridging;  ///< [1/m] wavevectors where gained < stored: lowest and highest
 };
 
 /// For an isotropic surface with Gaussian slopes, at the wavevectors of its cumulative parameters.
 ///
-/// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says in
-/// sum; formulas for full conformity then overstate both area and energy.
-/// contact_modulus [Pa] > 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8.
+/// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says
+/// in sum; formulas for full conformity then overstate both area and energy. contact_modulus [Pa] > 0; work_of_adhesion
+/// W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy);
 

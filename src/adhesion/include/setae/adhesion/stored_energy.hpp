@@ -15,11 +15,14 @@ namespace setae::adhesion {
 [[nodiscard]] double stored_energy(double contact_modulus, const roughness::SpectrumCurve& curve,
                                    roughness::Conversion conversion = roughness::Conversion::exact);
 
-/// U_el/A_app = (E*/4) Σ_q |q| |h_q|² over the Fourier modes of a map, taken as one period; any direction, no isotropy assumed.
+/// U_el/A_app = (E*/4) Σ_q |q| |h_q|² over the Fourier modes of a map, taken as one period; any direction, no isotropy
+/// assumed.
 ///
-/// Non-periodic maps are detrended by their best plane and windowed (Hann) as in spectra. A cosine of amplitude h0 gives E* q h0²/8.
+/// Non-periodic maps are detrended by their best plane and windowed (Hann) as in spectra. A cosine of amplitude h0
+/// gives E* q h0²/8.
 /// @throws UndefinedDataError for maps with undefined heights.  Source: THEORY §7.
-[[nodiscard]] double stored_energy(double contact_modulus, const topography::HeightMap& map, parallel::Threads threads = {});
+[[nodiscard]] double stored_energy(double contact_modulus, const topography::HeightMap& map,
+                                   parallel::Threads threads = {});
 
 /// Upper bound E* h_rms h'_rms/4 of U_el/A_app for any spectrum (Cauchy–Schwarz). Source: THEORY §7.
 [[nodiscard]] double stored_energy_bound(double contact_modulus, double rms_height, double rms_slope);

@@ -13,9 +13,9 @@ struct ConformalState {
 
 /// Apparent work of adhesion on approach.
 struct ApparentWork {
-    double raw = 0.0;       ///< what the balance gives [J/m²]; negative where conforming costs energy
-    double floored = 0.0;   ///< max(0, raw): what a contact can show
-    bool conforms = true;   ///< raw > 0. Necessary, not sufficient: see scale_balance.hpp
+    double raw = 0.0;      ///< what the balance gives [J/m²]; negative where conforming costs energy
+    double floored = 0.0;  ///< max(0, raw): what a contact can show
+    bool conforms = true;  ///< raw > 0. Necessary, not sufficient: see scale_balance.hpp
 };
 
 /// Balance with the area change of the soft side at constant surface energy.
@@ -25,7 +25,8 @@ struct ApparentWork {
 /// work_of_adhesion: W_int [J/m²], >= 0.  surface_energy: γ1 of the soft solid [J/m²], >= 0.
 /// Limits: flat W_int; E* → 0: W_int r − γ1 (r − 1).
 /// @throws InvalidArgument outside the domain.  Source: [D19] (7).
-[[nodiscard]] ApparentWork modified_balance(double work_of_adhesion, double surface_energy, const ConformalState& state);
+[[nodiscard]] ApparentWork modified_balance(double work_of_adhesion, double surface_energy,
+                                            const ConformalState& state);
 
 /// Balance without area change of the soft side: W_app = W_int r − U_el/A_app. Source: [D19] (2).
 [[nodiscard]] ApparentWork balance_without_area_change(double work_of_adhesion, const ConformalState& state);
@@ -59,7 +60,7 @@ struct SurfaceEnergyLaw {
 /// interface_change: γ1s2 − γ12 [J/m²], the strain's effect on the interface itself, 0 unless known.
 /// Equals modified_balance for a constant law.
 /// @throws InvalidArgument outside the domain.  Source: [D19] (5), (6); THEORY §8.
-[[nodiscard]] ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state,
-                                           double interface_change = 0.0);
+[[nodiscard]] ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law,
+                                           const ConformalState& state, double interface_change = 0.0);
 
 }  // namespace setae::adhesion

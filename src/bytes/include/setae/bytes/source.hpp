@@ -10,13 +10,14 @@ namespace setae::bytes {
 
 /// Bytes a reader works on: a file on disk, read where asked, or a member of an archive in memory.
 struct Source {
-    std::string name;         ///< for messages: the path, or "container.zip: member"
-    std::uint64_t size = 0;   ///< bytes
-    std::string path;         ///< on disk; empty for a member of an archive
+    std::string name;        ///< for messages: the path, or "container.zip: member"
+    std::uint64_t size = 0;  ///< bytes
+    std::string path;        ///< on disk; empty for a member of an archive
     /// exactly `count` bytes from `offset` into memory of the caller, from any thread
     std::function<void(std::uint64_t offset, std::uint64_t count, char* target)> read_into;
 
-    /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated then.
+    /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated
+    /// then.
     [[nodiscard]] std::string bytes(std::uint64_t offset, std::uint64_t count) const;
     [[nodiscard]] std::string all() const { return bytes(0, size); }
     /// The first `count` bytes, or all where there are fewer.

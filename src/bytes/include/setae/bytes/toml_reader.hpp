@@ -18,8 +18,8 @@ namespace setae::bytes {
 /// @throws FileError; FormatError with the line for text that is no TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
-/// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error names
-/// file and line.
+/// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error
+/// names file and line.
 class TomlReader {
 public:
     TomlReader(const toml::table& table, std::string path, std::string where);
@@ -31,7 +31,8 @@ public:
     [[nodiscard]] std::optional<bool> boolean(const char* key);
     /// What one of a closed set of words stands for. @throws FormatError that lists the words.
     template <class Value>
-    [[nodiscard]] std::optional<Value> choice(const char* key, const std::vector<std::pair<std::string, Value>>& choices) {
+    [[nodiscard]] std::optional<Value> choice(const char* key,
+                                              const std::vector<std::pair<std::string, Value>>& choices) {
         const auto word = text(key);
         if (!word) return std::nullopt;
         std::string words;

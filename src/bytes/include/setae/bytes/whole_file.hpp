@@ -18,7 +18,8 @@ namespace setae::bytes {
 void write_whole_file(const std::string& path, std::string_view content);
 /// The same for content in parts, one behind the other.
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts);
-/// The same for a writer of its own, which is given the temporary name; what it throws passes on and nothing is replaced.
+/// The same for a writer of its own, which is given the temporary name; what it throws passes on and nothing is
+/// replaced.
 void write_whole_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
 /// Removes from a folder the temporary files of writers that are no more: processes of this machine that were killed.

@@ -19,11 +19,12 @@ namespace setae::bytes {
 /// Whether a member's name stays in the archive's own folder: no "../x", "/x", "c:x".
 [[nodiscard]] bool stays_inside(std::string_view name);
 
-/// A ZIP archive open for reading, from one thread at a time: a file, a part of one, or bytes in memory. Only its directory and the
-/// members asked for are read.
+/// A ZIP archive open for reading, from one thread at a time: a file, a part of one, or bytes in memory. Only its
+/// directory and the members asked for are read.
 class Archive {
 public:
-    /// @throws FormatError for bytes that are no whole ZIP archive, or a member whose name leads out of it ("../x", "/x").
+    /// @throws FormatError for bytes that are no whole ZIP archive, or a member whose name leads out of it ("../x",
+    /// "/x").
     explicit Archive(const Source& source);
 
     [[nodiscard]] std::vector<std::string> names() const;
@@ -37,8 +38,9 @@ public:
     /// The first `count` bytes of a member, or all where there are fewer.
     [[nodiscard]] std::string head(const std::string& name, std::uint64_t count) const;
 
-    /// The member as a source named "archive: member". It is expanded at the first read beyond its first MiB and then kept, and its
-    /// beginning, as far as it is read, before; a member that does not hold what the directory announces is refused at that read. It outlives the archive.
+    /// The member as a source named "archive: member". It is expanded at the first read beyond its first MiB and then
+    /// kept, and its beginning, as far as it is read, before; a member that does not hold what the directory announces
+    /// is refused at that read. It outlives the archive.
     [[nodiscard]] Source member(const std::string& name) const;
 
 private:

@@ -11,8 +11,8 @@
 
 namespace setae::bytes {
 
-/// Reads numbers and texts one after another; what lies beyond the end is refused with format, offset and reason. It takes pieces
-/// of 64 KiB from the source, so that headers are walked without reading what they describe.
+/// Reads numbers and texts one after another; what lies beyond the end is refused with format, offset and reason. It
+/// takes pieces of 64 KiB from the source, so that headers are walked without reading what they describe.
 class Cursor {
 public:
     Cursor(const Source& source, std::string format, std::uint64_t offset = 0, std::endian order = std::endian::little);

@@ -10,22 +10,28 @@
 
 namespace setae::bytes {
 
-/// The most bytes that compressed ones may become: 8 MiB and a hundredfold. Measured surfaces compress less; what expands more is
-/// an attack, or a map of one value.
-[[nodiscard]] constexpr std::uint64_t most_expanded(std::uint64_t compressed) { return (std::uint64_t{8} << 20) + 100 * compressed; }
+/// The most bytes that compressed ones may become: 8 MiB and a hundredfold. Measured surfaces compress less; what
+/// expands more is an attack, or a map of one value.
+[[nodiscard]] constexpr std::uint64_t most_expanded(std::uint64_t compressed) {
+    return (std::uint64_t{8} << 20) + 100 * compressed;
+}
 
 /// The content of a zlib or gzip stream; bytes behind it are left alone.
-/// @throws FormatError "<format>: …" at `offset`, where the stream stands in its source, for one that is damaged, ends early or
-/// becomes more than most_expanded. Once `enough` bytes are there it stops, and nothing behind them is looked at.
-[[nodiscard]] std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format,
+/// @throws FormatError "<format>: …" at `offset`, where the stream stands in its source, for one that is damaged, ends
+/// early or becomes more than most_expanded. Once `enough` bytes are there it stops, and nothing behind them is looked
+/// at.
+[[nodiscard]] std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset,
+                                   const std::string& format,
                                    std::uint64_t enough = std::numeric_limits<std::uint64_t>::max());
 
 /// The content of a Zstandard stream; otherwise as inflated.
-[[nodiscard]] std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format);
+[[nodiscard]] std::string expanded_zstd(std::string_view stream, const Source& source, std::uint64_t offset,
+                                        const std::string& format);
 
 /// The first `count` bytes of a Zstandard stream of which `stream` may be only a part, or all where there are fewer.
 /// @throws FormatError for a damaged stream.
-[[nodiscard]] std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset, const std::string& format);
+[[nodiscard]] std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source,
+                                             std::uint64_t offset, const std::string& format);
 
 /// Whether bytes begin as gzip.
 [[nodiscard]] bool is_gzip(std::string_view head);

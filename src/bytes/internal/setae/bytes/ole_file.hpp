@@ -13,11 +13,11 @@ namespace setae::bytes {
 /// Whether bytes begin as a compound file.
 [[nodiscard]] bool is_ole(std::string_view head);
 
-/// A compound file (OLE, "structured storage"): a file system of streams within a file, its sectors chained by a table. The table
-/// and the directory are read, streams are not.
+/// A compound file (OLE, "structured storage"): a file system of streams within a file, its sectors chained by a table.
+/// The table and the directory are read, streams are not.
 ///
-/// Own reader, for libgsf 1.14 leaks memory on damaged directories, logs to stderr, and ends the program where memory is short.
-/// Source: [MS-CFB] Compound File Binary File Format, versions 3 and 4.
+/// Own reader, for libgsf 1.14 leaks memory on damaged directories, logs to stderr, and ends the program where memory
+/// is short. Source: [MS-CFB] Compound File Binary File Format, versions 3 and 4.
 class OleFile {
 public:
     /// @throws FormatError "<format>: …" for chains that run in circles or leave the file.
@@ -42,9 +42,12 @@ private:
     void read_table();
     void read_directory(std::uint32_t first, std::uint32_t first_of_small_table);
     /// Sectors of a chain: so many, or to the chain's end where 0.
-    [[nodiscard]] std::vector<std::uint32_t> chain(const std::vector<std::uint32_t>& table, std::uint32_t first, std::uint64_t count) const;
+    [[nodiscard]] std::vector<std::uint32_t> chain(const std::vector<std::uint32_t>& table, std::uint32_t first,
+                                                   std::uint64_t count) const;
     [[nodiscard]] std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& sectors) const;
-    [[nodiscard]] std::uint64_t offset_of(std::uint32_t sector) const { return (std::uint64_t{sector} + 1) * sector_bytes_; }
+    [[nodiscard]] std::uint64_t offset_of(std::uint32_t sector) const {
+        return (std::uint64_t{sector} + 1) * sector_bytes_;
+    }
     [[nodiscard]] std::uint64_t small_offset_of(std::uint32_t sector) const;
 
     Source source_;

@@ -10,13 +10,14 @@
 
 namespace setae::bytes {
 
-/// XML of a file or member. Documents that define types or entities are refused: no instrument writes them, and entities serve to
-/// make small files large.
+/// XML of a file or member. Documents that define types or entities are refused: no instrument writes them, and
+/// entities serve to make small files large.
 /// @throws FormatError "<format>: …" with the offset of what does not parse.
 [[nodiscard]] pugi::xml_document parsed_xml(std::string_view text, const Source& source, const std::string& format);
 
 /// A number in an element's text, or the fallback where the element is missing or empty.
 /// @throws FormatError for text that is no finite number.
-[[nodiscard]] double xml_number(const pugi::xml_node& node, double fallback, const Source& source, const std::string& format);
+[[nodiscard]] double xml_number(const pugi::xml_node& node, double fallback, const Source& source,
+                                const std::string& format);
 
 }  // namespace setae::bytes

@@ -5,8 +5,8 @@
 
 /// Energy release rate that a viscoelastic solid asks for at its moving contact edge.
 ///
-/// Speeds are those of an edge that recedes (a shrinking contact), >= 0. Valid while the bulk away from the edge is elastic.
-/// Sources: Maugis, Barquins, J. Phys. D 11 (1978) 1989; Gent, Schultz, J. Adhesion 3 (1972) 281.
+/// Speeds are those of an edge that recedes (a shrinking contact), >= 0. Valid while the bulk away from the edge is
+/// elastic. Sources: Maugis, Barquins, J. Phys. D 11 (1978) 1989; Gent, Schultz, J. Adhesion 3 (1972) 281.
 namespace setae::contact::crack_speed {
 
 /// G(v) = G0 [1 + (v/v0)^n].

@@ -4,8 +4,8 @@
 #include "setae/contact/adhesive_contact.hpp"
 #include "setae/core/arrays.hpp"
 
-/// Contact with adhesion of long range (Derjaguin, Muller, Toporov) of a sphere and an elastic half-space: Hertz's contact
-/// under the force F + 2πRW.
+/// Contact with adhesion of long range (Derjaguin, Muller, Toporov) of a sphere and an elastic half-space: Hertz's
+/// contact under the force F + 2πRW.
 ///
 /// Signs and limits as in jkr.hpp. Valid for contact radius << R and Tabor parameter << 1 (below about 0.1).
 /// Sources: Derjaguin, Muller, Toporov, J. Colloid Interface Sci. 53 (1975) 314; Maugis, J. Colloid Interface Sci. 150

@@ -29,6 +29,7 @@ struct SphereOnFlat {
 ///
 /// @throws InvalidArgument outside the domain, and where E* is at least the counter-body's own E2/(1 − ν2²), which no
 /// softer partner can give.
-[[nodiscard]] double youngs_modulus_from(double contact_modulus, double poisson_ratio, const ElasticSolid& counter_body);
+[[nodiscard]] double youngs_modulus_from(double contact_modulus, double poisson_ratio,
+                                         const ElasticSolid& counter_body);
 
 }  // namespace setae::contact

@@ -39,9 +39,9 @@ using contact::Branch;
 /// Contact radius [m] at displacement δ [m].
 ///
 /// With a = a_c (1 + u)², a_c the radius at the pull-off under fixed grips and δ_c = −3a_c²/R, the equilibrium reads
-/// u² (u² + 4u + 6) = 3 (1 − δ/δ_c), solved by Newton steps on |u| √(u² + 4u + 6), which is smooth through the fold; they
-/// converge monotonically from the start chosen, so no bracket is needed.
-/// NaN where no equilibrium exists: δ < δ_c, and for the inner branch δ > 0.
+/// u² (u² + 4u + 6) = 3 (1 − δ/δ_c), solved by Newton steps on |u| √(u² + 4u + 6), which is smooth through the fold;
+/// they converge monotonically from the start chosen, so no bracket is needed. NaN where no equilibrium exists: δ <
+/// δ_c, and for the inner branch δ > 0.
 /// @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double contact_radius_at_displacement(double displacement, const Contact& contact,
                                                     Branch branch = Branch::outer);

@@ -4,20 +4,20 @@
 #include "setae/contact/adhesive_contact.hpp"
 #include "setae/core/arrays.hpp"
 
-/// Contact with adhesion of any range: a constant attraction σ0 acts across gaps below W/σ0 around the contact (Maugis with
-/// Dugdale's cohesive zone), between DMT (λ → 0) and JKR (λ → ∞).
+/// Contact with adhesion of any range: a constant attraction σ0 acts across gaps below W/σ0 around the contact (Maugis
+/// with Dugdale's cohesive zone), between DMT (λ → 0) and JKR (λ → ∞).
 ///
-/// Signs as in jkr.hpp. With A, F̄, δ̄ the contact radius, force and displacement in jkr::MaugisUnits, m = c/a the outer over
-/// the inner radius of the cohesive zone and s = √(m² − 1):
+/// Signs as in jkr.hpp. With A, F̄, δ̄ the contact radius, force and displacement in jkr::MaugisUnits, m = c/a the outer
+/// over the inner radius of the cohesive zone and s = √(m² − 1):
 ///
 ///   1 = (λA²/2) [s + (m² − 2) atan s] + (4λ²A/3) [s atan s − m + 1]
 ///   F̄ = A³ − λA² [s + m² atan s],   δ̄ = A² − (4/3) λ A s
 ///
-/// The first equation is a quadratic in A, so the whole curve is explicit in s, along which A falls monotonically; each inverse
-/// is one bracketed root in s (TOMS 748), on either branch. Domain: 1e-30 <= λ <= 1e30.
-/// Limits: λ → 0 is DMT to O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and
-/// displacement of a vanishing contact are finite; what attracts without contact beyond it is not part of the model.
-/// Source: Maugis, J. Colloid Interface Sci. 150 (1992) 243.
+/// The first equation is a quadratic in A, so the whole curve is explicit in s, along which A falls monotonically; each
+/// inverse is one bracketed root in s (TOMS 748), on either branch. Domain: 1e-30 <= λ <= 1e30. Limits: λ → 0 is DMT to
+/// O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and displacement of a
+/// vanishing contact are finite; what attracts without contact beyond it is not part of the model. Source: Maugis, J.
+/// Colloid Interface Sci. 150 (1992) 243.
 namespace setae::contact::maugis_dugdale {
 
 using State = ContactState;
@@ -52,8 +52,8 @@ struct ReducedSlopes {
 /// State at reduced contact radius A, 1e-9 <= A, with its derivatives. @throws InvalidArgument outside the domain.
 [[nodiscard]] ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter);
 
-/// State of least force, where the contact parts under a dead load. For λ < 1e-5 its contact radius (about 2.1 λ) is not
-/// resolved, its force is. @throws InvalidArgument for λ outside its domain.
+/// State of least force, where the contact parts under a dead load. For λ < 1e-5 its contact radius (about 2.1 λ) is
+/// not resolved, its force is. @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_load(double transition_parameter);
 
 /// State of least displacement, where the contact parts in an infinitely stiff machine: the fold of δ̄(A), or for
@@ -63,7 +63,8 @@ struct ReducedSlopes {
 /// λ = 2σ0 (R/(πWK²))^(1/3), K = 4E*/3. @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double transition_parameter(const Contact& contact);
 
-/// Cohesive stress σ0 = λ (πWK²/R)^(1/3)/2 [Pa] that gives λ. @throws InvalidArgument outside the domain, and for W = 0.
+/// Cohesive stress σ0 = λ (πWK²/R)^(1/3)/2 [Pa] that gives λ. @throws InvalidArgument outside the domain, and for W =
+/// 0.
 [[nodiscard]] double cohesive_stress(double transition_parameter, const AdhesiveContact& contact);
 
 /// Gap W/σ0 [m] across which the attraction ends. @throws InvalidArgument for a contact outside its domain.
@@ -79,15 +80,15 @@ struct ReducedSlopes {
 /// Outer radius c [m] of the cohesive zone at contact radius a [m], >= 0.
 [[nodiscard]] double zone_radius(double contact_radius, const Contact& contact);
 
-/// Contact radius [m] under force F [N]; NaN where no equilibrium exists: below the pull-off at fixed load, and for the inner
-/// branch above the force at a = 0.
+/// Contact radius [m] under force F [N]; NaN where no equilibrium exists: below the pull-off at fixed load, and for the
+/// inner branch above the force at a = 0.
 /// @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double contact_radius_at_force(double force, const Contact& contact, Branch branch = Branch::outer);
 [[nodiscard]] Array1D contact_radius_at_force(const ArrayView1D& force, const Contact& contact,
                                               Branch branch = Branch::outer);
 
-/// Contact radius [m] at displacement δ [m]; NaN where no equilibrium exists: below the pull-off at fixed grips, and for the
-/// inner branch above the displacement at a = 0, and everywhere for λ below about 0.938.
+/// Contact radius [m] at displacement δ [m]; NaN where no equilibrium exists: below the pull-off at fixed grips, and
+/// for the inner branch above the displacement at a = 0, and everywhere for λ below about 0.938.
 /// @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double contact_radius_at_displacement(double displacement, const Contact& contact,
                                                     Branch branch = Branch::outer);

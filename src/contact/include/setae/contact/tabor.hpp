@@ -7,13 +7,13 @@
 
 /// Which model of adhesion applies: the range of the attraction against the elastic deformation it causes.
 ///
-/// μ = R^(1/3) (W/E*)^(2/3)/z0 (jkr::tabor_parameter); Maugis' λ follows from equal W and equal largest attraction of Dugdale's
-/// and the Lennard-Jones law, σ0 = 16W/(9√3 z0):
+/// μ = R^(1/3) (W/E*)^(2/3)/z0 (jkr::tabor_parameter); Maugis' λ follows from equal W and equal largest attraction of
+/// Dugdale's and the Lennard-Jones law, σ0 = 16W/(9√3 z0):
 ///
 ///   λ = 2 · 16/(9√3) · (9/16π)^(1/3) μ = 1.1570 μ
 ///
-/// Sources: Tabor, J. Colloid Interface Sci. 58 (1977) 2; Maugis, J. Colloid Interface Sci. 150 (1992) 243; Johnson, Greenwood,
-/// J. Colloid Interface Sci. 192 (1997) 326 (the map).
+/// Sources: Tabor, J. Colloid Interface Sci. 58 (1977) 2; Maugis, J. Colloid Interface Sci. 150 (1992) 243; Johnson,
+/// Greenwood, J. Colloid Interface Sci. 192 (1997) 326 (the map).
 namespace setae::contact::tabor {
 
 /// Maugis' λ = 1.1570 μ. @throws InvalidArgument for μ <= 0.
@@ -35,8 +35,9 @@ enum class Regime {
     jkr,             ///< μ > 5
 };
 
-/// Bounds used: pull-off of Maugis' model within 5 % of DMT's below μ = 0.1 and within 0.5 % of JKR's above μ = 5; adhesion
-/// neglected where 2πRW < 5 % of |F| (Hertz); bodies rigid where Hertz's penetration under |F| + 2πRW is below 5 % of the range.
+/// Bounds used: pull-off of Maugis' model within 5 % of DMT's below μ = 0.1 and within 0.5 % of JKR's above μ = 5;
+/// adhesion neglected where 2πRW < 5 % of |F| (Hertz); bodies rigid where Hertz's penetration under |F| + 2πRW is below
+/// 5 % of the range.
 struct Verdict {
     Regime regime = Regime::maugis_dugdale;
     double tabor_parameter = 0.0;       ///< μ

@@ -3,22 +3,22 @@
 
 #include "setae/contact/maugis_dugdale.hpp"
 
-/// The transition equation of Carpick, Ogletree and Salmeron: contact radius against force between DMT (α = 0) and JKR (α = 1)
-/// in three parameters that a fit can find.
+/// The transition equation of Carpick, Ogletree and Salmeron: contact radius against force between DMT (α = 0) and JKR
+/// (α = 1) in three parameters that a fit can find.
 ///
 ///   a/a0 = [(α + √(1 − F/Fc))/(1 + α)]^(2/3),   λ = −0.924 ln(1 − 1.02 α)
 ///
 /// a0: radius at F = 0.  Fc < 0: force at pull-off.  Exact for α = 0 and α = 1.
-/// Against Maugis–Dugdale, with λ from this relation and a0, Fc its own (measured, F from −0.95 ❘Fc❘ to 10 ❘Fc❘): contact
-/// radii agree within 1.6 % of a0 for every λ, within 0.7 % for λ >= 1.5; at pull-off itself, where Maugis' radius vanishes with
-/// λ and this one does not as fast, within 0.06 a0. The relation ends at α = 1/1.02 (λ = ∞): α above is JKR.
-/// Source: Carpick, Ogletree, Salmeron, J. Colloid Interface Sci. 211 (1999) 395.
+/// Against Maugis–Dugdale, with λ from this relation and a0, Fc its own (measured, F from −0.95 ❘Fc❘ to 10 ❘Fc❘):
+/// contact radii agree within 1.6 % of a0 for every λ, within 0.7 % for λ >= 1.5; at pull-off itself, where Maugis'
+/// radius vanishes with λ and this one does not as fast, within 0.06 a0. The relation ends at α = 1/1.02 (λ = ∞): α
+/// above is JKR. Source: Carpick, Ogletree, Salmeron, J. Colloid Interface Sci. 211 (1999) 395.
 namespace setae::contact::transition {
 
 struct Curve {
-    double zero_load_radius = 0.0;   ///< a0 [m], > 0
-    double pull_off_force = 0.0;     ///< Fc [N], < 0
-    double transition_share = 0.0;   ///< α, 0 (DMT) to 1 (JKR)
+    double zero_load_radius = 0.0;  ///< a0 [m], > 0
+    double pull_off_force = 0.0;    ///< Fc [N], < 0
+    double transition_share = 0.0;  ///< α, 0 (DMT) to 1 (JKR)
 };
 
 /// Contact radius [m] under force F [N], on the stable branch; NaN for F < Fc.
@@ -44,8 +44,8 @@ struct Curve {
 ///
 ///   Fc = −[7/4 − ¼ (4.04 λ^1.4 − 1)/(4.04 λ^1.4 + 1)] πRW
 ///
-/// Within 0.031 πRW of Maugis–Dugdale (worst at λ = 0.25), exact in both limits; maugis_dugdale::pull_off_at_fixed_load has no
-/// such error. @throws InvalidArgument for λ <= 0, R <= 0 or W < 0.
+/// Within 0.031 πRW of Maugis–Dugdale (worst at λ = 0.25), exact in both limits; maugis_dugdale::pull_off_at_fixed_load
+/// has no such error. @throws InvalidArgument for λ <= 0, R <= 0 or W < 0.
 [[nodiscard]] double interpolated_pull_off_force(double transition_parameter, double radius, double work_of_adhesion);
 
 /// The curve of a Maugis–Dugdale contact: a0 and Fc its own, α from its λ.

@@ -12,8 +12,8 @@ struct DisplayUnit {
     std::string name;
 };
 
-/// The unit with the prefix that puts the magnitude of a value in [1, 1000), as format_value() chooses it; without prefix for 0, NaN, and units
-/// setae does not print with prefixes.
+/// The unit with the prefix that puts the magnitude of a value in [1, 1000), as format_value() chooses it; without
+/// prefix for 0, NaN, and units setae does not print with prefixes.
 [[nodiscard]] DisplayUnit display_unit(double value, std::string_view si_unit);
 
 }  // namespace setae

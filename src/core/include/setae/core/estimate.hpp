@@ -38,7 +38,8 @@ struct Estimate {
 /// normal quantile where they are absent); nothing without a standard error > 0.
 [[nodiscard]] std::optional<Interval> interval_of(const Estimate& estimate, double level = 0.95);
 
-/// The estimate in another unit: value, standard error and interval times a factor, the interval turned for factors < 0.
+/// The estimate in another unit: value, standard error and interval times a factor, the interval turned for factors <
+/// 0.
 [[nodiscard]] Estimate scaled(Estimate estimate, double factor);
 
 /// later − earlier of independent estimates; method "delta", Welch–Satterthwaite degrees of freedom where one has any.

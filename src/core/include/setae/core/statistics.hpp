@@ -17,7 +17,8 @@ namespace setae {
 /// P(X <= x), X normal with mean 0 and variance 1.
 [[nodiscard]] double normal_probability(double x);
 
-/// x with P(T <= x) = probability, T distributed as Student's t; the normal quantile for infinitely many degrees of freedom.
+/// x with P(T <= x) = probability, T distributed as Student's t; the normal quantile for infinitely many degrees of
+/// freedom.
 /// @throws InvalidArgument unless 0 < probability < 1 and degrees_of_freedom > 0.
 [[nodiscard]] double student_t_quantile(double probability, double degrees_of_freedom);
 
@@ -27,7 +28,8 @@ namespace setae {
 
 /// P(X > ratio), X distributed as Fisher's F: what chance alone gives to a ratio of two mean squares, or more.
 /// @throws InvalidArgument unless ratio >= 0 and both degrees of freedom are > 0.
-[[nodiscard]] double f_exceedance(double ratio, double numerator_degrees_of_freedom, double denominator_degrees_of_freedom);
+[[nodiscard]] double f_exceedance(double ratio, double numerator_degrees_of_freedom,
+                                  double denominator_degrees_of_freedom);
 
 /// An independent contribution to a variance with the degrees of freedom it was estimated with.
 struct VarianceTerm {
@@ -51,9 +53,11 @@ struct VarianceTerm {
 /// function: f of the inputs. inputs: x. covariance: Σ, symmetric, of the inputs' size.
 /// @throws InvalidArgument where the sizes differ.
 /// Cost: two evaluations an uncertain input.
-[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function, const Array1D& inputs, const Array2D& covariance);
+[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function, const Array1D& inputs,
+                                  const Array2D& covariance);
 
 /// The same for independent inputs; degrees of freedom by Satterthwaite's formula where an input has any.
-[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function, std::span<const Estimate> inputs);
+[[nodiscard]] Estimate propagated(const std::function<double(const Array1D&)>& function,
+                                  std::span<const Estimate> inputs);
 
 }  // namespace setae

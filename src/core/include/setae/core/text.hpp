@@ -11,7 +11,8 @@ namespace setae {
 /// Text without leading and trailing white space (blank, tab, carriage return, line feed).
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// The candidate with the smallest edit distance to `word`, for "did you mean"; empty where none is within half its length.
+/// The candidate with the smallest edit distance to `word`, for "did you mean"; empty where none is within half its
+/// length.
 [[nodiscard]] std::string nearest_match(std::string_view word, std::span<const std::string> candidates);
 
 /// Bytes of the UTF-8 character that text, not empty, begins with; 0 where it begins with none. Source: RFC 3629.

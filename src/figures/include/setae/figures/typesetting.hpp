@@ -15,8 +15,8 @@ struct Span {
     Place place = Place::line;
 };
 
-/// The markup of Axis::quantity taken apart: between asterisks italic, _ and ^ lower and raise the word or {group} after them; a backslash
-/// takes the next letter as it is.
+/// The markup of Axis::quantity taken apart: between asterisks italic, _ and ^ lower and raise the word or {group}
+/// after them; a backslash takes the next letter as it is.
 [[nodiscard]] std::vector<Span> spans_of(std::string_view quantity);
 
 /// A factor of a unit: m⁻² is {"m", "-2"}.

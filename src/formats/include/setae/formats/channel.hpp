@@ -19,10 +19,12 @@ struct ChannelInfo {
     std::string name;
     std::string format;        ///< identifier in formats()
     std::vector<Index> shape;  ///< (nx, ny) of a map, (n) of a line
-    std::vector<double> size;  ///< extent [m] along each direction: n · pixel size, for profiles x_last − x_first; empty: nobody said
-    std::string unit;          ///< the file's unit of heights, spelled as parse_unit knows it; empty: nobody said
-    std::string orientation;   ///< how rows and columns came to lie as they do: "rows from the bottom, turned"; empty for lines
-    bool is_height = true;     ///< false for phase, amplitude, current …: listed, but no heights
+    std::vector<double>
+        size;  ///< extent [m] along each direction: n · pixel size, for profiles x_last − x_first; empty: nobody said
+    std::string unit;  ///< the file's unit of heights, spelled as parse_unit knows it; empty: nobody said
+    std::string
+        orientation;  ///< how rows and columns came to lie as they do: "rows from the bottom, turned"; empty for lines
+    bool is_height = true;  ///< false for phase, amplitude, current …: listed, but no heights
     topography::Metadata metadata;
     std::optional<topography::Trend> recommended_trend;  ///< what a container says to remove
     std::vector<Alert> alerts;
@@ -30,8 +32,8 @@ struct ChannelInfo {
 
 /// A channel and the function that reads its heights [m]: scaled once, not levelled, NaN = undefined.
 ///
-/// lines: heights of the scan lines first … first + count − 1 alone, shape (nx, count), for maps larger than memory; empty where the
-/// format has to be read as a whole.
+/// lines: heights of the scan lines first … first + count − 1 alone, shape (nx, count), for maps larger than memory;
+/// empty where the format has to be read as a whole.
 /// @throws (read, lines) FormatError for content that breaks the format, UndefinedDataError where no height is defined,
 /// InvalidArgument for a channel that holds no heights.
 struct Channel {
@@ -40,34 +42,40 @@ struct Channel {
     std::function<Array2D(Index first, Index count)> lines = {};
 };
 
-/// The map of a channel by bands of scan lines, read when asked; nothing where it is no map, a size or unit is missing, or the format
-/// has to be read as a whole.
+/// The map of a channel by bands of scan lines, read when asked; nothing where it is no map, a size or unit is missing,
+/// or the format has to be read as a whole.
 [[nodiscard]] std::optional<topography::TiledMap> tiled(const Channel& channel);
 
-/// What the file of a channel does not say: "size" and "unit", without which heights cannot be read, then "instrument" and "date".
+/// What the file of a channel does not say: "size" and "unit", without which heights cannot be read, then "instrument"
+/// and "date".
 [[nodiscard]] std::vector<std::string> missing(const ChannelInfo& info);
 
-/// How text is to be read whose columns have two meanings: three columns of numbers are a narrow map, or points x, y, z.
+/// How text is to be read whose columns have two meanings: three columns of numbers are a narrow map, or points x, y,
+/// z.
 enum class TextLayout { matrix, columns };
 
 /// What a file may leave open and the user must say. Where the file says it itself, the file wins, and a difference
 /// becomes an alert (SIZE_MISMATCH above 1e-4, UNIT_MISMATCH).
 struct ReadOptions {
     std::optional<std::vector<double>> size;  ///< extent [m] of npy arrays and text matrices
-    std::optional<std::string> unit;          ///< of x and heights in text, of heights in npy arrays and text matrices; "mm, um": of x, then of heights
-    std::optional<TextLayout> layout = {};    ///< of text; nothing: from the numbers, with an alert AMBIGUOUS_COLUMNS where both fit
+    std::optional<std::string> unit;  ///< of x and heights in text, of heights in npy arrays and text matrices; "mm,
+                                      ///< um": of x, then of heights
+    std::optional<TextLayout> layout =
+        {};  ///< of text; nothing: from the numbers, with an alert AMBIGUOUS_COLUMNS where both fit
 };
 
 /// The channels of a file. The format is detected by content, never by name; truncated files and files whose header
 /// announces more than they hold are refused here. A container gives one channel a measurement, and one bad member
-/// becomes a channel with the alert UNREADABLE_MEMBER whose `read` throws what was wrong. Heights are read by `read`, not here: of
-/// binary files only headers are. A missing size or unit is told by missing(), and by `read` as InvalidArgument.
-/// @throws FileError for a path that cannot be read; FormatError for unknown or broken content; InvalidArgument for sizes that do
-/// not fit the data.
+/// becomes a channel with the alert UNREADABLE_MEMBER whose `read` throws what was wrong. Heights are read by `read`,
+/// not here: of binary files only headers are. A missing size or unit is told by missing(), and by `read` as
+/// InvalidArgument.
+/// @throws FileError for a path that cannot be read; FormatError for unknown or broken content; InvalidArgument for
+/// sizes that do not fit the data.
 [[nodiscard]] std::vector<Channel> open(const std::string& path, const ReadOptions& options = {});
 
 /// The heights of one channel.
 /// @throws InvalidArgument where the file has no such channel or it holds no heights; else as open.
-[[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel = 0, const ReadOptions& options = {});
+[[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel = 0,
+                                           const ReadOptions& options = {});
 
 }  // namespace setae::formats

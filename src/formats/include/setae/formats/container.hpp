@@ -9,13 +9,13 @@
 #include <variant>
 #include <vector>
 
-#include "setae/core/quantity.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/quantity.hpp"
 
-/// Containers of contact.engineering: a ZIP of measured files and an index that says what each is. The types hold what the index
-/// says and nothing else; open() of channel.hpp reads the heights. An empty text or list is the same as none. What setae knows no
-/// field for is kept in `extra`, JSON text of an object, and written again as it was.
-/// Source: SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py and export_zip.py.
+/// Containers of contact.engineering: a ZIP of measured files and an index that says what each is. The types hold what
+/// the index says and nothing else; open() of channel.hpp reads the heights. An empty text or list is the same as none.
+/// What setae knows no field for is kept in `extra`, JSON text of an object, and written again as it was. Source:
+/// SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py and export_zip.py.
 namespace setae::formats {
 
 struct ContainerAuthor {
@@ -75,10 +75,11 @@ struct ContainerTopography {
         std::string extra;
         bool operator==(const Channel&) const = default;
     };
-    std::optional<Channel> channel;          ///< as the newest TopoBank names it, instead of data_source
-    std::vector<double> size;                ///< [unit]
+    std::optional<Channel> channel;  ///< as the newest TopoBank names it, instead of data_source
+    std::vector<double> size;        ///< [unit]
     std::string unit;
-    std::optional<double> height_scale;      ///< what the original's numbers are multiplied by where the file itself carries no scale
+    std::optional<double>
+        height_scale;  ///< what the original's numbers are multiplied by where the file itself carries no scale
     std::optional<bool> has_undefined_data;
     std::optional<double> undefined_data_fraction;
     std::string fill_undefined_data_mode;  ///< "do-not-fill", "harmonic"
@@ -118,11 +119,11 @@ struct Container {
 
 /// Which index a container has.
 enum class ContainerGeneration {
-    yaml,        ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
-    both,        ///< B: index.json with the keys of A, beside meta.yml
-    json,        ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest development,
-                 ///< with "measurements" of a "kind" and their "metadata"
-    skeleton,    ///< as SurfaceTopography writes: processed copies alone, hardly a field
+    yaml,  ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
+    both,  ///< B: index.json with the keys of A, beside meta.yml
+    json,  ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest
+           ///< development, with "measurements" of a "kind" and their "metadata"
+    skeleton,  ///< as SurfaceTopography writes: processed copies alone, hardly a field
 };
 [[nodiscard]] std::string describe(ContainerGeneration generation);
 
@@ -146,17 +147,18 @@ struct ContainerMember {
     std::function<bytes::Source()> content;
 };
 
-/// Writes a container of generation C: index.json, meta.yml with the same content for programs that know no other, README.txt where
-/// no member is named so, and the members stored in order. Written under another name, then renamed; the same input gives the same bytes.
-/// @throws FileError where it cannot be written; InvalidArgument for two members of one name or a name that leads out of the archive;
-/// what a member's content throws.
+/// Writes a container of generation C: index.json, meta.yml with the same content for programs that know no other,
+/// README.txt where no member is named so, and the members stored in order. Written under another name, then renamed;
+/// the same input gives the same bytes.
+/// @throws FileError where it cannot be written; InvalidArgument for two members of one name or a name that leads out
+/// of the archive; what a member's content throws.
 void write_container(const std::string& path, const Container& container, const std::vector<ContainerMember>& members);
 
 /// What contact.engineering's schema does not accept: code NOT_IN_SCHEMA, the place in the index, what is wrong.
 [[nodiscard]] std::vector<Alert> schema_violations(const Container& container);
 
-/// Every difference of what two containers say and hold, one a line: "surfaces/0/topographies/1/height_scale: 0.5 became absent",
-/// "member a.txt: differs". Keys of older generations count as those of generation C.
+/// Every difference of what two containers say and hold, one a line: "surfaces/0/topographies/1/height_scale: 0.5
+/// became absent", "member a.txt: differs". Keys of older generations count as those of generation C.
 /// @throws as read_container.
 [[nodiscard]] std::vector<std::string> container_differences(const bytes::Source& before, const bytes::Source& after);
 

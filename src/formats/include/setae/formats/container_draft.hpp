@@ -21,25 +21,27 @@ struct ContainerDraft {
 struct StoredMeasurement {
     std::string path;
     ReadOptions options;
-    std::optional<std::size_t> channel;        ///< default: the first of heights
-    std::optional<topography::Trend> trend;    ///< what the container says to remove: mean (the default), tilt or parabola
-    topography::Instrument instrument;         ///< what is known of it beside the file
+    std::optional<std::size_t> channel;  ///< default: the first of heights
+    std::optional<topography::Trend>
+        trend;                          ///< what the container says to remove: mean (the default), tilt or parabola
+    topography::Instrument instrument;  ///< what is known of it beside the file
 };
 
-/// Adds a measured file to a surface: the file itself, byte for byte, and its processed copy, heights less their trend as classic
-/// NetCDF. The file is read once here, so that what cannot be read is refused, and again when the container is written.
-/// @throws as open() and read(); InvalidArgument for a file without heights, a missing size or unit, a trend no container knows, a unit
-/// no container knows where the file's numbers rest on it.
+/// Adds a measured file to a surface: the file itself, byte for byte, and its processed copy, heights less their trend
+/// as classic NetCDF. The file is read once here, so that what cannot be read is refused, and again when the container
+/// is written.
+/// @throws as open() and read(); InvalidArgument for a file without heights, a missing size or unit, a trend no
+/// container knows, a unit no container knows where the file's numbers rest on it.
 void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement);
 
-/// Adds the surfaces of a container with all its members. Measurements without processed copy get one where they are not filled; a scale
-/// that the original carries itself is taken out of the index (SCALE_TWICE); size and unit are added where only the file says them.
-/// What cannot be read is kept as it is, with the alert UNREADABLE_MEMBER.
+/// Adds the surfaces of a container with all its members. Measurements without processed copy get one where they are
+/// not filled; a scale that the original carries itself is taken out of the index (SCALE_TWICE); size and unit are
+/// added where only the file says them. What cannot be read is kept as it is, with the alert UNREADABLE_MEMBER.
 /// @throws as read_container.
 void add_container(ContainerDraft& draft, const bytes::Source& source);
 
-/// Adds the measurements of the container `measurement.path` to a surface, or the one `measurement.channel` names, as add_container does
-/// its surfaces; what is given of trend and instrument replaces what the container says.
+/// Adds the measurements of the container `measurement.path` to a surface, or the one `measurement.channel` names, as
+/// add_container does its surfaces; what is given of trend and instrument replaces what the container says.
 /// @throws as read_container; InvalidArgument where it has no such measurement.
 void add_measurements_of(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement);
 
@@ -51,9 +53,9 @@ struct ContainerReport {
     std::vector<std::string> differences;  ///< between the container and what setae writes of it
 };
 
-/// Reads everything there is, heights too: SCALE_TWICE, UNREADABLE_MEMBER, ORIGINAL_MISSING, COPY_DIFFERS (original and processed copy
-/// do not agree), SIZE_MISMATCH, UNIT_MISMATCH, NOT_IN_SCHEMA, UNKNOWN_FIELD, MALFORMED_FIELD. The container is written to the folder of
-/// temporary files and read again.
+/// Reads everything there is, heights too: SCALE_TWICE, UNREADABLE_MEMBER, ORIGINAL_MISSING, COPY_DIFFERS (original and
+/// processed copy do not agree), SIZE_MISMATCH, UNIT_MISMATCH, NOT_IN_SCHEMA, UNKNOWN_FIELD, MALFORMED_FIELD. The
+/// container is written to the folder of temporary files and read again.
 /// @throws as read_container; FileError where that folder cannot be written.
 [[nodiscard]] ContainerReport check_container(const bytes::Source& source);
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/formats/channel.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
 
 namespace setae::formats {
 
@@ -15,16 +15,17 @@ namespace setae::formats {
 enum class Match { no, maybe, yes };
 
 /// A file format of topographies: what it is, what setae can do with it, and the functions that do it. Detection,
-/// `setae formats`, docs/formats and the tests are made from the one table of these. Texts are sentences without final full stop.
+/// `setae formats`, docs/formats and the tests are made from the one table of these. Texts are sentences without final
+/// full stop.
 struct Format {
-    std::string identifier;   ///< short and stable, such as "di"
-    std::string name;         ///< such as "Nanoscope"
-    std::string extensions;   ///< usual endings, separated by blanks; never used to detect
-    std::string description;  ///< whose files these are and what is read of them, in a sentence
-    std::string heights;      ///< how stored values become heights in metres, and which are undefined
-    std::string orientation;  ///< which corner comes first, and what says so
-    std::string not_read = {};  ///< what such files may hold besides, and what happens to it
-    std::string reference;      ///< where the layout is described
+    std::string identifier;             ///< short and stable, such as "di"
+    std::string name;                   ///< such as "Nanoscope"
+    std::string extensions;             ///< usual endings, separated by blanks; never used to detect
+    std::string description;            ///< whose files these are and what is read of them, in a sentence
+    std::string heights;                ///< how stored values become heights in metres, and which are undefined
+    std::string orientation;            ///< which corner comes first, and what says so
+    std::string not_read = {};          ///< what such files may hold besides, and what happens to it
+    std::string reference;              ///< where the layout is described
     bool tested_on_real_files = false;  ///< of instruments, not only files made by the tests
     bool carries_scale = true;          ///< heights come with their unit and scale from the file itself
     /// from the first `bytes::detection_bytes` bytes, and for archives from the names of their members

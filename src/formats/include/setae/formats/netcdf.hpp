@@ -14,9 +14,10 @@ namespace setae::formats {
 /// Source: NetCDF Users Guide; CF conventions 1.8, sections 3.1 and 3.2.
 void write_netcdf(const std::string& path, const Table& table);
 
-/// A topography as the bytes of a NetCDF file (classic model, 64-bit offsets) that open() reads back with its size, unit and
-/// periodicity: float64 variables heights(x[, y]), x and y in `unit`, attributes "unit", "length" and "periodic"; a profile's
-/// heights(n) and x(n) have no length. Undefined points are NaN and 1 in a variable "mask", which is there only with them.
+/// A topography as the bytes of a NetCDF file (classic model, 64-bit offsets) that open() reads back with its size,
+/// unit and periodicity: float64 variables heights(x[, y]), x and y in `unit`, attributes "unit", "length" and
+/// "periodic"; a profile's heights(n) and x(n) have no length. Undefined points are NaN and 1 in a variable "mask",
+/// which is there only with them.
 /// @throws InvalidArgument for what NetCDF refuses, such as 2³² bytes of heights or more, or a unit that is no length.
 /// Source: the layout of topographies in contact.engineering containers.
 [[nodiscard]] std::string netcdf_content(const topography::Measurement& measurement, const std::string& unit = "m");

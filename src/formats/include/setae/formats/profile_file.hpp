@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/core/units.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/units.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::formats {
@@ -30,11 +30,12 @@ struct ProfileKey {
 ///   # blur: 4.2e-10 m
 ///   x [m],h [m],standard_error [m]
 ///
-/// Numbers have all their digits, NaN is an empty cell; the third column is there where errors are known. Keys of what is unknown
-/// are left out; attributes of the metadata are keys like any other. Not written: the metadata's file, format and unit.
-/// @throws InvalidArgument for attributes whose key is one of setae's own (foil_thickness, rotation and reentrant_share excepted),
-/// is empty or holds a colon, entries with line breaks or outer blanks, quantities that do not parse, and profiles that
-/// topography::validate refuses.
+/// Numbers have all their digits, NaN is an empty cell; the third column is there where errors are known. Keys of what
+/// is unknown are left out; attributes of the metadata are keys like any other. Not written: the metadata's file,
+/// format and unit.
+/// @throws InvalidArgument for attributes whose key is one of setae's own (foil_thickness, rotation and reentrant_share
+/// excepted), is empty or holds a colon, entries with line breaks or outer blanks, quantities that do not parse, and
+/// profiles that topography::validate refuses.
 [[nodiscard]] std::string as_profile_file(const topography::Profile& profile);
 
 /// Writes as_profile_file(profile) as a whole.
@@ -45,9 +46,9 @@ void write_profile(const std::string& path, const topography::Profile& profile);
 [[nodiscard]] bool is_profile_file(std::string_view head);
 
 /// The profile of a file: what write_profile wrote comes back to the last bit.
-/// @throws FormatError with the line: another version, a head line that is no 'key: value', a key given twice, a malformed
-/// quantity, a response that lacks a part; columns other than x, h and perhaps standard_error with units of length; rows as
-/// read_raw_table refuses them.
+/// @throws FormatError with the line: another version, a head line that is no 'key: value', a key given twice, a
+/// malformed quantity, a response that lacks a part; columns other than x, h and perhaps standard_error with units of
+/// length; rows as read_raw_table refuses them.
 [[nodiscard]] topography::Profile read_profile(const bytes::Source& source);
 
 }  // namespace setae::formats

@@ -16,9 +16,9 @@ using SpectrumLine = std::function<void(Index m, Complex* modes)>;
 ///
 ///   h_ij = sum_{k,m} H(k, m) exp(2πi (ik/nx + jm/ny)),  m = 0 … ny/2 given, H(nx − k, ny − m) = conj H(k, m)
 ///
-/// Lines 0 and, for even ny, ny/2 hold both members of such a pair and have to obey it; the map is real by construction.
-/// Lines are made, transformed along x and put into the map itself, whose rows are then transformed in place: the map and
-/// one block a thread is all the memory there is, and it is passed over twice. O(nx ny log(nx ny)).
+/// Lines 0 and, for even ny, ny/2 hold both members of such a pair and have to obey it; the map is real by
+/// construction. Lines are made, transformed along x and put into the map itself, whose rows are then transformed in
+/// place: the map and one block a thread is all the memory there is, and it is passed over twice. O(nx ny log(nx ny)).
 /// Same bytes for any number of threads.
 /// @throws InvalidArgument for a map without points; what `load` throws.
 void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads);

@@ -31,7 +31,8 @@ inline constexpr Index lines_per_block = 16;
 
 /// Half spectra of the lines along x of a map: line j holds the transform of map(0 … nx−1, j), nx/2 + 1 modes.
 ///
-/// `prepare(j, line)` may change the nx values of line j before its transform (mean, window). Memory: one block a thread.
+/// `prepare(j, line)` may change the nx values of line j before its transform (mean, window). Memory: one block a
+/// thread.
 void transform_lines(const ArrayView2D& map, const std::function<void(Index, double*)>& prepare,
                      const BlockConsumer& consume, parallel::Threads threads);
 

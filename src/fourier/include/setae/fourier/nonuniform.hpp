@@ -12,8 +12,8 @@ namespace setae::fourier {
 ///
 /// positions x_k [m], coefficients c_k, wavevectors q_j [1/m]; in any order, finite.
 /// Error below 1e-13 sum|c_k|, plus what rounding of the phases q x itself costs (1.1e-16 max|q x| a term).
-/// Spreading to a grid, a transform of that grid, interpolation: O(n_x + n_q + (q range)(x range) log); the plain sum is
-/// taken where that is cheaper.
+/// Spreading to a grid, a transform of that grid, interpolation: O(n_x + n_q + (q range)(x range) log); the plain sum
+/// is taken where that is cheaper.
 /// @throws InvalidArgument for sizes that differ or values that are not finite.
 /// Source: Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479, type 3, kernel
 /// exp(β(√(1−z²) − 1)).
@@ -22,6 +22,7 @@ namespace setae::fourier {
 
 /// The same by the plain sum, O(n_x n_q).
 [[nodiscard]] Eigen::ArrayXcd nonuniform_transform_by_sum(const ArrayView1D& positions, const ArrayView1D& coefficients,
-                                                          const ArrayView1D& wavevectors, parallel::Threads threads = {});
+                                                          const ArrayView1D& wavevectors,
+                                                          parallel::Threads threads = {});
 
 }  // namespace setae::fourier

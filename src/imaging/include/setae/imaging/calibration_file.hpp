@@ -22,8 +22,8 @@ struct KeptCalibration {
 void write_calibration(const std::string& path, const KeptCalibration& kept);
 
 /// Reads what write_calibration writes.
-/// @throws FileError; FormatError that names file and key: no JSON, another version, keys missing, unknown (with the nearest
-/// known one) or of another type, numbers outside their domain.
+/// @throws FileError; FormatError that names file and key: no JSON, another version, keys missing, unknown (with the
+/// nearest known one) or of another type, numbers outside their domain.
 [[nodiscard]] KeptCalibration read_calibration(const std::string& path);
 
 }  // namespace setae::imaging

@@ -18,15 +18,16 @@ struct PixelSize {
 
 /// A picture of a microscope and what its file says of it.
 struct Micrograph {
-    FramePixels pixels;                             ///< grey levels as the file spells them, row 0 on top; colour as luminance
-    std::optional<PixelSize> pixel_size;            ///< as the file states it; nothing where it states none, or none of a length
-    std::string pixel_size_source;                  ///< where it stands, such as "DM4 calibration"; empty without one
-    std::string unit;                               ///< the file's own, "nm" or, where the axes differ, "nm, A" (x first)
-    std::string format;                             ///< identifier in micrograph_formats()
+    FramePixels pixels;                   ///< grey levels as the file spells them, row 0 on top; colour as luminance
+    std::optional<PixelSize> pixel_size;  ///< as the file states it; nothing where it states none, or none of a length
+    std::string pixel_size_source;        ///< where it stands, such as "DM4 calibration"; empty without one
+    std::string unit;                     ///< the file's own, "nm" or, where the axes differ, "nm, A" (x first)
+    std::string format;                   ///< identifier in micrograph_formats()
     std::string file, name;
-    std::string instrument, acquisition_time;       ///< as the file says; empty where it does not
-    std::map<std::string, std::string> attributes;  ///< magnification, voltage … with their units, as the file names them
-    std::vector<Alert> alerts;                      ///< of reading: UNTESTED_FORMAT, PIXELS_NOT_SQUARE, COMPLEX_MAGNITUDE …
+    std::string instrument, acquisition_time;  ///< as the file says; empty where it does not
+    std::map<std::string, std::string>
+        attributes;             ///< magnification, voltage … with their units, as the file names them
+    std::vector<Alert> alerts;  ///< of reading: UNTESTED_FORMAT, PIXELS_NOT_SQUARE, COMPLEX_MAGNITUDE …
 };
 
 struct MicrographOptions {
@@ -35,8 +36,9 @@ struct MicrographOptions {
 };
 
 /// Reads a picture: DM3, DM4, TIFF, PNG, JPEG, BMP, SER (EMI beside it), EMD, MRC; told by content, never by name.
-/// @throws FileError; FormatError with the offset for content that breaks its format, for spectra (one row, or an axis that is
-/// no length) and for pictures above most_pixels, which says how to crop; InvalidArgument for an image the file has not.
+/// @throws FileError; FormatError with the offset for content that breaks its format, for spectra (one row, or an axis
+/// that is no length) and for pictures above most_pixels, which says how to crop; InvalidArgument for an image the file
+/// has not.
 [[nodiscard]] Micrograph read_micrograph(const std::string& path, const MicrographOptions& options = {});
 
 /// A format of pictures with a pixel size, for listings and documentation.

@@ -30,27 +30,28 @@ struct AlertLimits {
     double pinned_modulus_ratio = 1.5;              ///< of E* of a later press or release to that of first loading
     double frames_missing = 0.05;                   ///< FRAME_MISSING: share of the frames in contact
     double contact_modulus_least = 1e3, contact_modulus_most = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
-    double work_of_adhesion_most = 10.0;            ///< UNITS_IMPLAUSIBLE above [J/m²]
-    double work_spread = 0.2;                       ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
+    double work_of_adhesion_most = 10.0;                              ///< UNITS_IMPLAUSIBLE above [J/m²]
+    double work_spread = 0.2;  ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
 };
 
 struct AnalysisOptions {
     SegmentOptions segments;
     Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
-    bool effective_variance = true;                ///< fits allow for the errors of force too, where they are known
-    bool force_drift = true;                       ///< the zero of force runs from the first baseline to the second
-    bool extrapolate_force_drift = false;          ///< …, or where there is no second, on with the first one's slope
-    double displacement_drift_rate = 0.0;          ///< [m/s] of the displacement where a reference tells it, such as thermal drift
-    bool leave_pinned_out = true;                  ///< the unloading fits begin where the contact edge lets go
-    std::optional<double> contact_radius_noise;    ///< σ_a [m]; else from the radii's second differences
-    std::optional<double> machine_stiffness;       ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
+    bool effective_variance = true;        ///< fits allow for the errors of force too, where they are known
+    bool force_drift = true;               ///< the zero of force runs from the first baseline to the second
+    bool extrapolate_force_drift = false;  ///< …, or where there is no second, on with the first one's slope
+    double displacement_drift_rate =
+        0.0;                       ///< [m/s] of the displacement where a reference tells it, such as thermal drift
+    bool leave_pinned_out = true;  ///< the unloading fits begin where the contact edge lets go
+    std::optional<double> contact_radius_noise;     ///< σ_a [m]; else from the radii's second differences
+    std::optional<double> machine_stiffness;        ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
     double machine_stiffness_standard_error = 0.0;  ///< [N/m]
-    ContactPointChoice contact_point;              ///< where F–δ fits take the contact point from
-    double true_area_ratio = 1.0;                  ///< r of the hard surface, for losses per true area
-    Index retraction_points = 6;                   ///< of (S2)
-    bool retraction_modulus_free = false;          ///< E* of (S2) fitted, not taken from loading
-    double interaction_range = 0.3e-9;             ///< z0 of the Tabor parameter [m]
+    ContactPointChoice contact_point;               ///< where F–δ fits take the contact point from
+    double true_area_ratio = 1.0;                   ///< r of the hard surface, for losses per true area
+    Index retraction_points = 6;                    ///< of (S2)
+    bool retraction_modulus_free = false;           ///< E* of (S2) fitted, not taken from loading
+    double interaction_range = 0.3e-9;              ///< z0 of the Tabor parameter [m]
     AlertLimits limits;
 };
 
@@ -58,9 +59,9 @@ struct AnalysisOptions {
 struct FitRange {
     std::string name;           ///< such as "loading, from 3 samples after jump-in to the largest force"
     Index first = 0, last = 0;  ///< samples of the record
-    Index n = 0;                ///< fewer than last − first + 1 where partial releases or missing frames were left out
-    double force_first = 0.0;   ///< [N]
-    double force_last = 0.0;    ///< [N]
+    Index n = 0;               ///< fewer than last − first + 1 where partial releases or missing frames were left out
+    double force_first = 0.0;  ///< [N]
+    double force_last = 0.0;   ///< [N]
 };
 
 /// E* and W with so many samples dropped after the jump-in.
@@ -88,31 +89,32 @@ struct BranchAnalysis {
 
 /// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
 struct LoopContext {
-    double largest_contact_radius = 0.0;     ///< [m]: loading fit at the largest force, moved to the last five frames
-    bool radius_measured = false;            ///< else from the fit alone
-    double largest_contact_area = 0.0;       ///< π a_max² [m²]
-    double ideal_smooth_sphere_loss = 0.0;   ///< of the jumps under fixed grips, with E* and W of loading [J]
-    double tabor_parameter = 0.0;            ///< with W and E* of loading
-    std::string applicable_model;            ///< a sentence: which model of adhesion applies at the largest force; empty where W <= 0
+    double largest_contact_radius = 0.0;    ///< [m]: loading fit at the largest force, moved to the last five frames
+    bool radius_measured = false;           ///< else from the fit alone
+    double largest_contact_area = 0.0;      ///< π a_max² [m²]
+    double ideal_smooth_sphere_loss = 0.0;  ///< of the jumps under fixed grips, with E* and W of loading [J]
+    double tabor_parameter = 0.0;           ///< with W and E* of loading
+    std::string
+        applicable_model;  ///< a sentence: which model of adhesion applies at the largest force; empty where W <= 0
 };
 
 /// One press and release. The first loading of a contact and the release that parts it are JKR branches; a partial
-/// release, and the press after it, are only where their E* agrees with that of first loading: where the contact edge is
-/// pinned, the contact answers with its stiffness at constant radius, and W would mean nothing.
+/// release, and the press after it, are only where their E* agrees with that of first loading: where the contact edge
+/// is pinned, the contact answers with its stiffness at constant radius, and W would mean nothing.
 struct CycleAnalysis {
     Cycle cycle;
     Outcome<BranchAnalysis> loading;
     Outcome<BranchAnalysis> unloading;
-    Outcome<double> energy;  ///< ∮F dδ of the cycle [J]
+    Outcome<double> energy;              ///< ∮F dδ of the cycle [J]
     double energy_standard_error = 0.0;  ///< [J]; NaN where unknown
 };
 
 /// What the machine's stiffness, known within its standard error, leaves open.
 struct ComplianceEffect {
-    Estimate stiffness;              ///< k as given [N/m]
-    double modulus_change = 0.0;     ///< of E* from F–δ of loading, k one standard error higher [Pa]
-    double work_change = 0.0;        ///< of W likewise [J/m²]
-    double energy_change = 0.0;      ///< of the energy of the approach [J]; that of the closed loop does not change
+    Estimate stiffness;           ///< k as given [N/m]
+    double modulus_change = 0.0;  ///< of E* from F–δ of loading, k one standard error higher [Pa]
+    double work_change = 0.0;     ///< of W likewise [J/m²]
+    double energy_change = 0.0;   ///< of the energy of the approach [J]; that of the closed loop does not change
 };
 
 /// All that one touch tells.
@@ -131,7 +133,8 @@ struct ContactAnalysis {
 
 /// Of the first contact in full; a record of several touches has the others in `further_contacts`.
 struct LoopAnalysis {
-    Loop corrected;     ///< the record as analysed: force counted from its zero, drift and the machine's own deflection taken off
+    Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
+                     ///< taken off
     Segments segments;
     BranchAnalysis loading;
     std::optional<IndexRange> pinned;
@@ -152,8 +155,8 @@ struct LoopAnalysis {
 /// Everything that one contact experiment tells: segments, fits of both branches, pull-off, loop energy, alerts.
 ///
 /// `subject` names the loop in the alerts.
-/// @throws InvalidArgument for impossible bodies or series; UndefinedDataError where there is no contact to analyse (see
-/// find_segments) or the loading branch has too few samples. A missing retraction is no error: see the reasons.
+/// @throws InvalidArgument for impossible bodies or series; UndefinedDataError where there is no contact to analyse
+/// (see find_segments) or the loading branch has too few samples. A missing retraction is no error: see the reasons.
 [[nodiscard]] LoopAnalysis analyse(const Loop& loop, const LensAndCounterBody& bodies,
                                    const AnalysisOptions& options = {}, const std::string& subject = "loop");
 

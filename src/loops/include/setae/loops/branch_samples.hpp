@@ -14,6 +14,7 @@ struct BranchSamples {
 };
 
 /// @throws UndefinedDataError with the analysis' reason where it has no such branch.
-[[nodiscard]] BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options);
+[[nodiscard]] BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch,
+                                           const AnalysisOptions& options);
 
 }  // namespace setae::loops

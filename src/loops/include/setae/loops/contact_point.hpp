@@ -57,12 +57,12 @@ struct ContactPoints {
     std::vector<ContactPointEstimate> estimates;  ///< of every method, in order
     std::optional<ContactPointMethod> chosen;     ///< none where a value was given
     Estimate contact_point;                       ///< the one chosen [m]
-    double spread = 0.0;             ///< largest minus smallest [m]
-    double spread_share = 0.0;       ///< of the largest penetration
-    double chi2 = 0.0;               ///< Σ (δ0 − mean)²/σ², about the weighted mean
-    Index degrees_of_freedom = 0;    ///< estimates with a standard error, less one
-    double work_by_contact_point = 0.0;     ///< dW/dδ0 [J/m³] at the one chosen; NaN where no fit is possible
-    double modulus_by_contact_point = 0.0;  ///< dE*/dδ0 [Pa/m]
+    double spread = 0.0;                          ///< largest minus smallest [m]
+    double spread_share = 0.0;                    ///< of the largest penetration
+    double chi2 = 0.0;                            ///< Σ (δ0 − mean)²/σ², about the weighted mean
+    Index degrees_of_freedom = 0;                 ///< estimates with a standard error, less one
+    double work_by_contact_point = 0.0;           ///< dW/dδ0 [J/m³] at the one chosen; NaN where no fit is possible
+    double modulus_by_contact_point = 0.0;        ///< dE*/dδ0 [Pa/m]
 
     /// The estimate of a method. @throws InternalError where it is not among them.
     [[nodiscard]] const ContactPointEstimate& of(ContactPointMethod method) const;
@@ -70,13 +70,13 @@ struct ContactPoints {
 
 /// What the estimators draw on, besides the record.
 struct ContactPointInputs {
-    const Loop& loop;                       ///< force with its drift taken off
+    const Loop& loop;  ///< force with its drift taken off
     const Segments& segments;
     Index contact = 0;
-    BranchData loading;                     ///< samples of the loading fit
-    Outcome<JkrFit> force_displacement;     ///< of loading, δ0 free
-    Outcome<PointwiseModulus> pointwise;    ///< of loading
-    std::optional<JkrFit> unloading;        ///< the fit that knows W and E* of the retraction best
+    BranchData loading;                       ///< samples of the loading fit
+    Outcome<JkrFit> force_displacement;       ///< of loading, δ0 free
+    Outcome<PointwiseModulus> pointwise;      ///< of loading
+    std::optional<JkrFit> unloading;          ///< the fit that knows W and E* of the retraction best
     std::optional<double> machine_stiffness;  ///< [N/m] where it is known; else that of the jump out
 };
 
@@ -85,13 +85,15 @@ struct ContactPointInputs {
 [[nodiscard]] ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
                                            const ContactPointChoice& choice = {});
 
-/// Force against displacement with the contact point held, least squares in force, each residual weighed by the noise of both
-/// channels; unknown E* and W.
+/// Force against displacement with the contact point held, least squares in force, each residual weighed by the noise
+/// of both channels; unknown E* and W.
 ///
 ///   F = E* [4a³/(3R) − √(8πωa³)],  a from δ − δ0 = a²/R − √(2πωa),  ω = W/E*
 ///
-/// The covariance is that of E* and W with δ0 exact. Samples below the fitted pull-off under fixed grips keep the force there.
+/// The covariance is that of E* and W with δ0 exact. Samples below the fitted pull-off under fixed grips keep the force
+/// there.
 /// @throws as fit_force_displacement.
-[[nodiscard]] JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies, double contact_point);
+[[nodiscard]] JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies,
+                                            double contact_point);
 
 }  // namespace setae::loops

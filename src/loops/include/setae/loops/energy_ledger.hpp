@@ -19,40 +19,42 @@ struct WorkEntry {
 /// Where the energy of one contact went. The parts follow each other and add up to the loop's energy.
 struct EnergyLedger {
     Index contact = 0;
-    LoopEnergy loop;                    ///< ∮F dδ
-    WorkEntry before_contact;           ///< free flight: what noise and drift leave
-    std::optional<WorkEntry> jump_in;   ///< over the samples of the jump
-    WorkEntry approach;                 ///< to the last press
-    WorkEntry retraction;               ///< from there to the jump out: negative where energy is recovered
+    LoopEnergy loop;                   ///< ∮F dδ
+    WorkEntry before_contact;          ///< free flight: what noise and drift leave
+    std::optional<WorkEntry> jump_in;  ///< over the samples of the jump
+    WorkEntry approach;                ///< to the last press
+    WorkEntry retraction;              ///< from there to the jump out: negative where energy is recovered
     std::optional<WorkEntry> jump_out;
     WorkEntry after_contact;
-    double recovered_share = 0.0;       ///< −retraction over approach
+    double recovered_share = 0.0;  ///< −retraction over approach
 
-    double ideal_fixed_grips = 0.0;     ///< loss of the smooth JKR sphere with W and E* of loading under fixed grips [J]
-    double ideal_this_machine = 0.0;    ///< the same at the machine's stiffness [J]
-    double machine_stiffness = 0.0;     ///< that stiffness [N/m], infinite for fixed grips
+    double ideal_fixed_grips = 0.0;   ///< loss of the smooth JKR sphere with W and E* of loading under fixed grips [J]
+    double ideal_this_machine = 0.0;  ///< the same at the machine's stiffness [J]
+    double machine_stiffness = 0.0;   ///< that stiffness [N/m], infinite for fixed grips
 
-    double largest_contact_area = 0.0;       ///< π a_max² [m²], apparent
-    double true_area_ratio = 1.0;            ///< r of the surface
-    double loss_per_apparent_area = 0.0;     ///< [J/m²]
-    double loss_per_true_area = 0.0;         ///< over r π a_max² [J/m²]
+    double largest_contact_area = 0.0;    ///< π a_max² [m²], apparent
+    double true_area_ratio = 1.0;         ///< r of the surface
+    double loss_per_apparent_area = 0.0;  ///< [J/m²]
+    double loss_per_true_area = 0.0;      ///< over r π a_max² [J/m²]
 
-    /// r π a_max² [m²], against which losses of many loops lie on a line whose slope is the work a cycle costs per area.
+    /// r π a_max² [m²], against which losses of many loops lie on a line whose slope is the work a cycle costs per
+    /// area.
     [[nodiscard]] double largest_true_area() const { return true_area_ratio * largest_contact_area; }
 };
 
 struct LedgerInputs {
-    contact::jkr::Contact smooth_sphere;     ///< R, E* and W of loading
-    double largest_contact_area = 0.0;       ///< [m²]
-    double true_area_ratio = 1.0;            ///< >= 1
-    double machine_stiffness = 0.0;          ///< [N/m], > 0; infinite for fixed grips
+    contact::jkr::Contact smooth_sphere;  ///< R, E* and W of loading
+    double largest_contact_area = 0.0;    ///< [m²]
+    double true_area_ratio = 1.0;         ///< >= 1
+    double machine_stiffness = 0.0;       ///< [N/m], > 0; infinite for fixed grips
     DriftModel drift = DriftModel::between_baselines;
     std::optional<Estimate> displacement_stiffness;  ///< k that made δ = stage − F/k of the record
 };
 
 /// @throws UndefinedDataError as loop_energy; InvalidArgument outside the domain.
 /// Cost: linear; about 0.02 µs a sample.
-[[nodiscard]] EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index contact, const LedgerInputs& inputs);
+[[nodiscard]] EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index contact,
+                                         const LedgerInputs& inputs);
 
 /// Every joule along one contact, sample by sample: work = elastic + surface + dissipated.
 struct EnergyCourse {
@@ -64,7 +66,7 @@ struct EnergyCourse {
     Array1D released;        ///< ∫G dA over the growing and shrinking contact, jumps left out [J]
     Array1D contact_radius;  ///< measured, else implied by F, δ and E* [m]; 0 out of contact
     bool radius_measured = false;
-    double residual = 0.0;   ///< work − elastic + released between the jumps [J]: 0 where F, δ, a and E* agree
+    double residual = 0.0;  ///< work − elastic + released between the jumps [J]: 0 where F, δ, a and E* agree
 };
 
 struct CourseInputs {
@@ -72,7 +74,8 @@ struct CourseInputs {
     double contact_point = 0.0;     ///< δ0 [m]
 };
 
-/// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Between frames the radius runs on a straight line.
+/// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Between frames the radius runs on a straight
+/// line.
 /// @throws UndefinedDataError without displacement.
 /// Cost: linear; about 0.01 µs a sample where the radius is measured, 0.02 µs where it is implied.
 [[nodiscard]] EnergyCourse energy_course(const Loop& loop, const ContactSegments& contact, const CourseInputs& inputs);

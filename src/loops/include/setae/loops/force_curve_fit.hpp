@@ -13,8 +13,8 @@
 
 namespace setae::loops {
 
-/// A tip pressed into a flat, E* the contact modulus. The half-angle of a cone is that between its axis and its side; that of a pyramid the inclination
-/// of its faces to the flat.
+/// A tip pressed into a flat, E* the contact modulus. The half-angle of a cone is that between its axis and its side;
+/// that of a pyramid the inclination of its faces to the flat.
 enum class TipShape {
     paraboloid,           ///< F = 4/3 E* √R δ^(3/2), and every model of contact
     cone,                 ///< F = (2/π) tan(θ) E* δ²: Hertz only
@@ -28,8 +28,8 @@ enum class TipShape {
 /// Where a fit begins and ends, by one of three measures; the larger end is included.
 struct CurveRange {
     enum class Measure {
-        indentation,        ///< δ − δ0 [m]; negative before contact
-        force,              ///< F [N] above the baseline
+        indentation,           ///< δ − δ0 [m]; negative before contact
+        force,                 ///< F [N] above the baseline
         share_of_indentation,  ///< (δ − δ0) over the largest indentation
     };
     Measure measure = Measure::share_of_indentation;
@@ -39,68 +39,71 @@ struct CurveRange {
 
 struct ForceCurveFitOptions {
     TipShape shape = TipShape::paraboloid;
-    double half_angle = 0.0;              ///< [rad], of cone and pyramid
+    double half_angle = 0.0;  ///< [rad], of cone and pyramid
     ContactModel model = ContactModel::hertz;
     FitErrors errors = FitErrors::force_only;
     CurveRange range{};
-    std::optional<double> contact_point;  ///< δ0 [m] where given
-    bool fit_contact_point = true;        ///< else it stays where given or found
-    bool fit_force_offset = false;        ///< a constant added to the model; Hertz only
-    double baseline_share = 0.2;          ///< of the segment, at its free end
-    bool subtract_baseline_slope = true;  ///< drift and interference: a line against displacement, else its mean
+    std::optional<double> contact_point;     ///< δ0 [m] where given
+    bool fit_contact_point = true;           ///< else it stays where given or found
+    bool fit_force_offset = false;           ///< a constant added to the model; Hertz only
+    double baseline_share = 0.2;             ///< of the segment, at its free end
+    bool subtract_baseline_slope = true;     ///< drift and interference: a line against displacement, else its mean
     std::optional<double> work_of_adhesion;  ///< W [J/m²] where given
     std::optional<double> cohesive_stress;   ///< σ0 [Pa] of Maugis–Dugdale where given
 };
 
 /// A straight line through the free end of a segment.
 struct CurveBaseline {
-    IndexRange range;            ///< samples of the table
-    double force = 0.0;          ///< at the middle of the range [N]
-    double slope = 0.0;          ///< [N/m], against displacement
-    double force_noise = 0.0;    ///< scatter about the line [N]
+    IndexRange range;          ///< samples of the table
+    double force = 0.0;        ///< at the middle of the range [N]
+    double slope = 0.0;        ///< [N/m], against displacement
+    double force_noise = 0.0;  ///< scatter about the line [N]
 };
 
 /// One segment of a force curve: approach, or retraction turned round so that displacement rises.
 struct CurveSegment {
-    std::string name;            ///< "approach", "retract", "pause"
-    IndexRange range;            ///< samples of the table
+    std::string name;  ///< "approach", "retract", "pause"
+    IndexRange range;  ///< samples of the table
     CurveBaseline baseline;
-    double contact_point = 0.0;  ///< found: displacement beyond which the force stays above three times its noise [m]; NaN where none does
-    Array1D displacement;        ///< [m], in the record's order
-    Array1D force;               ///< [N], baseline taken off
-    double smallest_force = 0.0; ///< of a retraction: pull-off [N], 0 where none stands out of the noise
+    double contact_point =
+        0.0;  ///< found: displacement beyond which the force stays above three times its noise [m]; NaN where none does
+    Array1D displacement;         ///< [m], in the record's order
+    Array1D force;                ///< [N], baseline taken off
+    double smallest_force = 0.0;  ///< of a retraction: pull-off [N], 0 where none stands out of the noise
 };
 
 struct ForceCurveFit {
     CurveSegment segment;
     TipShape shape = TipShape::paraboloid;
     ContactModel model = ContactModel::hertz;
-    Estimate contact_modulus;          ///< E* [Pa]
-    Estimate youngs_modulus;           ///< E of the sample [Pa]
+    Estimate contact_modulus;  ///< E* [Pa]
+    Estimate youngs_modulus;   ///< E of the sample [Pa]
     Outcome<Estimate> work_of_adhesion;
-    Estimate contact_point;            ///< δ0 [m]
-    Estimate force_offset;             ///< [N]; 0 without error where not fitted
-    std::optional<ModelFit> model_fit; ///< everything else, of the models with adhesion and of Hertz with errors in both channels
-    std::vector<std::string> parameters;  ///< rows of the covariance: "contact_modulus", "contact_point", "force_offset", …
+    Estimate contact_point;  ///< δ0 [m]
+    Estimate force_offset;   ///< [N]; 0 without error where not fitted
+    std::optional<ModelFit>
+        model_fit;  ///< everything else, of the models with adhesion and of Hertz with errors in both channels
+    std::vector<std::string>
+        parameters;  ///< rows of the covariance: "contact_modulus", "contact_point", "force_offset", …
     Eigen::MatrixXd covariance;
     bool converged = false;
     Index n = 0;
     double indentation_from = 0.0, indentation_to = 0.0;  ///< of the samples fitted [m]
-    Array1D residuals;                 ///< F − fitted [N]
-    double rms_residual = 0.0;         ///< [N]
-    double relative_residual = 0.0;    ///< over the range of force fitted
+    Array1D residuals;                                    ///< F − fitted [N]
+    double rms_residual = 0.0;                            ///< [N]
+    double relative_residual = 0.0;                       ///< over the range of force fitted
 };
 
-/// Segments by the column "segment" (0, 1, …), or, without it, split at the largest force; names from metadata "segments".
-/// Those without motion are pauses.
+/// Segments by the column "segment" (0, 1, …), or, without it, split at the largest force; names from metadata
+/// "segments". Those without motion are pauses.
 /// @throws InvalidArgument without columns "force" and "displacement"; UndefinedDataError for fewer than 20 samples.
 [[nodiscard]] std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurveFitOptions& options = {});
 
 /// Fits one segment: radius of the tip, Poisson's ratio of the sample and the tip's elasticity as the bodies say.
 ///
-/// The range counts from the contact point given or found, and stays while that is fitted. Hertz's force is 0 before contact, so
-/// a range that begins there helps to find the contact point; with adhesion only the samples between the smallest force and
-/// the turning point are of the model's curve, and the others are left out.
+/// The range counts from the contact point given or found, and stays while that is fitted. Hertz's force is 0 before
+/// contact, so a range that begins there helps to find the contact point; with adhesion only the samples between the
+/// smallest force and the turning point are of the model's curve, and the others are left out.
 /// @throws InvalidArgument for options the shape does not have; UndefinedDataError for fewer than 5 samples in range.
 [[nodiscard]] ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterBody& bodies,
                                             const ForceCurveFitOptions& options = {});

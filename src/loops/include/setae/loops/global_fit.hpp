@@ -18,21 +18,21 @@ struct GlobalBranch {
 struct GlobalOptions {
     bool share_contact_modulus = true;
     bool share_work_of_adhesion = false;
-    /// Model, channels, errors, interaction range; fixed values hold for every branch. Not the transition equation, and λ is
-    /// each branch's own.
+    /// Model, channels, errors, interaction range; fixed values hold for every branch. Not the transition equation, and
+    /// λ is each branch's own.
     ModelFitOptions fit{};
 };
 
 /// What one branch of a global fit has of its own.
 struct GlobalBranchFit {
     std::string name;
-    ModelFit separate;               ///< the branch alone
-    Estimate contact_modulus;        ///< shared or its own
+    ModelFit separate;         ///< the branch alone
+    Estimate contact_modulus;  ///< shared or its own
     Estimate youngs_modulus;
     Outcome<Estimate> work_of_adhesion;
     Outcome<Estimate> transition_parameter;  ///< of Maugis–Dugdale
     Estimate contact_point;
-    double chi2 = 0.0;               ///< in the global fit
+    double chi2 = 0.0;  ///< in the global fit
     Index n = 0;
 };
 
@@ -55,7 +55,7 @@ struct GlobalFit {
     std::optional<Estimate> contact_modulus;   ///< E* [Pa] where shared
     std::optional<Estimate> work_of_adhesion;  ///< W [J/m²] where shared and the model has it
     std::vector<GlobalBranchFit> branches;
-    std::vector<std::string> parameters;       ///< rows of the covariance: "contact_modulus", "work_of_adhesion of NAME", …
+    std::vector<std::string> parameters;  ///< rows of the covariance: "contact_modulus", "work_of_adhesion of NAME", …
     Eigen::MatrixXd covariance;
     double chi2 = 0.0, chi2_reduced = 0.0;
     double correlated_samples = 1.0;
@@ -66,7 +66,8 @@ struct GlobalFit {
 /// Fits several branches at once, E* or W or both the same in all of them.
 ///
 /// Each branch has its bodies, its noise and its contact point.
-/// @throws InvalidArgument for no branches, nothing shared, or the transition equation; as fit_model, with the branch's name.
+/// @throws InvalidArgument for no branches, nothing shared, or the transition equation; as fit_model, with the branch's
+/// name.
 [[nodiscard]] GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOptions& options = {});
 
 }  // namespace setae::loops

@@ -9,7 +9,8 @@
 
 namespace setae::loops {
 
-/// Samples of one branch in the order they were taken, force counted from the baseline, and how noisy they are (0 = unknown).
+/// Samples of one branch in the order they were taken, force counted from the baseline, and how noisy they are (0 =
+/// unknown).
 struct BranchData {
     Array1D force;           ///< [N]
     Array1D displacement;    ///< [m], empty where not measured
@@ -25,16 +26,18 @@ struct BranchData {
 ///
 /// Standard errors and covariance are scaled by the scatter of the residuals themselves and allow for residuals that
 /// follow their neighbours, as autoregressive; where fewer than about ten independent ones are left (n over
-/// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight, so that a value far above 1 says that
-/// the model, not the noise, makes the residuals. A negative W means a contact smaller than Hertz's.
+/// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight,
+/// so that a value far above 1 says that the model, not the noise, makes the residuals. A negative W means a contact
+/// smaller than Hertz's.
 struct JkrFit {
-    std::string method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement", "joint"
+    std::string
+        method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement", "joint"
     bool converged = false;  ///< and the data determine the unknowns: covariance defined
     int iterations = 0;
-    Estimate contact_modulus;   ///< E* [Pa]
-    Estimate youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
-    Estimate work_of_adhesion;  ///< W [J/m²]
-    Estimate contact_point;     ///< δ at first touch [m]; NaN where the method has none
+    Estimate contact_modulus;         ///< E* [Pa]
+    Estimate youngs_modulus;          ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
+    Estimate work_of_adhesion;        ///< W [J/m²]
+    Estimate contact_point;           ///< δ at first touch [m]; NaN where the method has none
     Eigen::MatrixXd covariance;       ///< of E*, W and, where fitted, the contact point
     double correlation = 0.0;         ///< of E* and W
     double correlated_samples = 1.0;  ///< τ = 1 + 2 Σ ρ_k of the residuals: n/τ of them count as independent
@@ -51,16 +54,18 @@ struct JkrFit {
 /// Which errors the fit of a(F) allows for.
 enum class RadiusErrors {
     radius_only,         ///< ordinary least squares in a
-    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a², slopes at the fitted radius
+    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a², slopes at the fitted
+                         ///< radius
 };
 
 /// Eq. (1): contact radius against force, nonlinear least squares in a; unknown E* and W.
 ///
 ///   a³ = (3R/4E*) [F + 3πRW + √(6πRWF + (3πRW)²)]
 ///
-/// Forces below the fitted pull-off keep the radius at pull-off. With W near 0 and noise of force, least squares in a alone
-/// is biased and too sure of itself; effective variance is not. With errors in both, each sample has a true radius that is
-/// fitted too, see fit_joint; where the noise is large against the curve's bend, neighbours are averaged first.
+/// Forces below the fitted pull-off keep the radius at pull-off. With W near 0 and noise of force, least squares in a
+/// alone is biased and too sure of itself; effective variance is not. With errors in both, each sample has a true
+/// radius that is fitted too, see fit_joint; where the noise is large against the curve's bend, neighbours are averaged
+/// first.
 ///
 /// Measured, 800 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force over
 /// σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 93–96 %.
@@ -88,9 +93,10 @@ enum class DepthErrors {
 ///
 ///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by (1)
 ///
-/// In `depth_only`, forces below the fitted pull-off keep the depth at pull-off, and starts are found by a scan over W, in
-/// which E* and δ0 are linear. Effective variance, taken where the noise of both is known, goes on through the fold, see
-/// fit_joint; of its two minima, which lie on either side of W = 0 where W is hardly known, that of W > 0 is preferred.
+/// In `depth_only`, forces below the fitted pull-off keep the depth at pull-off, and starts are found by a scan over W,
+/// in which E* and δ0 are linear. Effective variance, taken where the noise of both is known, goes on through the fold,
+/// see fit_joint; of its two minima, which lie on either side of W = 0 where W is hardly known, that of W > 0 is
+/// preferred.
 ///
 /// Measured as for fit_radius_force: intervals cover 90–97 %. They are too short where W is not told from 0 (its error
 /// larger than itself): those of E* then cover 73–92 %; take the joint fit.
@@ -103,24 +109,24 @@ enum class DepthErrors {
 ///
 ///   F = 4E*a³/(3R) − √(8πE*W a³),  δ = a²/R − √(2πaW/E*) + δ0
 ///
-/// Each sample has a true contact radius, which is fitted too: the sum of squared distances from (F, δ, a) to that curve
-/// in units of the noise is least. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighed by the inverse of
-/// its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured a for the
-/// true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is taken off.
-/// Residuals are those of the pair; their covariance has an autoregressive process for each of the two series and their
-/// correlation at the same sample. Measured as for fit_radius_force: intervals cover 92–96 %.
-/// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0 and
-/// where the noise of a channel is unknown.
-/// Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller, Ann. Stat. 16 (1988) 147.
+/// Each sample has a true contact radius, which is fitted too: the sum of squared distances from (F, δ, a) to that
+/// curve in units of the noise is least. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighed by the
+/// inverse of its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured
+/// a for the true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is
+/// taken off. Residuals are those of the pair; their covariance has an autoregressive process for each of the two
+/// series and their correlation at the same sample. Measured as for fit_radius_force: intervals cover 92–96 %.
+/// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0
+/// and where the noise of a channel is unknown. Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller,
+/// Ann. Stat. 16 (1988) 147.
 [[nodiscard]] JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies);
 
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
 struct PointwiseModulus {
-    Estimate contact_modulus;         ///< slope [Pa]
-    Estimate youngs_modulus;          ///< [Pa]
-    Estimate contact_point;           ///< δ0 [m]
-    Array1D pointwise;                ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
-    double rms_residual = 0.0;        ///< of F/(2a) [N/m]
+    Estimate contact_modulus;   ///< slope [Pa]
+    Estimate youngs_modulus;    ///< [Pa]
+    Estimate contact_point;     ///< δ0 [m]
+    Array1D pointwise;          ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
+    double rms_residual = 0.0;  ///< of F/(2a) [N/m]
     double relative_residual = 0.0;
     Index n = 0;
 };
@@ -132,8 +138,8 @@ struct PointwiseModulus {
 struct EnergyReleaseRate {
     Array1D contact_radius;       ///< [m], measured, else implied by F, δ and E*
     Array1D energy_release_rate;  ///< G [J/m²]
-    Array1D standard_error;       ///< of G from the noise of the sample's own channels [J/m²]; NaN where that is unknown
-    Array1D systematic;           ///< of G from E* (and the contact point, where a is implied), common to all samples [J/m²]
+    Array1D standard_error;  ///< of G from the noise of the sample's own channels [J/m²]; NaN where that is unknown
+    Array1D systematic;  ///< of G from E* (and the contact point, where a is implied), common to all samples [J/m²]
     bool radius_measured = false;
 };
 
@@ -146,8 +152,8 @@ struct EnergyReleaseRate {
 ///   σ_G² = Σ (∂G/∂x_i)(∂G/∂x_j) Cov(x_i, x_j);  systematic² = (∂G/∂E* σ_E*)² + (∂G/∂δ0 σ_δ0)²
 ///
 /// The two add in quadrature for one G; of differences along the branch the systematic one largely drops out.
-[[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, const Estimate& contact_modulus,
-                                                     const Estimate& contact_point);
+[[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius,
+                                                     const Estimate& contact_modulus, const Estimate& contact_point);
 
 /// Young's modulus of the soft body with its standard error, from E*; NaN where the counter-body is too soft for it.
 [[nodiscard]] Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies);

@@ -17,9 +17,10 @@ struct ProfileOptions {
 
 /// Rise of χ² where one parameter is held and all others are fitted again.
 struct ParameterProfile {
-    Estimate estimate;       ///< of the fit, with the profile's interval; no interval where an end lies beyond ten standard errors
-    Array1D values;          ///< of the parameter, SI, increasing
-    Array1D chi2_rise;       ///< Δχ² at each, in units of the noise as the fit sees it
+    Estimate estimate;  ///< of the fit, with the profile's interval; no interval where an end lies beyond ten standard
+                        ///< errors
+    Array1D values;     ///< of the parameter, SI, increasing
+    Array1D chi2_rise;  ///< Δχ² at each, in units of the noise as the fit sees it
     double threshold = 0.0;  ///< Δχ² at the ends of the interval: t² of the fit's degrees of freedom
 };
 
@@ -33,12 +34,12 @@ struct ProfileLikelihood {
 ///
 ///   Δχ²(θ) = [S(θ) − S_min]/φ,  S(θ) = least Σ distance² with θ held
 ///
-/// S in units of the noise given; φ = (fit's variance of θ)/(that of independent residuals of unit variance), so that the
-/// scatter the residuals show and what they owe their neighbours widen the profile as they widen the standard error.
-/// @throws UndefinedDataError where the fit has no covariance; else as the fit, with InvalidArgument where the noise of a
-/// channel is unknown, for fewer than 3 points, level outside (0, 1) or reach <= 0.
-/// Source: Venzon, Moolgavkar, J. R. Stat. Soc. C 37 (1988) 87.
-/// Cost: one fit, from a near start, for each point.
+/// S in units of the noise given; φ = (fit's variance of θ)/(that of independent residuals of unit variance), so that
+/// the scatter the residuals show and what they owe their neighbours widen the profile as they widen the standard
+/// error.
+/// @throws UndefinedDataError where the fit has no covariance; else as the fit, with InvalidArgument where the noise of
+/// a channel is unknown, for fewer than 3 points, level outside (0, 1) or reach <= 0. Source: Venzon, Moolgavkar, J. R.
+/// Stat. Soc. C 37 (1988) 87. Cost: one fit, from a near start, for each point.
 [[nodiscard]] ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounterBody& bodies,
                                                    const ProfileOptions& options = {});
 

@@ -13,15 +13,15 @@ namespace setae::loops {
 struct RecordFaults {
     std::vector<IndexRange> saturated_high;  ///< samples at the largest force that do not even carry noise
     std::vector<IndexRange> saturated_low;   ///< at the smallest
-    Index frames = 0;                        ///< contact radii > 0 there are, and those their usual rate lets expect between them
-    Index frames_missing = 0;                ///< of those, how many are not there
-    std::optional<IndexRange> longest_gap;   ///< the most samples in a row where frames are missing
-    std::optional<Index> time_backwards;     ///< first sample earlier than the one before it
+    Index frames = 0;          ///< contact radii > 0 there are, and those their usual rate lets expect between them
+    Index frames_missing = 0;  ///< of those, how many are not there
+    std::optional<IndexRange> longest_gap;  ///< the most samples in a row where frames are missing
+    std::optional<Index> time_backwards;    ///< first sample earlier than the one before it
 };
 
-/// Flat tops and bottoms of the force: at least five samples in a row at the very extreme of the record, equal to the last bit,
-/// and more than twice as many as are equal anywhere else; gaps between frames that are at least half as long again as usual; a
-/// time that runs backwards.
+/// Flat tops and bottoms of the force: at least five samples in a row at the very extreme of the record, equal to the
+/// last bit, and more than twice as many as are equal anywhere else; gaps between frames that are at least half as long
+/// again as usual; a time that runs backwards.
 [[nodiscard]] RecordFaults record_faults(const Loop& loop);
 
 }  // namespace setae::loops

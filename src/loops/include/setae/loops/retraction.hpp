@@ -7,10 +7,10 @@ namespace setae::loops {
 
 /// Pull-off force and the work of adhesion it stands for.
 struct PullOff {
-    Index index = 0;                               ///< sample of the smallest force
-    Estimate force;                                ///< [N], < 0; its error is the noise and the baseline's
-    Estimate work_of_adhesion;                     ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
-    Estimate work_of_adhesion_fixed_grips;         ///< 6|F|/(5πR): in an infinitely stiff machine
+    Index index = 0;                        ///< sample of the smallest force
+    Estimate force;                         ///< [N], < 0; its error is the noise and the baseline's
+    Estimate work_of_adhesion;              ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
+    Estimate work_of_adhesion_fixed_grips;  ///< 6|F|/(5πR): in an infinitely stiff machine
     double machine_stiffness = 0.0;  ///< −ΔF/Δδ of the jump [N/m]; infinite for a vertical jump, NaN where unknown
 };
 
@@ -19,18 +19,18 @@ struct RetractionFit {
     Estimate work_of_adhesion;  ///< [J/m²]
     Estimate contact_modulus;   ///< [Pa]; the value given, or the one fitted
     bool modulus_free = false;
-    Index first = 0, last = 0;        ///< samples used
+    Index first = 0, last = 0;  ///< samples used
     Index n = 0;
-    double rms_residual = 0.0;        ///< [N]
-    bool radius_measured = false;     ///< else a is implied by F, δ and E*
+    double rms_residual = 0.0;     ///< [N]
+    bool radius_measured = false;  ///< else a is implied by F, δ and E*
 };
 
 /// W (and E* where it is left free) from points close to pull-off (S2).
 ///
 /// The residual is taken in force, F = 4E*a³/(3R) − √(8πE*W a³), which is the curve (S2) solved for F: there a(F) is
 /// vertical, and the problem becomes linear in √W. `contact_modulus` is that of the loading branch;
-/// `contact_point`, of the unloading branch, counts only where the radius was not measured. The standard error of W holds
-/// that of a fixed modulus, but not the contact point's.
+/// `contact_point`, of the unloading branch, counts only where the radius was not measured. The standard error of W
+/// holds that of a fixed modulus, but not the contact point's.
 /// @throws UndefinedDataError for fewer points than unknowns, or E* free without measured contact radius.
 [[nodiscard]] RetractionFit fit_retraction(const BranchData& last_points, double radius,
                                            const Estimate& contact_modulus, double contact_point,

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "setae/loops/loop.hpp"
 #include "setae/loops/index_range.hpp"
+#include "setae/loops/loop.hpp"
 
 namespace setae::loops {
 
@@ -58,9 +58,9 @@ struct Segments;
 
 /// The segments found with the edits in place of what they name: baselines are measured anew, contacts keep what is not
 /// named, cycles follow the loading, unloading and cuts given. Forces are counted from the baseline that results.
-/// @throws InvalidArgument, naming the range and the reason, for a range outside the record, one that ends before it begins,
-/// a time where the record has none, segments out of order or overlapping, cuts outside the contact, edits of a contact
-/// that was not found, and samples ignored without a reason.
+/// @throws InvalidArgument, naming the range and the reason, for a range outside the record, one that ends before it
+/// begins, a time where the record has none, segments out of order or overlapping, cuts outside the contact, edits of a
+/// contact that was not found, and samples ignored without a reason.
 [[nodiscard]] Segments apply(const SegmentEdits& edits, Segments segments, const Loop& loop);
 
 /// The samples of a record that lie in a range. @throws InvalidArgument as apply; `name` is what the message calls it.

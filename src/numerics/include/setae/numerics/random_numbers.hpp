@@ -15,8 +15,8 @@ struct RandomKey {
     friend bool operator==(const RandomKey&, const RandomKey&) = default;
 };
 
-/// The key of one of many independent sequences below a key: streams that differ by key or index share no numbers, up to
-/// a collision of 64-bit hashes (10⁶ streams: 3e-8).
+/// The key of one of many independent sequences below a key: streams that differ by key or index share no numbers, up
+/// to a collision of 64-bit hashes (10⁶ streams: 3e-8).
 [[nodiscard]] RandomKey substream(RandomKey key, std::uint64_t index);
 
 /// 64 random bits: half (counter mod 2) of block (counter div 2) of Philox4x32-10 with key = seed, counter words
@@ -31,10 +31,10 @@ struct RandomKey {
 ///
 ///   n_2b = √(−2 ln u) cos φ,  n_2b+1 = √(−2 ln u) sin φ,  u = uniform 2b, φ uniform from random bits 2b + 1
 ///
-/// ln, cos and sin are polynomials with a fixed order of operations (+, −, ×, /, √ of IEEE 754 alone), within 2e-16 of the
-/// functions, so the bytes do not depend on machine, compiler or mathematics library. |n| < 8.6.
-/// A uniform and a normal number of one key and counter share their bits: draw them from different streams.
-/// Source: Box and Muller, Ann. Math. Stat. 29 (1958) 610; coefficients of Sun's fdlibm (e_log, k_sin, k_cos).
+/// ln, cos and sin are polynomials with a fixed order of operations (+, −, ×, /, √ of IEEE 754 alone), within 2e-16 of
+/// the functions, so the bytes do not depend on machine, compiler or mathematics library. |n| < 8.6. A uniform and a
+/// normal number of one key and counter share their bits: draw them from different streams. Source: Box and Muller,
+/// Ann. Math. Stat. 29 (1958) 610; coefficients of Sun's fdlibm (e_log, k_sin, k_cos).
 [[nodiscard]] double normal_number(RandomKey key, std::uint64_t counter);
 
 /// out_i = normal_number(key, first_counter + i), about 8 ns a number.

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "setae/study/contours.hpp"
 #include "setae/output/json.hpp"
+#include "setae/study/contours.hpp"
 
 namespace setae::output {
 
@@ -15,20 +15,20 @@ namespace setae::output {
 ///    "options": {vacuum, smoothing_length, denoise, least_length, hidden, hide_annotations, shape, foil_thickness},
 ///    "anchors": [[[x, y], …], …], "segments": [{…}], "alerts": […], "setae": version}
 ///
-/// Places in pixels, the centre of the first one (0, 0), x to the right, y downwards; lengths in options in pixels, foil_thickness
-/// and all of the calibration in metres.
+/// Places in pixels, the centre of the first one (0, 0), x to the right, y downwards; lengths in options in pixels,
+/// foil_thickness and all of the calibration in metres.
 [[nodiscard]] Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options);
 
 /// What a trace's file or a file of anchors alone says.
 struct StoredTrace {
     std::vector<std::vector<imaging::Anchor>> anchors;
-    std::optional<std::string> digest;        ///< of the picture; nothing in a file of anchors alone
-    std::optional<study::ContourOptions> options;    ///< with anchors and the calibration as a shared one
+    std::optional<std::string> digest;             ///< of the picture; nothing in a file of anchors alone
+    std::optional<study::ContourOptions> options;  ///< with anchors and the calibration as a shared one
 };
 
 /// Reads it: a trace as above, {"anchors": [[x, y], …]} for one segment, or {"anchors": [[[x, y], …], …]}.
-/// @throws FileError; FormatError that names the key: no JSON, another format or version, an unknown key with its nearest
-/// match, values of the wrong kind.
+/// @throws FileError; FormatError that names the key: no JSON, another format or version, an unknown key with its
+/// nearest match, values of the wrong kind.
 [[nodiscard]] StoredTrace read_trace(const std::string& path);
 
 /// "bright" …; the words of options.

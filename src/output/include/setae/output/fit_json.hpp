@@ -24,7 +24,8 @@ namespace setae::output {
 [[nodiscard]] Json to_json(const loops::CrackSpeedFit& fit);
 [[nodiscard]] Json to_json(const std::vector<loops::NamedCurveFit>& segments);
 
-/// "contact_modulus", "work_of_adhesion": the estimate with the profile's interval, "values", "chi_squared_rise", "threshold".
+/// "contact_modulus", "work_of_adhesion": the estimate with the profile's interval, "values", "chi_squared_rise",
+/// "threshold".
 [[nodiscard]] Json to_json(const loops::ProfileLikelihood& profile);
 
 /// "fits", "comparison", "profile_likelihood", "crack_speed", "failures", each where it was asked for.

@@ -15,8 +15,9 @@ namespace setae::output {
 /// Keys keep the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level), "method",
-/// "degrees_of_freedom", "seed", "band", "n", "source", "alerts". SI; NaN is null; infinity is the text "infinity" or "-infinity".
+/// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level),
+/// "method", "degrees_of_freedom", "seed", "band", "n", "source", "alerts". SI; NaN is null; infinity is the text
+/// "infinity" or "-infinity".
 [[nodiscard]] Json to_json(const Quantity& quantity);
 [[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
 
@@ -40,16 +41,20 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
 
 /// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
-/// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the same bytes.
+/// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the
+/// same bytes.
 [[nodiscard]] Json to_json(const study::StudyResult& result);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
 [[nodiscard]] std::vector<Quantity> measurement_quantities(const study::MeasurementResult& measurement);
 
 /// Parameters of one spectrum of a surface as quantities, with their uncertainties and band.
-[[nodiscard]] std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum, roughness::Conversion conversion);
+[[nodiscard]] std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface,
+                                                       const study::SpectrumResult& spectrum,
+                                                       roughness::Conversion conversion);
 
 /// Mean of C1D over each decade that one spectrum of a measured surface spans, with its uncertainty; none for others.
-[[nodiscard]] std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum);
+[[nodiscard]] std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface,
+                                                      const study::SpectrumResult& spectrum);
 
 }  // namespace setae::output

@@ -18,7 +18,8 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable fit_table(const study::StudyResult& result);
 /// One row a measurement: file, what was done, band, parameters or the error.
 [[nodiscard]] tables::TidyTable measurement_table(const study::StudyResult& result);
-/// One row a loop and quantity of elastomers whose loops name a lens, a spot or an exclusion; excluded ones with their reason.
+/// One row a loop and quantity of elastomers whose loops name a lens, a spot or an exclusion; excluded ones with their
+/// reason.
 [[nodiscard]] tables::TidyTable replicate_table(const study::StudyResult& result);
 /// One row a pair and quantity: its mean by the mixed model.
 [[nodiscard]] tables::TidyTable replicate_mean_table(const study::StudyResult& result);
@@ -39,12 +40,14 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable decade_table(const study::StudyResult& result);
 /// One row a surface with a fitted spectrum, instrument and decade: measured over expected periodograms.
 [[nodiscard]] tables::TidyTable agreement_table(const study::StudyResult& result);
-/// One row a surface with a fitted spectrum, group of like measurements by a tip, and wavevector: what the tip does to C1D.
+/// One row a surface with a fitted spectrum, group of like measurements by a tip, and wavevector: what the tip does to
+/// C1D.
 [[nodiscard]] tables::TidyTable tip_factor_table(const study::StudyResult& result);
 /// A fitted spectrum with standard error and 95 % band.
 [[nodiscard]] Table fitted_spectrum_table(const study::FittedSpectrum& fitted);
 
-/// A surface's name as part of a file's: what is no letter, digit, dash, dot or underscore of ASCII becomes an underscore.
+/// A surface's name as part of a file's: what is no letter, digit, dash, dot or underscore of ASCII becomes an
+/// underscore.
 [[nodiscard]] std::string as_file_name(std::string name);
 
 /// The summary a terminal shows, in the units of the field.

@@ -9,16 +9,17 @@
 
 namespace setae::processing {
 
-/// A window of the measurement: from and to [m], ends included, absent where open; or so many points cut off at each side.
+/// A window of the measurement: from and to [m], ends included, absent where open; or so many points cut off at each
+/// side.
 ///
-/// Positions are x_i = i · pixel size; those of the result begin at 0 again, where a map lay is recorded. Polylines keep their positions.
-/// The result is not periodic unless nothing was cut.
+/// Positions are x_i = i · pixel size; those of the result begin at 0 again, where a map lay is recorded. Polylines
+/// keep their positions. The result is not periodic unless nothing was cut.
 struct Crop {
     std::optional<double> x_from, x_to, y_from, y_to;
-    Index cut_left = 0;    ///< at the beginning of x, >= 0
-    Index cut_right = 0;   ///< at the end of x
-    Index cut_first = 0;   ///< at the beginning of y
-    Index cut_last = 0;    ///< at the end of y
+    Index cut_left = 0;   ///< at the beginning of x, >= 0
+    Index cut_right = 0;  ///< at the end of x
+    Index cut_first = 0;  ///< at the beginning of y
+    Index cut_last = 0;   ///< at the end of y
 };
 
 inline constexpr std::string_view step_name(const Crop&) { return "crop"; }
@@ -34,8 +35,8 @@ void visit_parameters(Crop& step, Visitor& visitor) {
     visitor.count("cut_last", step.cut_last, "scan lines cut off at the end of y");
 }
 
-/// @throws InvalidArgument for a window with fewer than two points along a direction, for a direction given in metres and points at
-/// once, for y of a line.
+/// @throws InvalidArgument for a window with fewer than two points along a direction, for a direction given in metres
+/// and points at once, for y of a line.
 [[nodiscard]] Processed apply(const Crop& step, topography::Measurement measurement, parallel::Threads threads = {});
 
 }  // namespace setae::processing

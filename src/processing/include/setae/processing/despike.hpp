@@ -19,27 +19,30 @@ struct SpikeOptions {
 
 /// Points that stand out of their surroundings.
 struct Spikes {
-    topography::Mask mask;    ///< 1 = spike; shape (nx, ny), of lines (n, 1)
+    topography::Mask mask;  ///< 1 = spike; shape (nx, ny), of lines (n, 1)
     Index count = 0;
-    double deviation = 0.0;   ///< robust standard deviation s of the differences r [m]; 0 where surroundings agree
-    double threshold = 0.0;   ///< |r| above which a point is a spike [m]: options.threshold · s
+    double deviation = 0.0;  ///< robust standard deviation s of the differences r [m]; 0 where surroundings agree
+    double threshold = 0.0;  ///< |r| above which a point is a spike [m]: options.threshold · s
 };
 
 /// Points whose height differs from the median of their surroundings by more than the rest of the surface lets expect.
 ///
 ///   r = h − median of the defined neighbours,   s = 1.4826 · median |r|,   spike: |r| > threshold · s
 ///
-/// Neighbours: the square (of lines: the stretch) of 2 reach + 1 points without its centre, the map's median tilt taken off; at borders it is
-/// narrowed on both sides alike, so that a slope gives no difference. The corners of a map and the ends of a line have no surroundings and are
-/// never spikes. The largest |r| come first; a smaller one counts only if it stays above the threshold without the spikes found
-/// around it. Where more than half of the r vanish (digitised heights), s is the quantile of |r| at 0.9, else 0.99, over that of a normal
-/// distribution. A point at whose own height, to within |r|/2, a third of its neighbours lie is the edge of a step and no spike.
-/// Undefined points are none either.
+/// Neighbours: the square (of lines: the stretch) of 2 reach + 1 points without its centre, the map's median tilt taken
+/// off; at borders it is narrowed on both sides alike, so that a slope gives no difference. The corners of a map and
+/// the ends of a line have no surroundings and are never spikes. The largest |r| come first; a smaller one counts only
+/// if it stays above the threshold without the spikes found around it. Where more than half of the r vanish (digitised
+/// heights), s is the quantile of |r| at 0.9, else 0.99, over that of a normal distribution. A point at whose own
+/// height, to within |r|/2, a third of its neighbours lie is the edge of a step and no spike. Undefined points are none
+/// either.
 /// @throws InvalidArgument for options outside their domain; UndefinedDataError where no point is defined.
-/// Source: Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median, MAD); Tukey, Exploratory Data Analysis (1977) (running medians).
-/// Cost: linear in points times (2 reach + 1)²; holds one array of the map's size.
-[[nodiscard]] Spikes find_spikes(const topography::HeightMap& map, const SpikeOptions& options = {}, parallel::Threads threads = {});
-[[nodiscard]] Spikes find_spikes(const topography::LineScan& scan, const SpikeOptions& options = {}, parallel::Threads threads = {});
+/// Source: Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median, MAD); Tukey, Exploratory Data Analysis (1977) (running
+/// medians). Cost: linear in points times (2 reach + 1)²; holds one array of the map's size.
+[[nodiscard]] Spikes find_spikes(const topography::HeightMap& map, const SpikeOptions& options = {},
+                                 parallel::Threads threads = {});
+[[nodiscard]] Spikes find_spikes(const topography::LineScan& scan, const SpikeOptions& options = {},
+                                 parallel::Threads threads = {});
 
 /// What takes the place of a spike.
 enum class SpikeReplacement {
@@ -49,7 +52,8 @@ enum class SpikeReplacement {
 inline constexpr std::array<Choice<SpikeReplacement>, 2> spike_replacement_names{
     {{"undefined", SpikeReplacement::undefined}, {"local_median", SpikeReplacement::local_median}}};
 
-/// Spikes as find_spikes() finds them are taken out; the record says how many, the threshold, and Sq (lines: Rq) before and after.
+/// Spikes as find_spikes() finds them are taken out; the record says how many, the threshold, and Sq (lines: Rq) before
+/// and after.
 struct Despike {
     double threshold = 6.0;
     Index reach = 2;
@@ -59,12 +63,14 @@ struct Despike {
 inline constexpr std::string_view step_name(const Despike&) { return "despike"; }
 template <class Visitor>
 void visit_parameters(Despike& step, Visitor& visitor) {
-    visitor.number("threshold", step.threshold, "difference to the local median that makes a spike, in robust standard deviations");
+    visitor.number("threshold", step.threshold,
+                   "difference to the local median that makes a spike, in robust standard deviations");
     visitor.count("reach", step.reach, "points on each side that the local median is of");
     visitor.choice("replace_by", step.replace_by, spike_replacement_names, "what takes the place of a spike");
 }
 
-/// @throws InvalidArgument as find_spikes() does, and for polylines, whose points have no equal steps: resample them first.
+/// @throws InvalidArgument as find_spikes() does, and for polylines, whose points have no equal steps: resample them
+/// first.
 [[nodiscard]] Processed apply(const Despike& step, topography::Measurement measurement, parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -10,22 +10,26 @@
 
 namespace setae::processing {
 
-/// Only wavelengths within a band stay, sharply: modes with 2π/longest <= |q| <= 2π/shortest; the mean height always stays.
+/// Only wavelengths within a band stay, sharply: modes with 2π/longest <= |q| <= 2π/shortest; the mean height always
+/// stays.
 ///
-/// |q| = sqrt(qx² + qy²) on maps, so a grating along an axis is treated as one along the diagonal. Periodic data without undefined points
-/// alone: ends and holes of others would ring; ISO 16610 filters serve those (iso_filter.hpp). A wavelength within 1e-9 of a limit stays.
-/// O(n log n).
+/// |q| = sqrt(qx² + qy²) on maps, so a grating along an axis is treated as one along the diagonal. Periodic data
+/// without undefined points alone: ends and holes of others would ring; ISO 16610 filters serve those (iso_filter.hpp).
+/// A wavelength within 1e-9 of a limit stays. O(n log n).
 struct FourierCut {
     std::optional<double> shortest = {};  ///< wavelength [m] below which nothing stays
     std::optional<double> longest = {};   ///< wavelength [m] above which nothing but the mean stays
 };
 
-/// @throws InvalidArgument for data that are not periodic, limits that are not positive or in the wrong order, or none at all;
+/// @throws InvalidArgument for data that are not periodic, limits that are not positive or in the wrong order, or none
+/// at all;
 ///   UndefinedDataError for undefined heights.
-[[nodiscard]] topography::HeightMap cut(topography::HeightMap map, const FourierCut& band, parallel::Threads threads = {});
+[[nodiscard]] topography::HeightMap cut(topography::HeightMap map, const FourierCut& band,
+                                        parallel::Threads threads = {});
 [[nodiscard]] topography::LineScan cut(topography::LineScan scan, const FourierCut& band);
 
-[[nodiscard]] Processed apply(const FourierCut& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const FourierCut& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 
 inline constexpr std::string_view step_name(const FourierCut&) { return "fourier_cut"; }
 template <class Visitor>

@@ -8,9 +8,10 @@ namespace setae::processing {
 
 /// Heights between the points of a map, linear on two triangles a pixel.
 ///
-/// The pixel between (i, j) and (i+1, j+1) is cut from (i+1, j) to (i, j+1), as in SurfaceTopography. Periodic maps wrap; elsewhere a point beyond
-/// [0, (n−1) Δ] is NaN (1e-9 of a pixel is forgiven). NaN where one of the three corners is undefined; a corner of weight zero is not asked.
-/// The map is referred to, not copied: it outlives the interpolator.
+/// The pixel between (i, j) and (i+1, j+1) is cut from (i+1, j) to (i, j+1), as in SurfaceTopography. Periodic maps
+/// wrap; elsewhere a point beyond [0, (n−1) Δ] is NaN (1e-9 of a pixel is forgiven). NaN where one of the three corners
+/// is undefined; a corner of weight zero is not asked. The map is referred to, not copied: it outlives the
+/// interpolator.
 class LinearInterpolator {
 public:
     explicit LinearInterpolator(const topography::HeightMap& map) : map_(&map) {}
@@ -40,10 +41,11 @@ struct SurfacePoint {
 
 /// Heights between the points of a map, bicubic with continuous slopes.
 ///
-/// Hermite cubics in x and y from heights and slopes at the four corners, mixed derivatives 0. Slopes: periodic complete maps from the
-/// Fourier derivative (Nyquist mode left out), as in SurfaceTopography; others by central differences, three-point one-sided ones at ends (exact for
-/// parabolas), next to undefined points what two or one defined neighbours give. NaN where a corner is undefined or the point lies outside.
-/// Memory: two maps of slopes. Copies nothing else: the map outlives the interpolator.
+/// Hermite cubics in x and y from heights and slopes at the four corners, mixed derivatives 0. Slopes: periodic
+/// complete maps from the Fourier derivative (Nyquist mode left out), as in SurfaceTopography; others by central
+/// differences, three-point one-sided ones at ends (exact for parabolas), next to undefined points what two or one
+/// defined neighbours give. NaN where a corner is undefined or the point lies outside. Memory: two maps of slopes.
+/// Copies nothing else: the map outlives the interpolator.
 class BicubicInterpolator {
 public:
     explicit BicubicInterpolator(const topography::HeightMap& map, parallel::Threads threads = {});
@@ -68,11 +70,13 @@ private:
 
 /// A periodic map on another grid, finer or coarser in each direction by itself, through its Fourier series.
 ///
-/// Modes both grids know are kept, the others are 0. The mode at the Nyquist wavevector of an even direction stands for a cosine: it is split between
-/// ±q on a finer grid, and ±q are added to it on a coarser one, so that transposing and interpolating commute and a finer grid holds the old heights
-/// at the old points. O(n log n).
-/// @throws InvalidArgument for a map that is not periodic or a grid without points; UndefinedDataError for undefined heights.
-[[nodiscard]] topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Index nx, Index ny, parallel::Threads threads = {});
+/// Modes both grids know are kept, the others are 0. The mode at the Nyquist wavevector of an even direction stands for
+/// a cosine: it is split between ±q on a finer grid, and ±q are added to it on a coarser one, so that transposing and
+/// interpolating commute and a finer grid holds the old heights at the old points. O(n log n).
+/// @throws InvalidArgument for a map that is not periodic or a grid without points; UndefinedDataError for undefined
+/// heights.
+[[nodiscard]] topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Index nx, Index ny,
+                                                         parallel::Threads threads = {});
 [[nodiscard]] topography::LineScan fourier_interpolated(const topography::LineScan& scan, Index points);
 
 }  // namespace setae::processing

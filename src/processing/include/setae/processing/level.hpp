@@ -21,19 +21,21 @@ struct LevelPlane {
 
 /// The polynomial of x^a y^b, a + b <= degree, a <= degree_x, b <= degree_y, that fits the region best is subtracted.
 struct LevelPolynomial {
-    Index degree = 2;                  ///< 0 … 24
-    Index degree_x = highest_degree;   ///< 0 … 12
+    Index degree = 2;                 ///< 0 … 24
+    Index degree_x = highest_degree;  ///< 0 … 12
     Index degree_y = highest_degree;
     Region region;
 };
 
-/// The plane that makes most facets of the surface level is subtracted: terraces become horizontal, whatever the steps between them.
+/// The plane that makes most facets of the surface level is subtracted: terraces become horizontal, whatever the steps
+/// between them.
 ///
 ///   b −> Σ v w/Σ w,  w = exp(−20 |v − b|²/β²),  β² = mean |v − b|²
 ///
-/// v: gradients of cells of four points (lines: of neighbouring points); b: slope of the plane, from the mean of v, until it changes by less
-/// than 1e-6 β, at most 100 times; what did not settle is an alert. The mean height of the region is 0 afterwards.
-/// Source: facet levelling of Gwyddion's user guide, "Levelling"; Nečas and Klapetek, Cent. Eur. J. Phys. 10 (2012) 181.
+/// v: gradients of cells of four points (lines: of neighbouring points); b: slope of the plane, from the mean of v,
+/// until it changes by less than 1e-6 β, at most 100 times; what did not settle is an alert. The mean height of the
+/// region is 0 afterwards. Source: facet levelling of Gwyddion's user guide, "Levelling"; Nečas and Klapetek, Cent.
+/// Eur. J. Phys. 10 (2012) 181.
 struct LevelFacet {
     Region region;
 };
@@ -77,16 +79,22 @@ void visit_parameters(LevelLines& step, Visitor& visitor) {
     visitor.region("region", step.region, "points that count");
 }
 
-/// Undefined points stay undefined and do not count. What was periodic is not so any more after a plane or more was taken off.
-/// Records: mean slopes in x and y and mean radii of curvature of what was removed, the mean height, how many points counted.
+/// Undefined points stay undefined and do not count. What was periodic is not so any more after a plane or more was
+/// taken off. Records: mean slopes in x and y and mean radii of curvature of what was removed, the mean height, how
+/// many points counted.
 /// @throws InvalidArgument and UndefinedDataError as fitted_polynomial() does.
-[[nodiscard]] Processed apply(const LevelMean& step, topography::Measurement measurement, parallel::Threads threads = {});
-[[nodiscard]] Processed apply(const LevelPlane& step, topography::Measurement measurement, parallel::Threads threads = {});
-[[nodiscard]] Processed apply(const LevelPolynomial& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const LevelMean& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const LevelPlane& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const LevelPolynomial& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 /// @throws UndefinedDataError also where no cell has four points of the region.
-[[nodiscard]] Processed apply(const LevelFacet& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const LevelFacet& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 /// Lines and polylines are one line.
 /// @throws UndefinedDataError where every line has too few points.
-[[nodiscard]] Processed apply(const LevelLines& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const LevelLines& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -21,8 +21,8 @@ struct Choice {
 ///         visitor.length("cutoff", step.cutoff, "nesting index λc");
 ///         visitor.choice("keep", step.keep, kept_names, "which part stays");
 ///     }
-/// A visitor has, each with (name, value&, meaning): length (double [m]), optional_length (std::optional<double> [m]), number (double
-/// without unit), angle (double [rad]), count (Index), flag (bool), text (std::string), region (Region), and
-/// choice(name, value&, std::array of Choice, meaning). A parameter at its default need not stand in a file.
+/// A visitor has, each with (name, value&, meaning): length (double [m]), optional_length (std::optional<double> [m]),
+/// number (double without unit), angle (double [rad]), count (Index), flag (bool), text (std::string), region (Region),
+/// and choice(name, value&, std::array of Choice, meaning). A parameter at its default need not stand in a file.
 
 }  // namespace setae::processing

@@ -13,7 +13,8 @@ struct Entry {
     bool on = true;
 };
 
-/// What is done to heights before they are analysed, in order: a value that is written to a file and done to n measurements.
+/// What is done to heights before they are analysed, in order: a value that is written to a file and done to n
+/// measurements.
 struct Pipeline {
     std::vector<Entry> entries;
 
@@ -29,9 +30,10 @@ struct PipelineResult {
 
 /// The steps that are on, one after the other.
 ///
-/// Each record ends with the rms height Sq (lines: Rq) after its step. metadata.attributes["pipeline"] of the result has the text of each
-/// step, separated by " | ", behind what an earlier pipeline left there.
+/// Each record ends with the rms height Sq (lines: Rq) after its step. metadata.attributes["pipeline"] of the result
+/// has the text of each step, separated by " | ", behind what an earlier pipeline left there.
 /// @throws what a step throws. Cost: the steps', and one pass over the heights for each.
-[[nodiscard]] PipelineResult apply(const Pipeline& pipeline, topography::Measurement measurement, const LoadMeasurement& load = {}, parallel::Threads threads = {});
+[[nodiscard]] PipelineResult apply(const Pipeline& pipeline, topography::Measurement measurement,
+                                   const LoadMeasurement& load = {}, parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -19,14 +19,16 @@ struct PolynomialDegrees {
     Index y = highest_degree;
 };
 
-/// A polynomial in Legendre's polynomials on centred, scaled coordinates, in which the normal equations stay well conditioned.
+/// A polynomial in Legendre's polynomials on centred, scaled coordinates, in which the normal equations stay well
+/// conditioned.
 ///
 ///   p(x, y) = Σ c_ab P_a(u) P_b(v),   u = (x − x_0)/X,  v = (y − y_0)/Y
 ///
-/// (x_0, y_0): middle between first and last points [m]; X, Y: half their distance [m] (1 where there is one point alone).
+/// (x_0, y_0): middle between first and last points [m]; X, Y: half their distance [m] (1 where there is one point
+/// alone).
 struct PolynomialSurface {
-    Array2D coefficients;              ///< c_ab [m], a the row
-    std::array<double, 2> centre{};    ///< x_0, y_0 [m]
+    Array2D coefficients;                         ///< c_ab [m], a the row
+    std::array<double, 2> centre{};               ///< x_0, y_0 [m]
     std::array<double, 2> half_extent{1.0, 1.0};  ///< X, Y [m]
 
     [[nodiscard]] double value(double x, double y = 0.0) const;
@@ -38,14 +40,17 @@ struct PolynomialSurface {
     [[nodiscard]] std::array<double, 2> mean_curvature() const;
 };
 
-/// The polynomial that fits best in the sense of least squares over the defined points of a region: of maps and lines the sum over points,
-/// of polylines the exact integral over the segments whose both ends belong to the region.
-/// @throws InvalidArgument for degrees outside 0 … 12 (total: 0 … 24), and for a polyline whose x does not increase strictly
-/// (topography/contour.hpp makes a function of it); UndefinedDataError where the points do not determine the polynomial.
-/// Cost: of maps a pass with degree + 1 multiplications a point, whatever the number of coefficients.
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::HeightMap& map, const PolynomialDegrees& degrees, const Region& region = {}, parallel::Threads threads = {});
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::LineScan& scan, const PolynomialDegrees& degrees, const Region& region = {}, parallel::Threads threads = {});
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::Profile& profile, const PolynomialDegrees& degrees, const Region& region = {}, parallel::Threads threads = {});
+/// The polynomial that fits best in the sense of least squares over the defined points of a region: of maps and lines
+/// the sum over points, of polylines the exact integral over the segments whose both ends belong to the region.
+/// @throws InvalidArgument for degrees outside 0 … 12 (total: 0 … 24), and for a polyline whose x does not increase
+/// strictly (topography/contour.hpp makes a function of it); UndefinedDataError where the points do not determine the
+/// polynomial. Cost: of maps a pass with degree + 1 multiplications a point, whatever the number of coefficients.
+[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::HeightMap& map, const PolynomialDegrees& degrees,
+                                                  const Region& region = {}, parallel::Threads threads = {});
+[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::LineScan& scan, const PolynomialDegrees& degrees,
+                                                  const Region& region = {}, parallel::Threads threads = {});
+[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::Profile& profile, const PolynomialDegrees& degrees,
+                                                  const Region& region = {}, parallel::Threads threads = {});
 
 /// Heights minus the polynomial, in place.
 void subtract(const PolynomialSurface& polynomial, topography::HeightMap& map, parallel::Threads threads = {});

@@ -11,7 +11,7 @@ namespace setae::processing {
 
 /// What a step did, in the numbers a reader wants: the slope that was removed, how many spikes.
 struct StepRecord {
-    std::string step;                 ///< its name in pipeline files, such as "level_plane"
+    std::string step;  ///< its name in pipeline files, such as "level_plane"
     std::vector<Quantity> numbers;
     std::vector<Alert> alerts;
 };
@@ -20,8 +20,9 @@ struct StepRecord {
 ///
 /// Every step of a pipeline is an aggregate with its parameters (LevelPlane, GaussianFilter …) and
 ///     Processed apply(const Step& step, topography::Measurement measurement, parallel::Threads threads = {});
-/// which takes the measurement over, so that a map is changed in place where that is possible. A step that has no meaning for a
-/// kind of measurement throws InvalidArgument that names step and measurement and says what to do instead.
+/// which takes the measurement over, so that a map is changed in place where that is possible. A step that has no
+/// meaning for a kind of measurement throws InvalidArgument that names step and measurement and says what to do
+/// instead.
 struct Processed {
     topography::Measurement measurement;
     StepRecord record;

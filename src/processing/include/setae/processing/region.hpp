@@ -39,7 +39,8 @@ struct Ellipse {
     friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
 
-/// Points of a map inside a polygon; where it crosses itself, by the even-odd rule. Corners in either sense, the last joined to the first.
+/// Points of a map inside a polygon; where it crosses itself, by the even-odd rule. Corners in either sense, the last
+/// joined to the first.
 struct Polygon {
     std::vector<std::array<double, 2>> corners;  ///< [m], at least three
 
@@ -60,7 +61,8 @@ struct PercentileRange {
     friend bool operator==(const PercentileRange&, const PercentileRange&) = default;
 };
 
-/// A choice of points, and by how many pixels it is grown: a point within so many rows and columns of a chosen one is chosen too.
+/// A choice of points, and by how many pixels it is grown: a point within so many rows and columns of a chosen one is
+/// chosen too.
 struct Shape {
     std::variant<Rectangle, Ellipse, Polygon, HeightRange, PercentileRange> outline;
     Index grow = 0;  ///< >= 0; of polylines points instead of pixels
@@ -79,20 +81,24 @@ struct Region {
     friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// The points of a region, defined or not: 1 = chosen; shape (nx, ny) of a map, (n, 1) of a line or polyline. Undefined points belong to
-/// no range of heights.
+/// The points of a region, defined or not: 1 = chosen; shape (nx, ny) of a map, (n, 1) of a line or polyline. Undefined
+/// points belong to no range of heights.
 /// @throws InvalidArgument for a shape outside its domain, and for an ellipse, a polygon or a range of y on a line.
 /// Cost: linear; percentiles select (linear too), polygons cost points × corners within their bounding box.
-[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::HeightMap& map, parallel::Threads threads = {});
-[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::LineScan& scan, parallel::Threads threads = {});
-[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::Profile& profile, parallel::Threads threads = {});
+[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::HeightMap& map,
+                                       parallel::Threads threads = {});
+[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::LineScan& scan,
+                                       parallel::Threads threads = {});
+[[nodiscard]] topography::Mask mask_of(const Region& region, const topography::Profile& profile,
+                                       parallel::Threads threads = {});
 
 /// A region from text, as pipeline files and the command line have it: shapes separated by ";", each
 ///
 ///   include|exclude SHAPE [grow N]
-///   SHAPE: rectangle 1 um to 5 um, 0 um to 2 um  ·  rectangle 1 um to 5 um  ·  ellipse 5 um, 5 um, 2 um, 1 um, 30 deg (centre, semi-axes,
-///          angle; the angle may be left out)  ·  polygon 0 um, 0 um, 4 um, 0 um, 2 um, 3 um  ·  heights above 20 nm  ·  heights below 5 nm  ·
-///          heights 5 nm to 20 nm  ·  percentiles 5 to 95  ·  percentiles above 95
+///   SHAPE: rectangle 1 um to 5 um, 0 um to 2 um  ·  rectangle 1 um to 5 um  ·  ellipse 5 um, 5 um, 2 um, 1 um, 30 deg
+///   (centre, semi-axes,
+///          angle; the angle may be left out)  ·  polygon 0 um, 0 um, 4 um, 0 um, 2 um, 3 um  ·  heights above 20 nm  ·
+///          heights below 5 nm  · heights 5 nm to 20 nm  ·  percentiles 5 to 95  ·  percentiles above 95
 /// @throws InvalidArgument that names the shape it cannot read.
 [[nodiscard]] Region region_from_text(std::string_view text);
 

@@ -17,28 +17,36 @@ enum class Resampling {
     fourier,  ///< fourier_interpolated: periodic data alone
     average,  ///< mean of the old pixels that a new pixel covers, weighted by the area covered; keeps the mean
 };
-inline constexpr std::array<Choice<Resampling>, 4> resampling_names{
-    {{"linear", Resampling::linear}, {"bicubic", Resampling::bicubic}, {"fourier", Resampling::fourier}, {"average", Resampling::average}}};
+inline constexpr std::array<Choice<Resampling>, 4> resampling_names{{{"linear", Resampling::linear},
+                                                                     {"bicubic", Resampling::bicubic},
+                                                                     {"fourier", Resampling::fourier},
+                                                                     {"average", Resampling::average}}};
 
 /// Other points for the same area.
 ///
-/// Give nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size) and the exact step size/n. Periodic data: points at i · size/n. Others,
-/// linear and bicubic: n points from the first to the last old one, so that none is undefined; with pixel_size the step is exact and what is left over at the far end
-/// is lost. A new pixel of `average` covers [i, i+1) · size/n of old pixels [j, j+1) · size/n_old, and is undefined where more than half of it is; its height
-/// stands for the pixel as the old ones do, so the first point lies (new − old step)/2 further in. Polylines: linear, from first to last point.
+/// Give nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size) and the exact step size/n. Periodic
+/// data: points at i · size/n. Others, linear and bicubic: n points from the first to the last old one, so that none is
+/// undefined; with pixel_size the step is exact and what is left over at the far end is lost. A new pixel of `average`
+/// covers [i, i+1) · size/n of old pixels [j, j+1) · size/n_old, and is undefined where more than half of it is; its
+/// height stands for the pixel as the old ones do, so the first point lies (new − old step)/2 further in. Polylines:
+/// linear, from first to last point.
 struct Resample {
-    Index nx = 0;                            ///< points along x; 0: from pixel_size
-    Index ny = 0;                            ///< points along y of maps; 0: from pixel_size, else in proportion to nx
-    std::optional<double> pixel_size = {};   ///< [m]
+    Index nx = 0;                           ///< points along x; 0: from pixel_size
+    Index ny = 0;                           ///< points along y of maps; 0: from pixel_size, else in proportion to nx
+    std::optional<double> pixel_size = {};  ///< [m]
     Resampling method = Resampling::average;
 };
 
-/// @throws InvalidArgument for a grid of fewer than two points a direction or neither nx nor pixel_size, `fourier` on data that are not periodic.
-[[nodiscard]] topography::HeightMap resampled(const topography::HeightMap& map, const Resample& grid, parallel::Threads threads = {});
-[[nodiscard]] topography::LineScan resampled(const topography::LineScan& scan, const Resample& grid, parallel::Threads threads = {});
+/// @throws InvalidArgument for a grid of fewer than two points a direction or neither nx nor pixel_size, `fourier` on
+/// data that are not periodic.
+[[nodiscard]] topography::HeightMap resampled(const topography::HeightMap& map, const Resample& grid,
+                                              parallel::Threads threads = {});
+[[nodiscard]] topography::LineScan resampled(const topography::LineScan& scan, const Resample& grid,
+                                             parallel::Threads threads = {});
 [[nodiscard]] topography::LineScan resampled(const topography::Profile& profile, const Resample& grid);
 
-[[nodiscard]] Processed apply(const Resample& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const Resample& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 
 inline constexpr std::string_view step_name(const Resample&) { return "resample"; }
 template <class Visitor>

@@ -30,10 +30,11 @@ inline constexpr std::array<Choice<ScarReplacement>, 2> scar_replacement_names{
 
 /// Scars: strokes along the fast axis x, a few scan lines wide, where feedback or contact failed.
 ///
-/// d: rms of the differences of neighbouring scan lines. A run of at most `width` points along y is a candidate where it stands out of
-/// both points that end it by at least `low` · d; where it does by `high` · d it is a scar, and candidates beside a scar along x belong to it.
-/// Strokes shorter than `length` points are left.
-/// Source: Nečas and Klapetek, Cent. Eur. J. Phys. 10 (2012) 181, and Gwyddion's user guide, "Scars"; thresholds' defaults are Gwyddion's.
+/// d: rms of the differences of neighbouring scan lines. A run of at most `width` points along y is a candidate where
+/// it stands out of both points that end it by at least `low` · d; where it does by `high` · d it is a scar, and
+/// candidates beside a scar along x belong to it. Strokes shorter than `length` points are left. Source: Nečas and
+/// Klapetek, Cent. Eur. J. Phys. 10 (2012) 181, and Gwyddion's user guide, "Scars"; thresholds' defaults are
+/// Gwyddion's.
 struct RemoveScars {
     double high = 0.666;  ///< >= low
     double low = 0.25;    ///< > 0
@@ -46,7 +47,8 @@ struct RemoveScars {
 inline constexpr std::string_view step_name(const RemoveScars&) { return "remove_scars"; }
 template <class Visitor>
 void visit_parameters(RemoveScars& step, Visitor& visitor) {
-    visitor.number("high", step.high, "height of a scar above its neighbours, in rms differences of neighbouring lines");
+    visitor.number("high", step.high,
+                   "height of a scar above its neighbours, in rms differences of neighbouring lines");
     visitor.number("low", step.low, "height of points that belong to a scar beside them, in the same unit");
     visitor.count("length", step.length, "least number of points along x");
     visitor.count("width", step.width, "largest number of scan lines");
@@ -56,9 +58,11 @@ void visit_parameters(RemoveScars& step, Visitor& visitor) {
 
 /// The points of scars: 1 = scar.
 /// @throws InvalidArgument for parameters outside their domain.
-[[nodiscard]] topography::Mask find_scars(const RemoveScars& step, const topography::HeightMap& map, parallel::Threads threads = {});
+[[nodiscard]] topography::Mask find_scars(const RemoveScars& step, const topography::HeightMap& map,
+                                          parallel::Threads threads = {});
 
 /// @throws InvalidArgument for parameters outside their domain and for lines, which have no neighbouring lines.
-[[nodiscard]] Processed apply(const RemoveScars& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const RemoveScars& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -27,7 +27,8 @@ void set_parameter(Step& step, const ParameterText& parameter);
 /// Those that differ from their defaults.
 [[nodiscard]] std::vector<ParameterText> changed_parameters(const Step& step);
 
-/// A step from one line, as the command line has it: its name, then NAME=VALUE for each parameter, values with blanks in double quotes:
+/// A step from one line, as the command line has it: its name, then NAME=VALUE for each parameter, values with blanks
+/// in double quotes:
 ///   align_rows method=median region="exclude heights above 20 nm"
 /// @throws InvalidArgument.
 [[nodiscard]] Step step_from_text(std::string_view text);

@@ -23,17 +23,19 @@
 
 namespace setae::processing {
 
-/// Every step there is, in the order of documents. A new one is named here and gets its sentence in steps.cpp, which does not compile before.
-using Step = std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike, RemoveScars, MaskOut, FillUndefined,
-                          GaussianFilter, RobustGaussianFilter, SplineFilter, FourierCut, Crop, Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap,
-                          SubtractMap>;
+/// Every step there is, in the order of documents. A new one is named here and gets its sentence in steps.cpp, which
+/// does not compile before.
+using Step = std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike,
+                          RemoveScars, MaskOut, FillUndefined, GaussianFilter, RobustGaussianFilter, SplineFilter,
+                          FourierCut, Crop, Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap, SubtractMap>;
 
 /// How steps that name another file get its heights; channel: its name, empty for the first one of heights.
 using LoadMeasurement = std::function<topography::Measurement(const std::string& file, const std::string& channel)>;
 
 /// A measurement after a step. `load` serves steps that name another file.
 /// @throws what the step throws, and InvalidArgument for a step that needs another file where nobody loads any.
-[[nodiscard]] Processed apply(const Step& step, topography::Measurement measurement, const LoadMeasurement& load, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const Step& step, topography::Measurement measurement, const LoadMeasurement& load,
+                              parallel::Threads threads = {});
 
 /// Name of a step in pipeline files.
 [[nodiscard]] std::string name(const Step& step);
@@ -44,7 +46,8 @@ using LoadMeasurement = std::function<topography::Measurement(const std::string&
 /// A step's parameter as documents show it.
 struct ParameterDescription {
     std::string name;
-    std::string values;         ///< "length", "number", "angle", "whole number", "true or false", "text", "region", or the choices "x or y"
+    std::string values;  ///< "length", "number", "angle", "whole number", "true or false", "text", "region", or the
+                         ///< choices "x or y"
     std::string default_value;  ///< empty where there is none
     std::string meaning;
 };

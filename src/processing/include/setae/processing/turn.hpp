@@ -16,7 +16,8 @@ struct Flip {
     Direction direction = Direction::x;
 };
 
-/// A map turned by 90° so many times from x towards y: h'(x, y) = h(y, L − x) for one turn, L the extent along x afterwards.
+/// A map turned by 90° so many times from x towards y: h'(x, y) = h(y, L − x) for one turn, L the extent along x
+/// afterwards.
 struct QuarterTurns {
     Index turns = 1;  ///< any whole number, modulo 4
 };
@@ -36,8 +37,10 @@ void visit_parameters(QuarterTurns& step, Visitor& visitor) {
 }
 
 /// @throws InvalidArgument for lines where the step needs a map.
-[[nodiscard]] Processed apply(const Transpose& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const Transpose& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 [[nodiscard]] Processed apply(const Flip& step, topography::Measurement measurement, parallel::Threads threads = {});
-[[nodiscard]] Processed apply(const QuarterTurns& step, topography::Measurement measurement, parallel::Threads threads = {});
+[[nodiscard]] Processed apply(const QuarterTurns& step, topography::Measurement measurement,
+                              parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -9,28 +9,30 @@ namespace setae::roughness {
 
 /// Root-mean-square parameters straight from heights, at the resolution of the pixels.
 ///
-/// Lines: forward differences; maps: forward differences along x and y, five-point Laplacian; polylines: exact integrals
-/// over the segments, curvature from the three-point formula for unequal steps weighted by the trapezoid rule.
-/// Differences wrap round in periodic data. Undefined heights drop every difference that would use them; a parameter
-/// without a single defined difference is NaN. Heights are taken as they are: remove trends first
+/// Lines: forward differences; maps: forward differences along x and y, five-point Laplacian; polylines: exact
+/// integrals over the segments, curvature from the three-point formula for unequal steps weighted by the trapezoid
+/// rule. Differences wrap round in periodic data. Undefined heights drop every difference that would use them; a
+/// parameter without a single defined difference is NaN. Heights are taken as they are: remove trends first
 /// (topography/detrend.hpp); the mean is removed here.
 struct RealSpaceParameters {
-    double rms_height = 0.0;      ///< Rq or Sq, unfiltered [m]: sqrt⟨(h − ⟨h⟩)²⟩ over all points
+    double rms_height = 0.0;           ///< Rq or Sq, unfiltered [m]: sqrt⟨(h − ⟨h⟩)²⟩ over all points
     double rms_height_of_lines = 0.0;  ///< maps: root of the mean over lines along x of each line's variance [m]
-    double rms_slope_x = 0.0;     ///< sqrt⟨(∂h/∂x)²⟩ [1]
-    double rms_slope_y = 0.0;     ///< maps only, NaN otherwise [1]
-    double rms_slope = 0.0;       ///< maps: sqrt⟨|∇h|²⟩; lines and polylines: equal to rms_slope_x [1]
-    double rms_curvature = 0.0;   ///< maps: sqrt⟨(½∇²h)²⟩; lines and polylines: sqrt⟨(h'')²⟩ [1/m]
-    double mean_height = 0.0;     ///< [m]
-    Index defined = 0;            ///< heights used
+    double rms_slope_x = 0.0;          ///< sqrt⟨(∂h/∂x)²⟩ [1]
+    double rms_slope_y = 0.0;          ///< maps only, NaN otherwise [1]
+    double rms_slope = 0.0;            ///< maps: sqrt⟨|∇h|²⟩; lines and polylines: equal to rms_slope_x [1]
+    double rms_curvature = 0.0;        ///< maps: sqrt⟨(½∇²h)²⟩; lines and polylines: sqrt⟨(h'')²⟩ [1/m]
+    double mean_height = 0.0;          ///< [m]
+    Index defined = 0;                 ///< heights used
 };
 
 /// One pass over the heights.
 /// @throws UndefinedDataError where no height is defined.
-[[nodiscard]] RealSpaceParameters real_space_parameters(const topography::HeightMap& map, parallel::Threads threads = {});
-/// Of a map larger than memory, by bands of scan lines: equal to the above up to rounding. lines_together: of a band, > 0. Periodic
-/// maps are read as a whole.
-[[nodiscard]] RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together, parallel::Threads threads = {});
+[[nodiscard]] RealSpaceParameters real_space_parameters(const topography::HeightMap& map,
+                                                        parallel::Threads threads = {});
+/// Of a map larger than memory, by bands of scan lines: equal to the above up to rounding. lines_together: of a band, >
+/// 0. Periodic maps are read as a whole.
+[[nodiscard]] RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together,
+                                                        parallel::Threads threads = {});
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::LineScan& scan);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Profile& profile);
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Measurement& measurement,

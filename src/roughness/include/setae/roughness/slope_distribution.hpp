@@ -12,12 +12,12 @@ namespace setae::roughness {
 /// Statistics of the slope along one direction, with standard errors from blocks of the data (neighbouring slopes are
 /// correlated, so counting points would overstate what is known).
 struct DirectionalSlope {
-    double angle = 0.0;                     ///< direction against x [rad]: 0, π/2, ±π/4
-    double rms = 0.0;                       ///< sqrt⟨s²⟩ about the mean slope [1]
+    double angle = 0.0;  ///< direction against x [rad]: 0, π/2, ±π/4
+    double rms = 0.0;    ///< sqrt⟨s²⟩ about the mean slope [1]
     double rms_standard_error = 0.0;
     double skewness = 0.0;
     double skewness_standard_error = 0.0;
-    double excess_kurtosis = 0.0;           ///< 0 for a Gaussian
+    double excess_kurtosis = 0.0;  ///< 0 for a Gaussian
     double excess_kurtosis_standard_error = 0.0;
     int blocks = 0;
 };
@@ -33,8 +33,8 @@ struct SlopeDistribution {
     std::vector<Alert> alerts;                 ///< NON_GAUSSIAN, ANISOTROPIC, ONE_DIRECTION with the size of the effect
 };
 
-/// Slopes by forward differences; diagonals over one pixel each way. Standard errors by a jackknife over 16 blocks (tiles
-/// of a map, stretches of a scan). An alert needs both significance (p < 0.01) and size (|excess kurtosis| or
+/// Slopes by forward differences; diagonals over one pixel each way. Standard errors by a jackknife over 16 blocks
+/// (tiles of a map, stretches of a scan). An alert needs both significance (p < 0.01) and size (|excess kurtosis| or
 /// |skewness| above 0.5; rms slopes that differ by more than 10 %).
 /// @throws UndefinedDataError for fewer than 32 defined slopes.
 [[nodiscard]] SlopeDistribution slope_distribution(const topography::Measurement& measurement);

@@ -50,8 +50,8 @@ enum class Conversion {
     eq11,   ///< C_iso ≈ π C1D/(q √(1 − (q/q_s)²)), q_s the upper end of the band: the way of [D19]
 };
 
-/// C1D by decade: element d is the geometric mean over ln q between 10^(4+d) and 10^(5+d) 1/m [m³], NaN where the curve does not
-/// span that decade.
+/// C1D by decade: element d is the geometric mean over ln q between 10^(4+d) and 10^(5+d) 1/m [m³], NaN where the curve
+/// does not span that decade.
 using DecadeMeans = std::array<double, 6>;
 inline constexpr int first_decade = 4;
 inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefined, undefined, undefined};
@@ -61,8 +61,9 @@ inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefin
 
 /// Parameters of an isotropic surface.
 ///
-///   from C1D:    h_rms² = (1/π) ∫ C dq,    h'² = (2/π) ∫ q² C dq,    h''² = (2/3π) ∫ q⁴ C dq,   U_el/(A_app E*) = (1/8) ∫ q C dq
-///   from C_iso:  h_rms² = (1/2π) ∫ q C dq, h'² = (1/2π) ∫ q³ C dq,   h''² = (1/8π) ∫ q⁵ C dq,   U_el/(A_app E*) = (1/8π) ∫ q² C dq
+///   from C1D:    h_rms² = (1/π) ∫ C dq,    h'² = (2/π) ∫ q² C dq,    h''² = (2/3π) ∫ q⁴ C dq,   U_el/(A_app E*) =
+///   (1/8) ∫ q C dq from C_iso:  h_rms² = (1/2π) ∫ q C dq, h'² = (1/2π) ∫ q³ C dq,   h''² = (1/8π) ∫ q⁵ C dq,
+///   U_el/(A_app E*) = (1/8π) ∫ q² C dq
 ///
 /// h' = sqrt⟨|∇h|²⟩, h'' = sqrt⟨(½∇²h)²⟩.  Source: THEORY §4, §4.1; [D19] (8), (11).
 struct SpectralParameters {
@@ -70,12 +71,13 @@ struct SpectralParameters {
     double rms_slope = 0.0;                   ///< [1]
     double rms_curvature = 0.0;               ///< [1/m]
     double elastic_energy_per_modulus = 0.0;  ///< U_el/(A_app E*) [m]
-    DecadeMeans decade_C1D = no_decades;      ///< of C1D curves; of C_iso curves only where their Abel integral was taken
+    DecadeMeans decade_C1D = no_decades;  ///< of C1D curves; of C_iso curves only where their Abel integral was taken
 };
 
 /// Integrals over the band. A C_iso curve is what Eq. (11) approximates, so the conversion changes C1D curves alone.
 /// @throws UndefinedDataError for fewer than two usable nodes in the curve.
-[[nodiscard]] SpectralParameters spectral_parameters(const SpectrumCurve& curve, Conversion conversion = Conversion::exact);
+[[nodiscard]] SpectralParameters spectral_parameters(const SpectrumCurve& curve,
+                                                     Conversion conversion = Conversion::exact);
 
 /// Parameters of the part of the surface with wavevectors below each of the given ones.
 struct CumulativeParameters {

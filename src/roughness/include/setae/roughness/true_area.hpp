@@ -24,8 +24,9 @@ namespace setae::roughness {
 
 /// Area of the triangles through the heights.
 struct TriangulatedArea {
-    double area_ratio = 0.0;  ///< true over projected area of the cells with four defined corners, both diagonals averaged
-    double rms_slope = 0.0;   ///< sqrt⟨|∇h|²⟩ of the same triangles
+    double area_ratio =
+        0.0;  ///< true over projected area of the cells with four defined corners, both diagonals averaged
+    double rms_slope = 0.0;  ///< sqrt⟨|∇h|²⟩ of the same triangles
     Index cells = 0;
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "setae/loops/loop.hpp"
-#include "setae/simulation/loop_truth.hpp"
 #include "setae/numerics/random_numbers.hpp"
+#include "setae/simulation/loop_truth.hpp"
 
 namespace setae::simulation {
 
@@ -19,7 +19,7 @@ struct LoopArtefacts {
     double force_noise = 0.0;              ///< standard deviation of a sample [N]
     double displacement_noise = 0.0;       ///< standard deviation of a sample [m]
     double radius_noise = 0.0;             ///< standard deviation of a frame [m]
-    numerics::RandomKey key{};            ///< of the noise
+    numerics::RandomKey key{};             ///< of the noise
 };
 
 /// A record and what is behind it.
@@ -30,8 +30,8 @@ struct SimulatedLoop {
 
 /// The record of such a loop: samples at times i/force_rate, a frame of the camera at the first sample at or after each
 /// multiple of 1/camera_rate. The jumps take no time.
-/// @throws InvalidArgument as loop_truth, for negative noise, a camera faster than the force, and for records of more than
-/// 10⁸ samples.
+/// @throws InvalidArgument as loop_truth, for negative noise, a camera faster than the force, and for records of more
+/// than 10⁸ samples.
 [[nodiscard]] SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol,
                                            const LoopArtefacts& artefacts = {});
 

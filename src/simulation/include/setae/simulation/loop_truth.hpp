@@ -36,22 +36,22 @@ struct LoopTruth {
     contact::jkr::State turning_point;  ///< largest force; its contact radius is a_max
     contact::jkr::State unpinned;       ///< same contact radius, G = W_ret: the edge begins to recede
     contact::jkr::State parting;        ///< last state of contact
-    double smallest_force = 0.0;        ///< [N], < 0: what is read as pull-off force, −3/2 πRW_ret where the edge receded
-    double jump_in_loss = 0.0;          ///< [J]
-    double pinning_loss = 0.0;          ///< (W_ret − W_app) π a_max² [J]
-    double jump_out_loss = 0.0;         ///< [J]
+    double smallest_force = 0.0;  ///< [N], < 0: what is read as pull-off force, −3/2 πRW_ret where the edge receded
+    double jump_in_loss = 0.0;    ///< [J]
+    double pinning_loss = 0.0;    ///< (W_ret − W_app) π a_max² [J]
+    double jump_out_loss = 0.0;   ///< [J]
 
     [[nodiscard]] double energy_loss() const { return jump_in_loss + pinning_loss + jump_out_loss; }  ///< ∮ F dδ [J]
-    [[nodiscard]] double largest_contact_area() const;                                                ///< π a_max² [m²]
+    [[nodiscard]] double largest_contact_area() const;  ///< π a_max² [m²]
 };
 
 /// What a loop of this specimen in this machine goes through.
 ///
 /// Approach: free flight to first touch, m = 0; there the contact springs to the stable radius on the machine's line
 /// δ + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays pinned at a_max,
-/// dF = 2E* a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a) turns,
-/// F = −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight. Losses of the
-/// jumps are the differences of total energy, the machine's spring included:
+/// dF = 2E* a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a)
+/// turns, F = −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight.
+/// Losses of the jumps are the differences of total energy, the machine's spring included:
 ///
 ///   jump in: −U(a, δ; W_app) − F²/2k_m,   jump out: U(a, δ; W_ret) + F²/2k_m
 ///

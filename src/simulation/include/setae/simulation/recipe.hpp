@@ -22,8 +22,8 @@ struct StylusProtocol {
     double noise = 0.0;                      ///< standard deviation of a point [m]
     double bow = 0.0;                        ///< height of the arc over a scan [m]
     double tilt = 0.0;                       ///< [1]
-    double artefact = 0.0;                   ///< rms of the curve that the drive adds to all scans [m]; > 0: references, too
-    double artefact_wavelength = 1e-3;       ///< longest of that curve [m]
+    double artefact = 0.0;              ///< rms of the curve that the drive adds to all scans [m]; > 0: references, too
+    double artefact_wavelength = 1e-3;  ///< longest of that curve [m]
 
     [[nodiscard]] double step(std::size_t scan) const { return steps.size() == 1 ? steps.front() : steps[scan]; }
 };
@@ -73,10 +73,10 @@ struct SurfaceRecipe {
 /// A soft sphere.
 struct ElastomerRecipe {
     std::string name;
-    double youngs_modulus = 0.0;       ///< E [Pa], > 0
-    double poisson_ratio = 0.5;        ///< ν
-    Estimate surface_energy;           ///< γ1 [J/m²]: the value is true, the study is told both
-    double sphere_radius = 0.0;        ///< R [m], > 0
+    double youngs_modulus = 0.0;  ///< E [Pa], > 0
+    double poisson_ratio = 0.5;   ///< ν
+    Estimate surface_energy;      ///< γ1 [J/m²]: the value is true, the study is told both
+    double sphere_radius = 0.0;   ///< R [m], > 0
 };
 
 /// Where W_ret comes from.
@@ -85,7 +85,8 @@ enum class RetractionLaw {
     pinning,  ///< the roughness pins the edge
 };
 
-/// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than E_loss.
+/// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than
+/// E_loss.
 enum class NonconformingPairs {
     refuse,  ///< an error that names the pair
     skip,    ///< left out
@@ -96,9 +97,9 @@ struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is the recipe's
     RetractionLaw law = RetractionLaw::loss;
-    double loss_factor = 1.0;                        ///< f
+    double loss_factor = 1.0;  ///< f
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
-    std::optional<double> reference_work;            ///< W of both branches on the standard [J/m²]; none: no references
+    std::optional<double> reference_work;  ///< W of both branches on the standard [J/m²]; none: no references
 };
 
 /// Everything that determines a data set.
@@ -116,14 +117,15 @@ struct Recipe {
 
 /// Reads a recipe from TOML; docs/laboratory.md describes every key.
 ///
-/// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it is
+/// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it
+/// is
 ///
 ///   from (to/from)^u,  u uniform in (0, 1), of the seed and the names of table and key alone
 ///
 /// so that another surface, or another order, changes no other number. seed: in place of the recipe's.
-/// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one), a
-/// missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a protocol
-/// that is not declared.
+/// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
+/// a missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a
+/// protocol that is not declared.
 [[nodiscard]] Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed = {});
 
 }  // namespace setae::simulation

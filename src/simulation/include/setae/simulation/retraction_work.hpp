@@ -18,12 +18,13 @@ struct PinningRoughness {
 ///
 /// k is linear in the logarithm between these values of simulated fronts (they scatter by ±0.15) and constant beyond.
 /// @throws InvalidArgument outside the domains.
-/// Source of the law: Sanner, Kumar, Dhinojwala, Jacobs, Pastewka, Sci. Adv. 10 (2024) eadl1277; of k: simulated straight
-/// fronts with the linearised field of that paper, soft springs, fronts longer than the Larkin length.
+/// Source of the law: Sanner, Kumar, Dhinojwala, Jacobs, Pastewka, Sci. Adv. 10 (2024) eadl1277; of k: simulated
+/// straight fronts with the linearised field of that paper, soft springs, fronts longer than the Larkin length.
 [[nodiscard]] double work_retraction_by_pinning(const PinningRoughness& roughness);
 
 /// W_ret [J/m²] with which the loop loses a given energy [J]; specimen.work_retraction is not looked at.
 /// @throws InvalidArgument as loop_truth, and for a loss below that with W_ret = W_app, which the message names.
-[[nodiscard]] double work_retraction_for_loss(LoopSpecimen specimen, const LoadingProtocol& protocol, double energy_loss);
+[[nodiscard]] double work_retraction_for_loss(LoopSpecimen specimen, const LoadingProtocol& protocol,
+                                              double energy_loss);
 
 }  // namespace setae::simulation

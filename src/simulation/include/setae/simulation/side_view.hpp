@@ -23,27 +23,29 @@ struct SideViewOptions {
     double length = 100e-9;               ///< of the contour along x [m]
     double step = 2e-10;                  ///< mean distance of points along x [m]
     ContourSteps steps = ContourSteps::gamma;
-    double step_spread = 0.5;             ///< rms of the distance over its mean: uniform <= 1/√3, gamma √(2/ν), ν rounded
-    double blur = 0.0;                    ///< rms radius of the image's blur [m]
-    double trace_noise_rms = 0.0;         ///< of the hand's deviation in height [m]
-    double trace_noise_length = 1e-9;     ///< over which the hand's deviation is correlated [m]
-    double reentrant_share = 0.0;         ///< of points traced backwards, 0 … 0.5
-    Index reentrant_points = 4;           ///< in one such stretch
+    double step_spread = 0.5;  ///< rms of the distance over its mean: uniform <= 1/√3, gamma √(2/ν), ν rounded
+    double blur = 0.0;         ///< rms radius of the image's blur [m]
+    double trace_noise_rms = 0.0;      ///< of the hand's deviation in height [m]
+    double trace_noise_length = 1e-9;  ///< over which the hand's deviation is correlated [m]
+    double reentrant_share = 0.0;      ///< of points traced backwards, 0 … 0.5
+    Index reentrant_points = 4;        ///< in one such stretch
     numerics::RandomKey key;
 };
 
 /// The contour as it is traced, before topography::clean_contour.
 ///
-/// Heights: the silhouette over the foil's thickness, blurred, straight between its grid points, plus the hand's deviation
+/// Heights: the silhouette over the foil's thickness, blurred, straight between its grid points, plus the hand's
+/// deviation
 ///
 ///   h(x) = ∫ s(x') exp(−(x − x')²/(2 blur²)) dx'/(√(2π) blur) + n(x),  ⟨n(x) n(x + d)⟩ = rms² exp(−d²/(2 length²))
 ///
 /// which is the half level of an image blurred by a Gaussian to first order in the slope. Points run from 0 to about
-/// `length` [m] in random steps. Re-entrant stretches: at random places runs of points turn back behind their predecessor,
-/// x → x_p − (x − x_p)/2, which clean_contour cuts while it keeps all other points. Metadata: instrument type "tem", the
-/// thickness as attribute "foil_thickness".
-/// @throws InvalidArgument outside the domains above, for a step wider than the length or a contour that leaves a surface
-/// that is not periodic; UndefinedDataError where the silhouette is undefined.
-[[nodiscard]] topography::Profile side_view_contour(const topography::HeightMap& surface, const SideViewOptions& options);
+/// `length` [m] in random steps. Re-entrant stretches: at random places runs of points turn back behind their
+/// predecessor, x → x_p − (x − x_p)/2, which clean_contour cuts while it keeps all other points. Metadata: instrument
+/// type "tem", the thickness as attribute "foil_thickness".
+/// @throws InvalidArgument outside the domains above, for a step wider than the length or a contour that leaves a
+/// surface that is not periodic; UndefinedDataError where the silhouette is undefined.
+[[nodiscard]] topography::Profile side_view_contour(const topography::HeightMap& surface,
+                                                    const SideViewOptions& options);
 
 }  // namespace setae::simulation

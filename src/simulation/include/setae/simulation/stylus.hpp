@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "setae/parallel/for_each.hpp"
 #include "setae/numerics/random_numbers.hpp"
+#include "setae/parallel/for_each.hpp"
 #include "setae/topography/dilation.hpp"
 
 namespace setae::simulation {
@@ -15,8 +15,8 @@ namespace setae::simulation {
 ///
 /// x [m] counts from the start of the traverse, so that all scans of a session show the same curve.
 struct DriveArtefact {
-    double rms = 0.0;                   ///< over the longest wavelength [m], >= 0; 0 is none
-    double longest_wavelength = 1e-3;   ///< [m], > 0
+    double rms = 0.0;                  ///< over the longest wavelength [m], >= 0; 0 is none
+    double longest_wavelength = 1e-3;  ///< [m], > 0
     numerics::RandomKey session;
 };
 
@@ -27,14 +27,14 @@ struct DriveArtefact {
 struct StylusOptions {
     topography::Tip tip = topography::SphereTip{5e-6};
     std::optional<double> tip_radius_standard_error;  ///< [m], written into the metadata
-    double length = 0.5e-3;        ///< number of points times step [m]
-    double step = 0.1e-6;          ///< between points [m]
-    double start_x = 0.0, start_y = 0.0;  ///< where the scan begins on the surface [m]; it runs along x
-    double noise_rms = 0.0;        ///< white, of each point [m]
-    double tilt = 0.0;             ///< slope of the scan's plane
-    double bow = 0.0;              ///< height of its parabola, middle over ends [m]
+    double length = 0.5e-3;                           ///< number of points times step [m]
+    double step = 0.1e-6;                             ///< between points [m]
+    double start_x = 0.0, start_y = 0.0;              ///< where the scan begins on the surface [m]; it runs along x
+    double noise_rms = 0.0;                           ///< white, of each point [m]
+    double tilt = 0.0;                                ///< slope of the scan's plane
+    double bow = 0.0;                                 ///< height of its parabola, middle over ends [m]
     DriveArtefact artefact;
-    numerics::RandomKey key;      ///< of this scan's noise
+    numerics::RandomKey key;            ///< of this scan's noise
     topography::DilationOptions touch;  ///< threads and range of the tip's contact
 };
 
@@ -42,11 +42,12 @@ struct StylusOptions {
 ///
 ///   z_i = i(start_x + x_i, start_y) + tilt x_i + bow (1 − (2x_i/ℓ − 1)²) + artefact(x_i) + noise_i,  x_i = i step
 ///
-/// i: the surface dilated by the tip in two dimensions, read pointwise at the nearest grid point (what is shorter than two
-/// steps is aliased as an instrument has it), so the surface's pixels are best a whole fraction of the step. ℓ = length −
-/// step. round(length/step) points. Noise i is a normal number of the key and i. Metadata: instrument type "stylus" with the tip's radius.
-/// @throws InvalidArgument for fewer than two points, a negative noise or step, a scan that leaves a surface that is not
-/// periodic, and as topography::dilated.
+/// i: the surface dilated by the tip in two dimensions, read pointwise at the nearest grid point (what is shorter than
+/// two steps is aliased as an instrument has it), so the surface's pixels are best a whole fraction of the step. ℓ =
+/// length − step. round(length/step) points. Noise i is a normal number of the key and i. Metadata: instrument type
+/// "stylus" with the tip's radius.
+/// @throws InvalidArgument for fewer than two points, a negative noise or step, a scan that leaves a surface that is
+/// not periodic, and as topography::dilated.
 [[nodiscard]] topography::LineScan stylus_scan(const topography::HeightMap& surface, const StylusOptions& options);
 
 /// The same on a surface prepared for the tip once, for several scans: options.tip only names the radius.

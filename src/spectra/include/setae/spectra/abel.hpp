@@ -28,9 +28,9 @@ namespace setae::spectra {
                                              const ArrayView1D& wavevector);
 
 /// C_iso at the wavevectors of C1D whose Abel integral is C1D, by multiplicative correction of eq. (11):
-/// C_iso ← C_iso · C1D/Abel(C_iso), rounds times. From the last wavevector to q_s the power law of the last two continues.
-/// Few rounds regularise: noise between neighbouring wavevectors grows with each.
-/// wavevector: increasing, below q_s = shortest_wavevector [1/m]. C1D > 0 [m³].
+/// C_iso ← C_iso · C1D/Abel(C_iso), rounds times. From the last wavevector to q_s the power law of the last two
+/// continues. Few rounds regularise: noise between neighbouring wavevectors grows with each. wavevector: increasing,
+/// below q_s = shortest_wavevector [1/m]. C1D > 0 [m³].
 /// @throws InvalidArgument as profile_from_isotropic, for a wavevector not below q_s, or for rounds < 0.
 [[nodiscard]] Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D,
                                              double shortest_wavevector, int rounds = 10);

@@ -13,7 +13,8 @@ namespace setae::spectra {
 enum class Draw {
     measurements,            ///< among all measurements
     within_instruments,      ///< among those of each instrument, so that none is lost
-    instruments_and_within,  ///< instruments, then as many measurements among those of each drawn one: both levels scatter
+    instruments_and_within,  ///< instruments, then as many measurements among those of each drawn one: both levels
+                             ///< scatter
 };
 
 struct BootstrapOptions {
@@ -26,9 +27,9 @@ struct BootstrapOptions {
 
 /// Combined spectra of resampled measurements, on the bins of the full combination.
 struct BootstrapSpectra {
-    Array1D wavevector;    ///< as CombinedSpectrum's [1/m]
-    Array2D C1D;           ///< (resample, bin) [m³], no gaps
-    Array1D filled_share;  ///< share of resamples in which the bin was lost and filled
+    Array1D wavevector;               ///< as CombinedSpectrum's [1/m]
+    Array2D C1D;                      ///< (resample, bin) [m³], no gaps
+    Array1D filled_share;             ///< share of resamples in which the bin was lost and filled
     std::vector<Multiplicity> drawn;  ///< of each resample, how often it drew each measurement
     std::uint64_t seed = 0;
 };

@@ -30,11 +30,11 @@ struct CombinationOptions {
 /// The measurements, each averaged in the bins of one grid: what combine() and bootstrap() work on.
 struct BinnedSpectra {
     LogGrid grid;
-    Index first_bin = 0;                    ///< column 0 of the matrices
-    Array1D wavevector;                     ///< geometric centres of the bins [1/m]
-    Array2D C1D;                            ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
-    Array2D relative_variance;              ///< of each entry, from modes and lines; NaN likewise
-    std::vector<std::string> instruments;   ///< of each measurement: type, else name, else "unknown"
+    Index first_bin = 0;                   ///< column 0 of the matrices
+    Array1D wavevector;                    ///< geometric centres of the bins [1/m]
+    Array2D C1D;                           ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
+    Array2D relative_variance;             ///< of each entry, from modes and lines; NaN likewise
+    std::vector<std::string> instruments;  ///< of each measurement: type, else name, else "unknown"
 };
 
 /// Averages each measurement's C1D inside its reliable band over the bins.
@@ -56,7 +56,7 @@ struct CombinedSpectrum {
     double q_min = 0.0;        ///< lowest wavevector used [1/m]; from BinnedSpectra the lowest bin's edge
     double q_max = 0.0;        ///< highest likewise
     LogGrid grid;
-    std::vector<Alert> alerts; ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
+    std::vector<Alert> alerts;  ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
 };
 
 /// Mean over the measurements of each bin, a map being one measurement.
@@ -66,7 +66,8 @@ struct CombinedSpectrum {
 /// The order of the measurements does not matter beyond rounding.
 /// @throws InvalidArgument if nothing lies in any band.
 /// Source: [D19] (equal weights).
-[[nodiscard]] CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options = {});
+[[nodiscard]] CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra,
+                                       const CombinationOptions& options = {});
 [[nodiscard]] CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal);
 
 }  // namespace setae::spectra

@@ -34,7 +34,8 @@ struct IsotropicSpectrum {
 [[nodiscard]] IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map,
                                                          const SpectrumOptions& options = {}, const LogGrid& grid = {});
 
-/// C2D [m⁴] on the full grid of modes, shape (nx, ny), entry (k, m) at q_x = 2πk/L_x for k <= nx/2, 2π(k − nx)/L_x above.
+/// C2D [m⁴] on the full grid of modes, shape (nx, ny), entry (k, m) at q_x = 2πk/L_x for k <= nx/2, 2π(k − nx)/L_x
+/// above.
 [[nodiscard]] Array2D power_spectrum_map(const topography::HeightMap& map, const SpectrumOptions& options = {});
 
 }  // namespace setae::spectra

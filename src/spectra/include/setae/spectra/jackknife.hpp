@@ -22,6 +22,7 @@ struct JackknifeSpectra {
 /// multiplicity: of each measurement, such as a row of BootstrapSpectra::drawn; empty for all of them once.
 /// @throws InvalidArgument where the multiplicity is of another size than the measurements.
 /// Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
-[[nodiscard]] JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal, const Multiplicity& multiplicity = {});
+[[nodiscard]] JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal,
+                                         const Multiplicity& multiplicity = {});
 
 }  // namespace setae::spectra

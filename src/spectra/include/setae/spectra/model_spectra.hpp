@@ -22,12 +22,12 @@ struct SoftCutoff {
 ///            = C_0 (q/q_r)^(−2−2H)                          q_r <= q < q_x
 ///            = C_0 (q_x/q_r)^(−2−2H) (q/q_x)^(−2−2H_x)      q_x <= q <= q_s,  0 above
 struct TwoSlopes {
-    double plateau = 0.0;                ///< C_0 [m⁴]
-    double rolloff_wavevector = 0.0;     ///< q_r [1/m]
-    double hurst_exponent = 0.8;         ///< H of the longer wavelengths, in (0, 1]
-    double crossover_wavevector = 0.0;   ///< q_x [1/m], q_r < q_x < q_s
-    double short_hurst_exponent = 0.8;   ///< H_x of the shorter wavelengths, in (0, 1]
-    double short_wavevector = 0.0;       ///< q_s [1/m]
+    double plateau = 0.0;               ///< C_0 [m⁴]
+    double rolloff_wavevector = 0.0;    ///< q_r [1/m]
+    double hurst_exponent = 0.8;        ///< H of the longer wavelengths, in (0, 1]
+    double crossover_wavevector = 0.0;  ///< q_x [1/m], q_r < q_x < q_s
+    double short_hurst_exponent = 0.8;  ///< H_x of the shorter wavelengths, in (0, 1]
+    double short_wavevector = 0.0;      ///< q_s [1/m]
 };
 
 /// A log-normal bump on a self-affine spectrum: grains of one size, a machining mark.

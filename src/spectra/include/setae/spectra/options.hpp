@@ -19,9 +19,9 @@ enum class ContourTreatment {
 
 struct SpectrumOptions {
     Window window = Window::automatic;
-    topography::Trend trend = topography::Trend::mean;  ///< removed before the window
+    topography::Trend trend = topography::Trend::mean;            ///< removed before the window
     ContourTreatment contour = ContourTreatment::sinc_corrected;  ///< profiles only
-    bool trace_response = true;  ///< free profiles that know their trace's response of it; false: as traced
+    bool trace_response = true;          ///< free profiles that know their trace's response of it; false: as traced
     std::optional<Array1D> wavevectors;  ///< [1/m], profiles only; default 2πk/L up to π/(mean step)
     ReliabilityOptions reliability;
     parallel::Threads threads;

@@ -7,18 +7,21 @@
 
 namespace setae::spectra {
 
-/// Neighbouring modes of a Hann window share their data: what of a mode is its own, ω = 1/Σ |ρ|² = 1/(1 + 2 (4/9 + 1/36)).
+/// Neighbouring modes of a Hann window share their data: what of a mode is its own, ω = 1/Σ |ρ|² = 1/(1 + 2 (4/9 +
+/// 1/36)).
 inline constexpr double share_under_hann = 0.5142857142857142;
 
 /// C1D of one measurement as other places of the same surface would give it.
 ///
 ///   C_k G_k,  G_k gamma distributed with mean 1 and shape ν_k, all independent
 ///
-/// A periodogram of Gaussian heights scatters so, ν_k being the independent values behind it: independent lines times the share of
-/// a mode that is its own, so that sums over modes scatter rightly.
-/// freedom: ν of each wavevector, > 0. One replica a row [m³]; the same seed gives the same numbers, more replicas the same first ones.
+/// A periodogram of Gaussian heights scatters so, ν_k being the independent values behind it: independent lines times
+/// the share of a mode that is its own, so that sums over modes scatter rightly. freedom: ν of each wavevector, > 0.
+/// One replica a row [m³]; the same seed gives the same numbers, more replicas the same first ones.
 /// @throws InvalidArgument for sizes that differ, freedoms that are not positive, count < 1.
-/// Source: Brillinger, Time Series (2001) ch. 5 (distribution of periodograms); Franke, Härdle, Ann. Stat. 20 (1992) 121 (replicas).
-[[nodiscard]] Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& freedom, Index count, std::uint64_t seed);
+/// Source: Brillinger, Time Series (2001) ch. 5 (distribution of periodograms); Franke, Härdle, Ann. Stat. 20 (1992)
+/// 121 (replicas).
+[[nodiscard]] Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& freedom, Index count,
+                                       std::uint64_t seed);
 
 }  // namespace setae::spectra

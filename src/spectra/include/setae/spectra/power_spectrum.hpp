@@ -25,8 +25,8 @@ struct PowerSpectrum1D {
     Array1D count;           ///< lines averaged
     double q_min = 0.0;      ///< reliable band [1/m]
     double q_max = 0.0;
-    double length = 0.0;     ///< L [m]
-    double pitch = 0.0;      ///< of a map's lines [m]; 0 for one line
+    double length = 0.0;  ///< L [m]
+    double pitch = 0.0;   ///< of a map's lines [m]; 0 for one line
     std::string window;
     std::vector<Alert> alerts;
     topography::Metadata metadata;
@@ -41,23 +41,24 @@ struct PowerSpectrum1D {
 /// The trend is removed from the map as a whole, then the mean from every line where `trend` is not none.
 [[nodiscard]] PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options = {});
 
-/// The same of a map larger than memory, by bands of `lines_together` scan lines; equal to the above up to rounding. A trend other than
-/// the mean takes a pass of its own, a tip radius in the metadata another.
+/// The same of a map larger than memory, by bands of `lines_together` scan lines; equal to the above up to rounding. A
+/// trend other than the mean takes a pass of its own, a tip radius in the metadata another.
 /// @throws as of a map, and as reliable_band of a tiled map.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options = {});
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together,
+                                             const SpectrumOptions& options = {});
 
-/// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with the
-/// alert CONTOUR_STEPS that says how large the correction is.
-/// The reliable band ends at π/(mean step).
+/// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with
+/// the alert CONTOUR_STEPS that says how large the correction is. The reliable band ends at π/(mean step).
 ///
-/// Where the profile knows the response of its trace and options.trace_response asks for it, then C1D = (C_traced − K² N)/T²
-/// (topography::TraceResponse), which may be negative for single modes but is right on average. The band then ends where the mean
-/// of C1D over neighbouring modes is no longer twice its noise floor N (K/T)² or T² < 0.1; the alert TRACE_NOISE tells where and
-/// how large both corrections are there.
+/// Where the profile knows the response of its trace and options.trace_response asks for it, then C1D = (C_traced − K²
+/// N)/T² (topography::TraceResponse), which may be negative for single modes but is right on average. The band then
+/// ends where the mean of C1D over neighbouring modes is no longer twice its noise floor N (K/T)² or T² < 0.1; the
+/// alert TRACE_NOISE tells where and how large both corrections are there.
 [[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options = {});
 
 /// Of any measurement, by its kind.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Measurement& measurement, const SpectrumOptions& options = {});
+[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Measurement& measurement,
+                                             const SpectrumOptions& options = {});
 
 /// Only what lies inside the reliable band q_min … q_max.
 [[nodiscard]] PowerSpectrum1D within_band(PowerSpectrum1D spectrum);

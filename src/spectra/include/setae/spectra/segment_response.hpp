@@ -37,9 +37,9 @@ private:
     [[nodiscard]] Array1D scattered(double exponent) const;
 
     double band_end_ = 0.0;
-    Array1D steps_;       ///< representative steps, each standing for as many
-    Array1D nodes_q_;     ///< wavevectors V is tabulated at
-    Array1D nodes_p_;     ///< points of the integral over p
+    Array1D steps_;    ///< representative steps, each standing for as many
+    Array1D nodes_q_;  ///< wavevectors V is tabulated at
+    Array1D nodes_p_;  ///< points of the integral over p
     Array1D weights_p_;
     Array2D scattering_;  ///< V(q, p)
 };

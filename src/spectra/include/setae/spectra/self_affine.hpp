@@ -10,10 +10,10 @@ namespace setae::spectra {
 ///   C_iso(q) = C_0                     for q < q_r
 ///            = C_0 (q/q_r)^(−2−2H)     for q_r <= q <= q_s,  0 above
 struct SelfAffine {
-    double plateau = 0.0;            ///< C_0 [m⁴]
-    double rolloff_wavevector = 0.0; ///< q_r [1/m]
-    double hurst_exponent = 0.8;     ///< H, 0 < H < 1.5
-    double short_wavevector = 0.0;   ///< q_s > q_r [1/m]
+    double plateau = 0.0;             ///< C_0 [m⁴]
+    double rolloff_wavevector = 0.0;  ///< q_r [1/m]
+    double hurst_exponent = 0.8;      ///< H, 0 < H < 1.5
+    double short_wavevector = 0.0;    ///< q_s > q_r [1/m]
 };
 
 /// C_iso [m⁴]. @throws InvalidArgument for a model outside the domain above (all functions here).

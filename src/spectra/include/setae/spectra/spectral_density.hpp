@@ -29,8 +29,8 @@ struct Anisotropy {
 
 /// A measured spectrum: power laws between the nodes, constant below the first, zero above the last.
 ///
-/// wavevector: increasing, > 0 [1/m].  spectrum: >= 0 and finite; where one of two neighbours is 0 the curve between them
-/// is linear.
+/// wavevector: increasing, > 0 [1/m].  spectrum: >= 0 and finite; where one of two neighbours is 0 the curve between
+/// them is linear.
 /// @throws InvalidArgument for sizes that differ, fewer than two nodes, or values outside the domain, by row.
 [[nodiscard]] SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum);
 
@@ -38,18 +38,18 @@ struct Anisotropy {
 ///
 ///   C1D(q_x) = (1/π) ∫_{q_x}^{q_s} C_iso(q) q dq/√(q² − q_x²)
 ///
-/// band [1/m]: C_iso is tabulated over it, up to 1280 nodes a decade where it is curved, power laws between, its bends and
-/// jumps found; it counts as constant below the band and as zero above it (and above where it is first zero). C1D is not
-/// constant below the band: it still rises there by up to two thirds. Relative error below 3e-5 up to the cutoff, 1e-4 close to jumps; where
-/// C_iso falls to zero without a jump 1e-2 within the last per cent.
-/// Cost: 0.5 ms for five decades of power laws, 10 ms of other curves.
+/// band [1/m]: C_iso is tabulated over it, up to 1280 nodes a decade where it is curved, power laws between, its bends
+/// and jumps found; it counts as constant below the band and as zero above it (and above where it is first zero). C1D
+/// is not constant below the band: it still rises there by up to two thirds. Relative error below 3e-5 up to the
+/// cutoff, 1e-4 close to jumps; where C_iso falls to zero without a jump 1e-2 within the last per cent. Cost: 0.5 ms
+/// for five decades of power laws, 10 ms of other curves.
 /// @throws InvalidArgument unless 0 < lower < upper and C_iso > 0 from lower on.
 [[nodiscard]] SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band);
 
 /// ∫ q^(n+1) C dq over the band [m^(2−n) for C_iso]: h_rms² = moment 0/2π, h'_rms² = moment 2/2π.
 ///
-/// Gauss points in ln q, twenty in each twentieth of a decade; a jump of C inside the band costs up to a few per cent of one
-/// such piece.  order: n.  @throws InvalidArgument unless 0 < lower < upper.
+/// Gauss points in ln q, twenty in each twentieth of a decade; a jump of C inside the band costs up to a few per cent
+/// of one such piece.  order: n.  @throws InvalidArgument unless 0 < lower < upper.
 [[nodiscard]] double moment(const SpectralDensity& density, double order, const Band& band);
 
 }  // namespace setae::spectra

@@ -11,7 +11,7 @@ namespace setae::spectra {
 /// What heights are multiplied with before a transform, scaled to sum w² = n (for polylines ∫w² dx = L), so that the
 /// mean square of the heights is kept on average.
 enum class Window {
-    automatic,        ///< hann for non-periodic data, none for periodic data
+    automatic,  ///< hann for non-periodic data, none for periodic data
     none,
     hann,             ///< 1 − cos t, t = 2πx/L; for maps the product of both directions
     blackman_harris,  ///< four cosine terms, side lobes at −92 dB, for spectra that fall over many decades

@@ -24,12 +24,12 @@ struct MixedModelOptions {
 
 /// Variance between the groups of one level within a group of the level above; "repeat" is the innermost, between rows.
 struct VarianceComponent {
-    std::string level;                ///< outermost of `includes`
+    std::string level;                  ///< outermost of `includes`
     std::vector<std::string> includes;  ///< levels whose groups are the same, so that their variances show as one sum
-    double variance = 0.0;            ///< [unit²], >= 0
-    double standard_error = 0.0;      ///< of the variance, from the expected information
-    int degrees_of_freedom = 0;       ///< groups of this level less groups of the level above
-    bool at_bound = false;            ///< the restricted likelihood is largest at 0
+    double variance = 0.0;              ///< [unit²], >= 0
+    double standard_error = 0.0;        ///< of the variance, from the expected information
+    int degrees_of_freedom = 0;         ///< groups of this level less groups of the level above
+    bool at_bound = false;              ///< the restricted likelihood is largest at 0
 };
 
 /// Variance components of a set of surfaces, at the largest restricted likelihood.
@@ -37,8 +37,9 @@ struct VarianceFit {
     std::vector<std::string> surfaces;
     std::vector<VarianceComponent> components;  ///< outermost first; empty where nothing was repeated
     std::vector<std::string> not_estimable;     ///< a sentence for each level that cannot be told, with the reason
-    double known_variance = undefined;          ///< mean square of the rows' own standard errors [unit²]; NaN where none is known
-    double log_likelihood = undefined;          ///< restricted, −(n − p)/2 ln 2π left out
+    double known_variance =
+        undefined;  ///< mean square of the rows' own standard errors [unit²]; NaN where none is known
+    double log_likelihood = undefined;  ///< restricted, −(n − p)/2 ln 2π left out
     int n = 0;
     bool converged = true;
 };
@@ -65,15 +66,16 @@ struct Influence {
 /// One surface.
 struct SurfaceMean {
     std::string surface;
-    Estimate mean;                           ///< method "mixed model" or, of a single row, "single measurement"
-    std::optional<Interval> prediction;      ///< for one more measurement: another lens, spot and repeat, without its fit's own error
-    std::optional<Estimate> with_excluded;   ///< the mean with the excluded rows, where there are any
+    Estimate mean;  ///< method "mixed model" or, of a single row, "single measurement"
+    std::optional<Interval>
+        prediction;  ///< for one more measurement: another lens, spot and repeat, without its fit's own error
+    std::optional<Estimate> with_excluded;       ///< the mean with the excluded rows, where there are any
     std::optional<Heterogeneity> heterogeneity;  ///< two or more rows, each with its own standard error
-    std::vector<int> groups;                 ///< number of groups of each level below the surface
-    int n = 0;                               ///< rows used
+    std::vector<int> groups;                     ///< number of groups of each level below the surface
+    int n = 0;                                   ///< rows used
     int excluded = 0;
     std::vector<Influence> influence;
-    std::vector<std::string> notes;          ///< what the reader must know, such as that replicates are missing
+    std::vector<std::string> notes;  ///< what the reader must know, such as that replicates are missing
 };
 
 /// later − earlier of two surfaces.
@@ -87,8 +89,8 @@ struct SurfaceDifference {
 struct MixedModel {
     std::vector<std::string> levels;  ///< of the data
     Pooling pooling = Pooling::surfaces;
-    std::vector<VarianceFit> fits;       ///< one where pooled, else one a surface
-    std::vector<SurfaceMean> surfaces;   ///< in order of first appearance
+    std::vector<VarianceFit> fits;               ///< one where pooled, else one a surface
+    std::vector<SurfaceMean> surfaces;           ///< in order of first appearance
     std::vector<SurfaceDifference> differences;  ///< every pair of surfaces
     std::vector<std::string> notes;
 };
@@ -99,19 +101,17 @@ struct MixedModel {
 ///   V = Σ_k θ_k Z_k Z_kᵀ + diag σ²,  μ = 1ᵀV⁻¹y/1ᵀV⁻¹1,  Var μ = 1/1ᵀV⁻¹1   (surface by surface)
 ///   2 ln L_R = −Σ_surfaces [ln det V + ln 1ᵀV⁻¹1 + (y − μ)ᵀV⁻¹(y − μ)]
 ///
-/// θ_k >= 0 at the global maximum of L_R: damped Newton steps in ln θ from several starts with each set of components at 0;
-/// ν of Var μ: 2 (Var μ)²/(gᵀCg), g = ∂Var μ/∂θ, C the inverse expected information of all components (Satterthwaite; exact for
-/// balanced groups). Components at 0 are not certain to be 0: each keeps (1/2 − 1/(2π)) C of its variance, as a normal variable cut at
-/// its mean. ν >= 1.
-/// Rows without a standard error count as σ = 0: their fits' errors are part of the repeats' variance.
-/// Levels whose groups are those of the surface are left out, levels with the same groups are one: see VarianceFit.
-/// A level where every label is empty is missing.
-/// @throws InvalidArgument for no rows or no levels, a value that is not finite, a negative standard error, a row whose number of
-/// labels is not that of the levels, a label missing in some rows only, an exclusion without reason, of a row that is not there, or
-/// twice; UndefinedDataError where every row is excluded.
-/// Source: Patterson, Thompson, Biometrika 58 (1971) 545; Harville, J. Am. Stat. Assoc. 72 (1977) 320; Giesbrecht, Burns, Biometrics 41
-/// (1985) 477.
-/// Cost: O(n) a step of the likelihood; O(n³) of the largest surface once, and once for each group left out.
+/// θ_k >= 0 at the global maximum of L_R: damped Newton steps in ln θ from several starts with each set of components
+/// at 0; ν of Var μ: 2 (Var μ)²/(gᵀCg), g = ∂Var μ/∂θ, C the inverse expected information of all components
+/// (Satterthwaite; exact for balanced groups). Components at 0 are not certain to be 0: each keeps (1/2 − 1/(2π)) C of
+/// its variance, as a normal variable cut at its mean. ν >= 1. Rows without a standard error count as σ = 0: their
+/// fits' errors are part of the repeats' variance. Levels whose groups are those of the surface are left out, levels
+/// with the same groups are one: see VarianceFit. A level where every label is empty is missing.
+/// @throws InvalidArgument for no rows or no levels, a value that is not finite, a negative standard error, a row whose
+/// number of labels is not that of the levels, a label missing in some rows only, an exclusion without reason, of a row
+/// that is not there, or twice; UndefinedDataError where every row is excluded. Source: Patterson, Thompson, Biometrika
+/// 58 (1971) 545; Harville, J. Am. Stat. Assoc. 72 (1977) 320; Giesbrecht, Burns, Biometrics 41 (1985) 477. Cost: O(n)
+/// a step of the likelihood; O(n³) of the largest surface once, and once for each group left out.
 [[nodiscard]] MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& options = {});
 
 }  // namespace setae::statistics

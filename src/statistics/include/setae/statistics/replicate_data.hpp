@@ -11,10 +11,11 @@ namespace setae::statistics {
 
 /// One measured value: the fit of one loop, say.
 struct Replicate {
-    double value = undefined;            ///< finite
-    double standard_error = undefined;   ///< within the fit, >= 0; NaN where unknown
-    std::vector<std::string> groups;     ///< a label for each level, outermost first; the same label within another outer group is another group
-    std::string name;                    ///< for the reader: a file, a line
+    double value = undefined;           ///< finite
+    double standard_error = undefined;  ///< within the fit, >= 0; NaN where unknown
+    std::vector<std::string> groups;  ///< a label for each level, outermost first; the same label within another outer
+                                      ///< group is another group
+    std::string name;                 ///< for the reader: a file, a line
 };
 
 /// A row that is left out of the mean, and why.
@@ -25,7 +26,8 @@ struct Exclusion {
 
 /// Values of one quantity from all surfaces.
 struct ReplicateData {
-    std::vector<std::string> levels{"surface", "lens", "spot"};  ///< outermost first; the first is the surface, a fixed effect
+    std::vector<std::string> levels{"surface", "lens",
+                                    "spot"};  ///< outermost first; the first is the surface, a fixed effect
     std::vector<Replicate> rows;
     std::vector<Exclusion> exclusions;
     std::string quantity = "value";  ///< what the values are, for messages and figures

@@ -9,8 +9,8 @@
 #include "setae/imaging/calibration.hpp"
 #include "setae/imaging/contour_trace.hpp"
 #include "setae/imaging/micrograph.hpp"
-#include "setae/topography/traced_curve.hpp"
 #include "setae/tables/tidy_table.hpp"
+#include "setae/topography/traced_curve.hpp"
 
 namespace setae::study {
 
@@ -25,47 +25,48 @@ enum class ContourShape {
 struct ContourOptions {
     imaging::MicrographOptions micrograph;
     imaging::CalibrationOptions calibration;
-    std::optional<imaging::Calibration> shared_calibration;  ///< of pictures of the same magnification, in place of `calibration`
+    std::optional<imaging::Calibration>
+        shared_calibration;  ///< of pictures of the same magnification, in place of `calibration`
     imaging::TraceOptions trace;
-    bool hide_annotations = true;           ///< scale bars, bars of data and text show no sample
+    bool hide_annotations = true;  ///< scale bars, bars of data and text show no sample
     ContourShape shape = ContourShape::envelope;
-    std::optional<double> foil_thickness;   ///< along the beam [m]
+    std::optional<double> foil_thickness;  ///< along the beam [m]
 };
 
 /// One segment as profile.
 struct ContourProfile {
     topography::TracedCurve curve;
-    topography::LevelledCurve levelled;     ///< by envelope where the shape is parametric
+    topography::LevelledCurve levelled;  ///< by envelope where the shape is parametric
     topography::ParametricStatistics statistics;
-    double rms_height = 0.0;                ///< about the mean line, over the length [m], less what noise adds: Rq
-    double rms_error = 0.0;                 ///< r.m.s. of standard errors of heights [m]
+    double rms_height = 0.0;  ///< about the mean line, over the length [m], less what noise adds: Rq
+    double rms_error = 0.0;   ///< r.m.s. of standard errors of heights [m]
 };
 
 /// A picture and what was traced in it.
 struct TracedPicture {
     imaging::Micrograph micrograph;
-    std::string digest;                     ///< SHA-256 of the file
+    std::string digest;  ///< SHA-256 of the file
     imaging::Calibration calibration;
-    std::vector<imaging::Region> hidden;    ///< given ones and annotations
+    std::vector<imaging::Region> hidden;  ///< given ones and annotations
     imaging::ContourTrace trace;
-    std::vector<ContourProfile> profiles;   ///< of each segment
-    std::vector<Alert> alerts;              ///< of reading, calibration, tracing, levelling; FOIL_THICKNESS, FOIL_PROJECTION
+    std::vector<ContourProfile> profiles;  ///< of each segment
+    std::vector<Alert> alerts;  ///< of reading, calibration, tracing, levelling; FOIL_THICKNESS, FOIL_PROJECTION
 };
 
 /// Reads, calibrates, traces and levels.
 ///
 ///   Rq² = (1/L) ∫ h² dx − rms_error²
 ///
-/// FOIL_PROJECTION: the contour is the silhouette of a foil; docs/tem-projection.md says what it hides. Waves shorter than about
-/// ten times its thickness read low; without a thickness FOIL_THICKNESS asks for it.
+/// FOIL_PROJECTION: the contour is the silhouette of a foil; docs/tem-projection.md says what it hides. Waves shorter
+/// than about ten times its thickness read low; without a thickness FOIL_THICKNESS asks for it.
 /// @throws what read_micrograph, calibrate and trace_contour throw, with the file's name.
 [[nodiscard]] TracedPicture trace_picture(const std::string& path, const ContourOptions& options = {});
 
 /// The overlay of a picture (imaging::overlay_png).
 [[nodiscard]] std::string overlay_of(const TracedPicture& picture, const ContourOptions& options);
 
-/// Text of a segment's file: setae's open format of profiles (io/profile_file.hpp); with ContourShape::parametric CSV with the
-/// columns s, x, y, standard_error [m], s along the curve.
+/// Text of a segment's file: setae's open format of profiles (io/profile_file.hpp); with ContourShape::parametric CSV
+/// with the columns s, x, y, standard_error [m], s along the curve.
 [[nodiscard]] std::string profile_text(const TracedPicture& picture, std::size_t segment, ContourShape shape);
 
 /// A row a segment: file, segment, pixel size, length, points, Rq, error, noise, re-entrant share, what holds, alerts.

@@ -30,8 +30,9 @@ private:
     Array2D sum_, count_;
 };
 
-/// Lines of more than 2 · `most_points` points become the lowest and the highest point of each of `most_points` stretches, in
-/// order of x, so that no peak is lost; maps become at most `most_pixels` a side.
-[[nodiscard]] HeightPreview height_preview(const topography::Measurement& measurement, Index most_points = 1000, Index most_pixels = 128);
+/// Lines of more than 2 · `most_points` points become the lowest and the highest point of each of `most_points`
+/// stretches, in order of x, so that no peak is lost; maps become at most `most_pixels` a side.
+[[nodiscard]] HeightPreview height_preview(const topography::Measurement& measurement, Index most_points = 1000,
+                                           Index most_pixels = 128);
 
 }  // namespace setae::study

@@ -47,11 +47,14 @@ struct LoopModels {
 
 /// One loop of a shared fit.
 /// @throws UndefinedDataError where it has no such branch.
-[[nodiscard]] loops::GlobalBranch branch_to_share(const std::string& name, const loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies,
-                                                       const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options);
+[[nodiscard]] loops::GlobalBranch branch_to_share(const std::string& name, const loops::LoopAnalysis& analysis,
+                                                  const loops::LensAndCounterBody& bodies,
+                                                  const loops::AnalysisOptions& analysis_options,
+                                                  const LoopModelOptions& options);
 
 /// One fit of several loops: by the model named where there is one alone, else JKR.
 /// @throws UndefinedDataError for fewer than two loops; as loops::fit_globally.
-[[nodiscard]] loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops, const LoopModelOptions& options);
+[[nodiscard]] loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops,
+                                          const LoopModelOptions& options);
 
 }  // namespace setae::study

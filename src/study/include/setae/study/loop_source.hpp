@@ -11,7 +11,7 @@ namespace setae::study {
 
 /// Contact radii in a file of their own, on the camera's clock, or the recording they are measured in.
 struct CameraInput {
-    std::string file;                    ///< table with columns time and contact_radius; or a TIFF stack, an AVI, a folder of pictures
+    std::string file;  ///< table with columns time and contact_radius; or a TIFF stack, an AVI, a folder of pictures
     std::optional<std::string> mapping;  ///< names the columns of a foreign table
     std::optional<double> clock_offset;  ///< [s] added to the camera's times; else found by align_clocks()
     std::optional<double> pixel_size;    ///< [m] of a recording that does not state it

@@ -8,8 +8,8 @@
 #include "setae/core/table.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/clock_alignment.hpp"
-#include "setae/tables/mapping.hpp"
 #include "setae/study/loop_source.hpp"
+#include "setae/tables/mapping.hpp"
 
 namespace setae::study {
 
@@ -17,11 +17,11 @@ namespace setae::study {
 struct OpenedLoop {
     Table table;
     std::optional<loops::ClockAlignment> clock;  ///< where the camera's offset was looked for
-    std::vector<Alert> alerts;                        ///< a clock that should not be trusted, frames that found no sample
+    std::vector<Alert> alerts;                   ///< a clock that should not be trusted, frames that found no sample
 };
 
-/// Reads a loop: through a mapping where one is given; else setae's own format, a force curve, or a table whose columns are
-/// named as a loop's. Radii of a camera are put on the force's clock.
+/// Reads a loop: through a mapping where one is given; else setae's own format, a force curve, or a table whose columns
+/// are named as a loop's. Radii of a camera are put on the force's clock.
 /// @throws FileError, FormatError, InvalidArgument as reading does; FormatError for columns that make no loop, naming
 /// `setae jkr import`; InvalidArgument for a camera where a time runs backwards.
 [[nodiscard]] OpenedLoop open_loop(const LoopSource& source);
@@ -35,10 +35,11 @@ struct OpenedLoop {
 /// Opens a loop and analyses it; the alerts of opening come with those of the analysis.
 /// @throws what open_loop() and loops::analyse() throw; every message names the file.
 [[nodiscard]] loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies,
-                                                    const loops::AnalysisOptions& options = {});
+                                               const loops::AnalysisOptions& options = {});
 
 /// The same of a loop already open.
-[[nodiscard]] loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file, const loops::LensAndCounterBody& bodies,
-                                                    const loops::AnalysisOptions& options = {});
+[[nodiscard]] loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
+                                               const loops::LensAndCounterBody& bodies,
+                                               const loops::AnalysisOptions& options = {});
 
 }  // namespace setae::study

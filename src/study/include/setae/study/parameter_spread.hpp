@@ -14,8 +14,8 @@
 
 namespace setae::study {
 
-/// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a given ±
-/// leads to. Standard errors, covariances and intervals rest on the same of them:
+/// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a
+/// given ± leads to. Standard errors, covariances and intervals rest on the same of them:
 ///
 ///   draws from the covariance of a fit, where the replicas are such: their scatter is the uncertainty itself
 ///   else the jackknife within strata, where any stratum has two members, plus what the sources do
@@ -42,17 +42,19 @@ struct ParameterSpread {
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
     /// NaN where nothing is known.
     [[nodiscard]] double standard_error(const Function& f) const;
-    /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom that the measurements
-    /// of each stratum leave it; draws, bootstrap replicas and sources count as known. Variance 0 where nothing is known.
+    /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom that the
+    /// measurements of each stratum leave it; draws, bootstrap replicas and sources count as known. Variance 0 where
+    /// nothing is known.
     [[nodiscard]] VarianceTerm variance_term(const Function& f) const;
     /// A function of the parameters, whose value is given, with what this spread says of it.
     ///
-    ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = variance of x, ν its degrees of freedom, both as above
+    ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = variance of x, ν its degrees of freedom, both as
+    ///   above
     ///
-    /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its own.
-    /// Method: "likelihood", "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to them, or "delta on ln" for
-    /// sources alone; without " on ln" where there is no interval of its own.
-    /// Source: coverage measured in docs/uncertainty.md.
+    /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its
+    /// own. Method: "likelihood", "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to them,
+    /// or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source: coverage
+    /// measured in docs/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
 
 private:

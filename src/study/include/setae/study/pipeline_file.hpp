@@ -18,17 +18,19 @@ namespace setae::study {
 ///       cutoff: 8 um                    step = "gaussian_filter"
 ///       enabled: false                  cutoff = "8 um"
 ///                                       enabled = false
-/// A step may also stand as one text, "despike threshold=5". Lengths and angles have their unit; a region is a text or a list of texts, one for
-/// each shape. A file that a step names is relative to the pipeline's folder; in the result to the working one.
-/// @throws FileError; FormatError with the line for text that is neither, an unknown step, parameter or key (with the nearest one), a value that
-/// is none; InvalidArgument for another ending.
+/// A step may also stand as one text, "despike threshold=5". Lengths and angles have their unit; a region is a text or
+/// a list of texts, one for each shape. A file that a step names is relative to the pipeline's folder; in the result to
+/// the working one.
+/// @throws FileError; FormatError with the line for text that is neither, an unknown step, parameter or key (with the
+/// nearest one), a value that is none; InvalidArgument for another ending.
 [[nodiscard]] processing::Pipeline read_pipeline(const std::string& path);
 
 /// A pipeline as the text of such files; read back it is the same pipeline.
 [[nodiscard]] std::string pipeline_yaml(const processing::Pipeline& pipeline);
 [[nodiscard]] std::string pipeline_toml(const processing::Pipeline& pipeline);
 
-/// Writes one as its path ends. Files that steps name, relative to the working folder, are written relative to the path's folder.
+/// Writes one as its path ends. Files that steps name, relative to the working folder, are written relative to the
+/// path's folder.
 /// @throws InvalidArgument for another ending; FileError.
 void write_pipeline(const std::string& path, const processing::Pipeline& pipeline);
 
@@ -36,7 +38,8 @@ void write_pipeline(const std::string& path, const processing::Pipeline& pipelin
 /// The loader throws what reading throws, and InvalidArgument for a channel that is not there.
 [[nodiscard]] processing::LoadMeasurement measurement_loader(formats::ReadOptions options = {});
 
-/// The steps of a pipeline that are on, each as one line, and a pipeline of such lines. @throws InvalidArgument as step_from_text() does.
+/// The steps of a pipeline that are on, each as one line, and a pipeline of such lines. @throws InvalidArgument as
+/// step_from_text() does.
 [[nodiscard]] std::vector<std::string> step_lines(const processing::Pipeline& pipeline);
 [[nodiscard]] processing::Pipeline pipeline_of_lines(const std::vector<std::string>& lines);
 

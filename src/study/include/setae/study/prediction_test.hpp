@@ -14,10 +14,10 @@ namespace setae::study {
 /// A pair's measured work of adhesion against its prediction.
 struct PredictionResidual {
     std::string surface, elastomer;
-    Estimate measured;               ///< W_app of loading [J/m²]
-    Estimate predicted;              ///< max(0, (7)) at W_int [J/m²]; its standard error without that of a fitted W_int
-    double residual = 0.0;           ///< measured − predicted [J/m²]
-    double standard_error = 0.0;     ///< of the residual, both errors [J/m²]
+    Estimate measured;            ///< W_app of loading [J/m²]
+    Estimate predicted;           ///< max(0, (7)) at W_int [J/m²]; its standard error without that of a fitted W_int
+    double residual = 0.0;        ///< measured − predicted [J/m²]
+    double standard_error = 0.0;  ///< of the residual, both errors [J/m²]
 
     /// In standard errors.
     [[nodiscard]] double standardised() const { return residual / standard_error; }
@@ -27,26 +27,29 @@ struct PredictionResidual {
 ///
 ///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
 ///
-/// r: residuals.  C: their covariance: measured variances on the diagonal, and what predictions share, the spectrum of a surface, the modulus
-/// and the surface energy of an elastomer, a given W_int.  s: ∂prediction/∂W_int, where W_int was fitted to the same values: the second
-/// term then takes the W_int that suits C best, to first order, at the cost of one degree of freedom.
+/// r: residuals.  C: their covariance: measured variances on the diagonal, and what predictions share, the spectrum of
+/// a surface, the modulus and the surface energy of an elastomer, a given W_int.  s: ∂prediction/∂W_int, where W_int
+/// was fitted to the same values: the second term then takes the W_int that suits C best, to first order, at the cost
+/// of one degree of freedom.
 struct PredictionTest {
     std::vector<PredictionResidual> pairs;
-    std::vector<std::string> left_out;     ///< "A × B: no standard error of the measured value"
-    bool work_fitted = false;              ///< W_int comes from these values
+    std::vector<std::string> left_out;  ///< "A × B: no standard error of the measured value"
+    bool work_fitted = false;           ///< W_int comes from these values
     int n = 0;
     int degrees_of_freedom = 0;
     double chi_squared = 0.0;
-    double probability = 1.0;              ///< of a χ² at least as large where the predictions are right
-    double extra_scatter = 0.0;            ///< τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is its degrees of freedom or less
+    double probability = 1.0;  ///< of a χ² at least as large where the predictions are right
+    double extra_scatter = 0.0;  ///< τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is its degrees of freedom or less
     double chi_squared_with_scatter = 0.0;
     double probability_with_scatter = 1.0;
 };
 
 /// The test of residuals with a covariance.
 /// slopes: s, where W_int was fitted; absent where it was given.
-/// @throws InvalidArgument where sizes differ or no degree of freedom is left; UndefinedDataError for a covariance that is not positive definite.
-[[nodiscard]] PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance, const std::optional<Array1D>& slopes);
+/// @throws InvalidArgument where sizes differ or no degree of freedom is left; UndefinedDataError for a covariance that
+/// is not positive definite.
+[[nodiscard]] PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance,
+                                             const std::optional<Array1D>& slopes);
 
 /// (7) of one surface against the contact modulus.
 struct PredictionCurve {
@@ -57,6 +60,7 @@ struct PredictionCurve {
 
 /// surface_energy: γ1 [J/m²].  work_of_adhesion: W_int [J/m²].  contact_moduli: [Pa], > 0.
 /// Source: [D19] (7).
-[[nodiscard]] PredictionCurve prediction_curve(const SurfaceResult& surface, const Estimate& surface_energy, const Estimate& work_of_adhesion, const Array1D& contact_moduli);
+[[nodiscard]] PredictionCurve prediction_curve(const SurfaceResult& surface, const Estimate& surface_energy,
+                                               const Estimate& work_of_adhesion, const Array1D& contact_moduli);
 
 }  // namespace setae::study

@@ -12,8 +12,8 @@ namespace setae::study {
 
 /// A file a study read.
 struct InputFile {
-    std::string path;    ///< as results name it
-    std::string sha256;  ///< of its content, 64 hexadecimal digits; empty where it could not be read
+    std::string path;         ///< as results name it
+    std::string sha256;       ///< of its content, 64 hexadecimal digits; empty where it could not be read
     std::uintmax_t size = 0;  ///< [bytes]
 };
 

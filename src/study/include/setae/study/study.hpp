@@ -9,37 +9,38 @@
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/analysis.hpp"
-#include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/options.hpp"
-#include "setae/topography/detrend.hpp"
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/study/loop_models.hpp"
 #include "setae/study/loop_source.hpp"
+#include "setae/topography/detrend.hpp"
 
 namespace setae::study {
 
 /// One file of a surface and what is done to it before analysis.
 struct MeasurementInput {
-    std::string file;                                ///< path, relative to the study file where not absolute
-    std::optional<std::size_t> channel;              ///< default: the first channel of heights; of a container: every one
-    std::string instrument;                          ///< type: "stylus", "afm", "tem", "optical"
-    std::optional<Estimate> tip_radius;              ///< [m]
-    std::optional<double> resolution;                ///< [m]
-    std::optional<topography::Trend> trend;          ///< default: none where `steps` level, else what the container says, else by instrument
-    std::vector<std::string> references;             ///< scans of a smooth standard: the instrument's artefact
-    std::optional<std::string> unit;                 ///< where the file leaves it open
-    std::optional<std::vector<double>> size;         ///< [m], where the file leaves it open
-    std::optional<std::string> pipeline;             ///< file that `steps` come from
-    std::vector<std::string> steps;                  ///< processing before analysis, each as step_from_text() reads it
+    std::string file;                    ///< path, relative to the study file where not absolute
+    std::optional<std::size_t> channel;  ///< default: the first channel of heights; of a container: every one
+    std::string instrument;              ///< type: "stylus", "afm", "tem", "optical"
+    std::optional<Estimate> tip_radius;  ///< [m]
+    std::optional<double> resolution;    ///< [m]
+    std::optional<topography::Trend>
+        trend;  ///< default: none where `steps` level, else what the container says, else by instrument
+    std::vector<std::string> references;      ///< scans of a smooth standard: the instrument's artefact
+    std::optional<std::string> unit;          ///< where the file leaves it open
+    std::optional<std::vector<double>> size;  ///< [m], where the file leaves it open
+    std::optional<std::string> pipeline;      ///< file that `steps` come from
+    std::vector<std::string> steps;           ///< processing before analysis, each as step_from_text() reads it
 };
 
 /// Published moments in place of measurements.
 struct PublishedMoments {
-    Estimate rms_height;     ///< [m]
-    Estimate rms_slope;      ///< [1]
-    Estimate rms_curvature;  ///< [1/m]
-    double short_wavevector = 0.0; ///< q_s of the reconstruction [1/m]
+    Estimate rms_height;            ///< [m]
+    Estimate rms_slope;             ///< [1]
+    Estimate rms_curvature;         ///< [1/m]
+    double short_wavevector = 0.0;  ///< q_s of the reconstruction [1/m]
 };
 
 /// A rough surface: exactly one of measurements, power_spectrum and moments is given.
@@ -54,21 +55,21 @@ struct SurfaceInput {
 /// A soft solid.
 struct ElastomerInput {
     std::string name;
-    Estimate youngs_modulus;             ///< [Pa]; 0 where loops are to give it
+    Estimate youngs_modulus;  ///< [Pa]; 0 where loops are to give it
     double poisson_ratio = 0.5;
-    Estimate surface_energy;             ///< γ1 [J/m²]
+    Estimate surface_energy;                                       ///< γ1 [J/m²]
     std::optional<adhesion::SurfaceEnergyLaw> surface_energy_law;  ///< γ1 against stretched area, for (5)–(6)
-    std::optional<double> sphere_radius;       ///< [m]
-    std::optional<double> sphere_height;       ///< [m]
-    std::optional<double> crosslink_molar_mass;///< M_c [kg/mol]
-    double density = 970.0;                    ///< [kg/m³], PDMS
-    double temperature = 298.0;                ///< [K]
+    std::optional<double> sphere_radius;                           ///< [m]
+    std::optional<double> sphere_height;                           ///< [m]
+    std::optional<double> crosslink_molar_mass;                    ///< M_c [kg/mol]
+    double density = 970.0;                                        ///< [kg/m³], PDMS
+    double temperature = 298.0;                                    ///< [K]
 };
 
 /// A loop on file.
 struct ExperimentInput : LoopSource {
     loops::AnalysisOptions options;  ///< how this loop is analysed
-    std::string surface;                  ///< empty for a reference
+    std::string surface;             ///< empty for a reference
     std::string elastomer;
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
     bool reference = false;               ///< on a smooth standard
@@ -81,13 +82,13 @@ struct ExperimentInput : LoopSource {
 
 /// Published results of one surface × elastomer pair, or of a smooth reference.
 struct PublishedPair {
-    std::string surface;    ///< empty for a reference
+    std::string surface;  ///< empty for a reference
     std::string elastomer;
-    std::optional<Estimate> approach;    ///< W of the approach fit [J/m²]
-    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
-    std::optional<Estimate> retraction;  ///< W by (S2) or of the retraction branch [J/m²]
-    std::optional<Estimate> loss;        ///< E_loss [J]
-    std::optional<double> contact_radius;      ///< at maximum preload [m]
+    std::optional<Estimate> approach;      ///< W of the approach fit [J/m²]
+    std::optional<Estimate> pull_off;      ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;    ///< W by (S2) or of the retraction branch [J/m²]
+    std::optional<Estimate> loss;          ///< E_loss [J]
+    std::optional<double> contact_radius;  ///< at maximum preload [m]
 };
 
 /// A value somebody else reported for a fit, printed beside ours.
@@ -101,11 +102,13 @@ struct ReportedValue {
 /// How the measurements of a surface become one spectrum.
 enum class SpectrumMethod {
     average,     ///< arithmetic mean of C1D over the measurements of each bin ([D19])
-    likelihood,  ///< C_iso fitted to all measurements at once, each seen through what was done to it; the average beside it
+    likelihood,  ///< C_iso fitted to all measurements at once, each seen through what was done to it; the average
+                 ///< beside it
 };
 
 struct AnalysisOptions {
-    std::optional<SpectrumMethod> spectrum;  ///< absent: likelihood of surfaces with several measurements, average of one alone
+    std::optional<SpectrumMethod>
+        spectrum;  ///< absent: likelihood of surfaces with several measurements, average of one alone
     roughness::WavelengthLimits limits;
     roughness::Conversion conversion = roughness::Conversion::exact;
     spectra::ContourTreatment contours = spectra::ContourTreatment::sinc_corrected;
@@ -115,8 +118,9 @@ struct AnalysisOptions {
     int bootstrap_resamples = 200;
     std::uint64_t seed = 1;
     spectral_fit::LikelihoodOptions likelihood;  ///< seed and threads are the study's
-    std::uint64_t largest_map = std::uint64_t{2} << 30;  ///< bytes of heights above which a map is read by bands of scan lines
-    std::vector<double> cutoff_scan;  ///< shortest wavelengths [m] for W_int against the short cutoff
+    std::uint64_t largest_map = std::uint64_t{2}
+                                << 30;  ///< bytes of heights above which a map is read by bands of scan lines
+    std::vector<double> cutoff_scan;    ///< shortest wavelengths [m] for W_int against the short cutoff
 };
 
 /// A study as its file says it; every number in SI.
@@ -141,8 +145,8 @@ struct Study {
 };
 
 /// Reads a study from TOML; docs/study.md describes every key.
-/// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one), a
-/// missing or wrong unit, a name that is not declared, a surface without data.
+/// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
+/// a missing or wrong unit, a name that is not declared, a surface without data.
 [[nodiscard]] Study read_study(const std::string& path);
 
 }  // namespace setae::study

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "setae/adhesion/pair_fit.hpp"
 #include "setae/adhesion/scale_balance.hpp"
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/reference_loop.hpp"
 #include "setae/statistics/mixed_model.hpp"
-#include "setae/adhesion/pair_fit.hpp"
 #include "setae/study/prediction_test.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/run_options.hpp"
@@ -35,10 +35,10 @@ struct ExperimentResult {
 /// An elastomer with the modulus the study uses and a check of plausibility.
 struct ElastomerResult {
     ElastomerInput input;
-    Estimate youngs_modulus;   ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
+    Estimate youngs_modulus;  ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
     bool modulus_from_loops = false;
-    Estimate contact_modulus;  ///< E* against the rough solid [Pa]
-    std::optional<double> network_modulus;  ///< ρRT/M_c [Pa]
+    Estimate contact_modulus;                                    ///< E* against the rough solid [Pa]
+    std::optional<double> network_modulus;                       ///< ρRT/M_c [Pa]
     std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of all loops on it, where the study asks for one
     std::vector<Alert> alerts;
 };
@@ -57,7 +57,7 @@ struct PredictionBudget {
 /// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
 struct ElastomerReplicates {
     std::string elastomer;
-    std::string symbol;  ///< such as "W_app"
+    std::string symbol;              ///< such as "W_app"
     statistics::ReplicateData data;  ///< levels surface, lens, spot; rows named by their files
     loops::Outcome<statistics::MixedModel> model;
 };
@@ -66,16 +66,16 @@ struct ElastomerReplicates {
 struct PairResult {
     std::string surface;
     std::string elastomer;
-    std::optional<Estimate> approach;          ///< W_app of loading [J/m²]
-    std::optional<Estimate> pull_off;          ///< W by (S1) [J/m²]
-    std::optional<Estimate> retraction;        ///< W by (S2) [J/m²]
-    std::optional<Estimate> loss;              ///< E_loss [J]
-    std::optional<double> contact_area;        ///< π a_max² at maximum preload [m²]
-    std::optional<double> ideal_loss;          ///< of a smooth sphere with this W and E* [J]
-    int experiments = 0;                       ///< loops behind the measured values; 0 for published ones
+    std::optional<Estimate> approach;    ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;  ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;        ///< E_loss [J]
+    std::optional<double> contact_area;  ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;    ///< of a smooth sphere with this W and E* [J]
+    int experiments = 0;                 ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
-    Estimate stored_energy;                    ///< U_el/A_app [J/m²]
+    Estimate stored_energy;                            ///< U_el/A_app [J/m²]
     std::optional<PredictedWork> modified;             ///< (7)
     std::optional<PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<PredictedWork> without_area_change;  ///< (2)
@@ -90,10 +90,10 @@ struct PairResult {
 struct ReferenceResult {
     std::string elastomer;
     std::string stage;
-    Estimate approach, retraction;       ///< W of both branches [J/m²]
+    Estimate approach, retraction;          ///< W of both branches [J/m²]
     std::optional<Estimate> excess_energy;  ///< [J]
-    std::optional<double> ideal_loss;             ///< [J]
-    std::optional<double> loss_ratio;             ///< mean rough loss on this elastomer over the excess energy
+    std::optional<double> ideal_loss;       ///< [J]
+    std::optional<double> loss_ratio;       ///< mean rough loss on this elastomer over the excess energy
 };
 
 /// W of both branches and excess energy after the rough loops minus before.

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
-#include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/processing/processed.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/study/height_preview.hpp"
 #include "setae/study/parameter_spread.hpp"
 #include "setae/study/study.hpp"
@@ -28,14 +28,15 @@ struct MeasurementResult {
     std::string name;
     std::string error;  ///< empty where the measurement was analysed
     topography::Trend trend = topography::Trend::none;
-    std::vector<processing::StepRecord> processing;  ///< what each step of the pipeline did before the trend was removed
+    std::vector<processing::StepRecord>
+        processing;  ///< what each step of the pipeline did before the trend was removed
     spectra::PowerSpectrum1D spectrum;
     roughness::RealSpaceParameters real_space;
     double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
     /// Reliable bands with the tip radius one standard error larger and smaller, where it has one.
     std::optional<std::array<Band, 2>> bands_of_uncertain_tip;
-    std::optional<roughness::SlopeDistribution> slopes;          ///< where there are enough of them
-    std::optional<roughness::TriangulatedArea> triangulated;     ///< maps
+    std::optional<roughness::SlopeDistribution> slopes;       ///< where there are enough of them
+    std::optional<roughness::TriangulatedArea> triangulated;  ///< maps
     HeightPreview preview;
     std::vector<Alert> alerts;
 
@@ -44,10 +45,10 @@ struct MeasurementResult {
 
 /// One spectrum of a surface and what follows from it.
 struct SpectrumResult {
-    roughness::SpectrumCurve curve;                  ///< cut to the wavelength limits of the study
-    roughness::SpectralParameters parameters;        ///< by the study's conversion
+    roughness::SpectrumCurve curve;                                 ///< cut to the wavelength limits of the study
+    roughness::SpectralParameters parameters;                       ///< by the study's conversion
     std::optional<roughness::SpectralParameters> other_conversion;  ///< by the other one, where the curve is C1D
-    double uncut_energy_per_modulus = 0.0;           ///< U_el/(A E*) without the limits [m]
+    double uncut_energy_per_modulus = 0.0;                          ///< U_el/(A E*) without the limits [m]
     ParameterSpread spread;
 
     [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
@@ -59,20 +60,21 @@ struct SpectrumResult {
 
 /// Parameters of a whole spectrum within the limits of a study and by its conversion.
 /// @throws as roughness::limited and roughness::spectral_parameters (both).
-[[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
+[[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole,
+                                                          const AnalysisOptions& options);
 [[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
 
 /// The spectrum fitted to all measurements of a surface, as curves, and what the fit knows beside it.
 struct FittedSpectrum {
-    Band band;                          ///< [1/m] wavevectors that data speak of
-    Array1D wavevector;                 ///< forty a decade inside the band [1/m]
-    Array1D C_iso;                      ///< [m⁴]
-    Array1D log_C_iso_standard_error;   ///< of ln C_iso
-    Array1D C1D;                        ///< its Abel integral [m³]
-    Array1D log_C1D_standard_error;     ///< of ln C1D, the fit's covariance carried through the integral
+    Band band;                         ///< [1/m] wavevectors that data speak of
+    Array1D wavevector;                ///< forty a decade inside the band [1/m]
+    Array1D C_iso;                     ///< [m⁴]
+    Array1D log_C_iso_standard_error;  ///< of ln C_iso
+    Array1D C1D;                       ///< its Abel integral [m³]
+    Array1D log_C1D_standard_error;    ///< of ln C1D, the fit's covariance carried through the integral
     std::vector<spectral_fit::Agreement> agreement;
     std::vector<spectral_fit::TipFactor> tips;  ///< one for each group of like measurements by a tip
-    int rounds = 0;                     ///< of tip simulations
+    int rounds = 0;                             ///< of tip simulations
     bool converged = false;
 };
 
@@ -84,17 +86,21 @@ struct SurfaceResult {
     std::vector<MeasurementResult> measurements;
     std::optional<spectra::CombinedSpectrum> combined;
     SpectrumMethod method = SpectrumMethod::average;  ///< whose spectrum everything else rests on
-    SpectrumResult average;                    ///< the mean over measurements; of other surfaces the spectrum given
-    std::optional<SpectrumResult> likelihood;  ///< fitted to all measurements at once, where it is wanted and can be had
-    std::optional<FittedSpectrum> fitted;      ///< beside `likelihood`
+    SpectrumResult average;  ///< the mean over measurements; of other surfaces the spectrum given
+    std::optional<SpectrumResult>
+        likelihood;                        ///< fitted to all measurements at once, where it is wanted and can be had
+    std::optional<FittedSpectrum> fitted;  ///< beside `likelihood`
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
-    [[nodiscard]] const SpectrumResult& used() const { return method == SpectrumMethod::likelihood ? *likelihood : average; }
+    [[nodiscard]] const SpectrumResult& used() const {
+        return method == SpectrumMethod::likelihood ? *likelihood : average;
+    }
     [[nodiscard]] double area_ratio() const { return used().area_ratio(); }
 };
 
-/// What a table says of a surface's spectrum: "average" or "likelihood"; "given" and "moments" where nothing was measured.
+/// What a table says of a surface's spectrum: "average" or "likelihood"; "given" and "moments" where nothing was
+/// measured.
 [[nodiscard]] std::string method_name(const SurfaceResult& surface, SpectrumMethod method);
 
 /// A spectrum of a surface and how it was found.
@@ -105,8 +111,8 @@ struct NamedSpectrum {
 /// All spectra of a surface that did not fail, the one used first.
 [[nodiscard]] std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface);
 
-/// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, steps of its pipeline, contour cleaned, trend
-/// removed.
+/// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, steps of its pipeline,
+/// contour cleaned, trend removed.
 /// @throws what reading and preparing throw.
 struct PreparedMeasurement {
     topography::Measurement measurement;
@@ -136,16 +142,20 @@ struct MeasurementSource {
 [[nodiscard]] MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
                                                     parallel::Threads threads);
 
-/// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What needs all heights
-/// at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area, arithmetic height.
-[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads);
+/// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What
+/// needs all heights at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area,
+/// arithmetic height.
+[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options,
+                                                  parallel::Threads threads);
 
 /// Everything about one surface. Never throws for bad data: the failure stands in the result, of the measurement or of
 /// the surface, and the rest is done.
-[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads);
+[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options,
+                                            parallel::Threads threads);
 
 /// Parameters of a spectrum cut at other wavelengths.
-[[nodiscard]] roughness::SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits,
+[[nodiscard]] roughness::SpectralParameters parameters_within(const SpectrumResult& spectrum,
+                                                              const roughness::WavelengthLimits& limits,
                                                               roughness::Conversion conversion);
 
 }  // namespace setae::study

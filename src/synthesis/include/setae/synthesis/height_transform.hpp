@@ -22,8 +22,8 @@ struct HeightShape {
 ///                       y = 1/(1 + exp(−(z − γ)/δ))  lighter tails: y is bounded
 ///                       y = exp(z/δ)                 on the line between
 ///
-/// Shapes are met to a relative 1e-6. Domain: |skewness| <= 4; kurtosis from that of the bounded curve with δ = ½ (1.63,
-/// 2.85, 6.6, 22.5 at skewness 0, 1, 2, 4) to that of the unbounded one, 4·10⁶; δ below ½ gives two sharp peaks.
+/// Shapes are met to a relative 1e-6. Domain: |skewness| <= 4; kurtosis from that of the bounded curve with δ = ½
+/// (1.63, 2.85, 6.6, 22.5 at skewness 0, 1, 2, 4) to that of the unbounded one, 4·10⁶; δ below ½ gives two sharp peaks.
 /// @throws InvalidArgument for a shape outside, with the range of kurtosis at that skewness.
 /// Source: Johnson, Biometrika 36 (1949) 149, eqs. (31), (37).
 [[nodiscard]] HeightTransform johnson_heights(const HeightShape& shape);
@@ -56,7 +56,8 @@ public:
     /// dρ_g/dρ.
     [[nodiscard]] double slope(double correlation) const;
 
-    /// ρ whose ρ_g is given, to rounding; −1 below ρ_g(−1), since Gaussian heights are never more opposed, and 1 above 1.
+    /// ρ whose ρ_g is given, to rounding; −1 below ρ_g(−1), since Gaussian heights are never more opposed, and 1
+    /// above 1.
     [[nodiscard]] double parent(double transformed_correlation) const;
 
 private:

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "setae/parallel/for_each.hpp"
 #include "setae/numerics/random_numbers.hpp"
+#include "setae/parallel/for_each.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/topography/measurement.hpp"
 
@@ -31,7 +31,7 @@ enum class Amplitudes {
 struct SurfaceOptions {
     numerics::RandomKey key;  ///< the seed
     Amplitudes amplitudes = Amplitudes::gaussian;
-    spectra::Anisotropy anisotropy;                   ///< surfaces only
+    spectra::Anisotropy anisotropy;          ///< surfaces only
     std::optional<double> exact_rms_height;  ///< scale the heights to this rms height [m], > 0
     parallel::Threads threads;
 };
@@ -40,13 +40,13 @@ struct SurfaceOptions {
 ///
 ///   h(x) = Σ_q c_q exp(iqx),  ⟨|c_q|²⟩ = C_iso(q)/A,  q = 2π (kx/size_x, ky/size_y),  so ⟨|h̃_q|²⟩ = C_iso(q) A
 ///
-/// The random numbers of a mode depend on seed and mode numbers (kx, ky) alone: a finer grid of the same size and seed shows
-/// the same surface with more modes (the highest mode of an even number of points is real on a grid and belongs to that grid
-/// only). Same bytes for any number of threads. C_iso is interpolated in tables of q² to 1e-6 of √C_iso, and called itself
-/// where it jumps or bends. Modes beyond the highest are left out, not folded back.
-/// Memory: the map and one block a thread; O(n log n); 4096² in 0.2 s on two cores.
-/// @throws InvalidArgument for a grid or anisotropy outside its domain, a spectrum that is negative, infinite or NaN, or an
-/// exact rms height where no mode has power.
+/// The random numbers of a mode depend on seed and mode numbers (kx, ky) alone: a finer grid of the same size and seed
+/// shows the same surface with more modes (the highest mode of an even number of points is real on a grid and belongs
+/// to that grid only). Same bytes for any number of threads. C_iso is interpolated in tables of q² to 1e-6 of √C_iso,
+/// and called itself where it jumps or bends. Modes beyond the highest are left out, not folded back. Memory: the map
+/// and one block a thread; O(n log n); 4096² in 0.2 s on two cores.
+/// @throws InvalidArgument for a grid or anisotropy outside its domain, a spectrum that is negative, infinite or NaN,
+/// or an exact rms height where no mode has power.
 [[nodiscard]] topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
 
@@ -64,10 +64,10 @@ struct ExpectedRoughness {
                                                    const SurfaceOptions& options = {});
 [[nodiscard]] ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C1D, const LineGrid& grid);
 
-/// nx x ny points of a map from grid point (x0, y0) on, as a map that is not periodic; where the map is periodic the window
-/// may cross its ends. Heights as they are: no trend is removed.
-/// @throws InvalidArgument for a window of fewer than 2 x 2 points or larger than the map, or one that leaves a map that is
-/// not periodic.
+/// nx x ny points of a map from grid point (x0, y0) on, as a map that is not periodic; where the map is periodic the
+/// window may cross its ends. Heights as they are: no trend is removed.
+/// @throws InvalidArgument for a window of fewer than 2 x 2 points or larger than the map, or one that leaves a map
+/// that is not periodic.
 [[nodiscard]] topography::HeightMap cut(const topography::HeightMap& map, Index x0, Index y0, Index nx, Index ny);
 
 }  // namespace setae::synthesis

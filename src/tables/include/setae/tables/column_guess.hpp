@@ -13,10 +13,10 @@ namespace setae::tables {
 
 /// A column that may play a role, and why.
 struct RoleCandidate {
-    std::size_t column = 0;    ///< from 0
-    double confidence = 0.0;   ///< 0 to 1: 0.95 a word of the field, 0.7 its symbol, 0.5 its unit alone
-    std::string reason;        ///< such as "'load' is a word for force, mN its unit"
-    bool from_area = false;    ///< contact radius as sqrt(A/π) of a circle with the contact's area
+    std::size_t column = 0;   ///< from 0
+    double confidence = 0.0;  ///< 0 to 1: 0.95 a word of the field, 0.7 its symbol, 0.5 its unit alone
+    std::string reason;       ///< such as "'load' is a word for force, mN its unit"
+    bool from_area = false;   ///< contact radius as sqrt(A/π) of a circle with the contact's area
 };
 
 /// The candidates for one column of a loop, best first.
@@ -56,9 +56,9 @@ struct ColumnGuess {
 
 /// The mapping a guess amounts to. `chosen` names a column for a role, by its header or by its position from 1, and
 /// overrules the guess.
-/// @throws FormatError where a role has two candidates and none was chosen (both are named), where force, or, unless the radius
-/// comes from elsewhere, both displacement and contact radius are missing, where a column has no unit or holds text. A column without any number is
-/// left out with a note, unless it was chosen.
+/// @throws FormatError where a role has two candidates and none was chosen (both are named), where force, or, unless
+/// the radius comes from elsewhere, both displacement and contact radius are missing, where a column has no unit or
+/// holds text. A column without any number is left out with a note, unless it was chosen.
 [[nodiscard]] Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen = {},
                                    LoopColumns wanted = LoopColumns::complete);
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/core/table.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/core/table.hpp"
 
 namespace setae::tables {
 
@@ -23,7 +23,7 @@ struct ForceCurveOptions {
 
 /// A file format of force curves.
 struct ForceCurveFormat {
-    std::string identifier;   ///< "jpk-force", "afm-workshop", "igor-force", "nt-mdt"
+    std::string identifier;  ///< "jpk-force", "afm-workshop", "igor-force", "nt-mdt"
     std::string name;
     std::string extensions;
     std::string description;
@@ -42,10 +42,11 @@ struct ForceCurveFormat {
 ///
 /// Columns: "force" [N], "displacement" [m] growing into the sample, "height" [m] as the file has it, "deflection" [m],
 /// "reading" [V or A] of the detector, "time" [s] where the file tells durations, "segment" [1] numbered from 0.
-/// Without k there is no force, without k and s or deflection in metres no displacement: then the columns stand as measured and metadata["missing"] names the constants.
-/// metadata: "format", "spring_constant" [N/m] and "sensitivity" where known, "segments" (their names), the file's own lines.
-/// @throws FileError; FormatError with member, key or line for a truncated or damaged file, channels of different length,
-/// an unknown scaling; InvalidArgument for k or s ≤ 0.
+/// Without k there is no force, without k and s or deflection in metres no displacement: then the columns stand as
+/// measured and metadata["missing"] names the constants. metadata: "format", "spring_constant" [N/m] and "sensitivity"
+/// where known, "segments" (their names), the file's own lines.
+/// @throws FileError; FormatError with member, key or line for a truncated or damaged file, channels of different
+/// length, an unknown scaling; InvalidArgument for k or s ≤ 0.
 [[nodiscard]] Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& options = {});
 [[nodiscard]] Table read_force_curve(const std::string& path, const ForceCurveOptions& options = {});
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "setae/bytes/source.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::tables {
 
@@ -30,18 +30,18 @@ struct LoopKey {
 ///   # sphere_radius: 1.25 mm
 ///   time [s],force [N],displacement [m],contact_radius [m]
 ///
-/// Numbers have all their digits, NaN is an empty cell. Of `metadata` every key but "format", "version", "file", "header"
-/// and "mapping" is written, in alphabetical order.
-/// @throws InvalidArgument for a table that is no loop, a key that is no lower-case identifier, a value with line breaks
-/// or outer blanks, and a known quantity that does not parse or has another dimension.
+/// Numbers have all their digits, NaN is an empty cell. Of `metadata` every key but "format", "version", "file",
+/// "header" and "mapping" is written, in alphabetical order.
+/// @throws InvalidArgument for a table that is no loop, a key that is no lower-case identifier, a value with line
+/// breaks or outer blanks, and a known quantity that does not parse or has another dimension.
 [[nodiscard]] std::string as_loop_file(const Table& table, const std::map<std::string, std::string>& metadata);
 
 /// Writes as_loop_file(table, metadata) as a whole.
 /// @throws FileError; InvalidArgument as as_loop_file.
 void write_loop(const std::string& path, const Table& table, const std::map<std::string, std::string>& metadata);
 
-/// The entries of a table's metadata that a loop file can hold: lower-case keys, values of one line, known quantities with
-/// their dimension.
+/// The entries of a table's metadata that a loop file can hold: lower-case keys, values of one line, known quantities
+/// with their dimension.
 [[nodiscard]] std::map<std::string, std::string> loop_metadata(const Table& table);
 
 /// Whether bytes begin as a loop file.

@@ -14,9 +14,9 @@ namespace setae::tables {
 /// A column of the foreign file under the name expressions use.
 struct MappedColumn {
     std::string name;
-    std::optional<std::string> header;   ///< text of the header cell, with or without its unit
-    std::optional<Index> position;       ///< counted from 1
-    std::optional<std::string> unit;     ///< replaces the header's
+    std::optional<std::string> header;  ///< text of the header cell, with or without its unit
+    std::optional<Index> position;      ///< counted from 1
+    std::optional<std::string> unit;    ///< replaces the header's
 
     friend bool operator==(const MappedColumn&, const MappedColumn&) = default;
 };

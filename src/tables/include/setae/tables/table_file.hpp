@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "setae/core/table.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/core/table.hpp"
 
 namespace setae::tables {
 
 /// How a text table is to be taken; what is left open is found from the text.
 struct TableOptions {
-    bytes::Encoding encoding = bytes::Encoding::detect;      ///< byte order mark, else UTF-8 where valid, else latin-1
-    std::optional<char> separator;             ///< '\t', ',', ';', or ' ' for runs of blanks
-    std::optional<char> decimal_point;         ///< '.' or ','
-    std::optional<std::string> header_end;     ///< the line after which numbers begin, such as "eoh"
-    std::optional<std::string> sheet;          ///< of a workbook; else the first that holds a table
+    bytes::Encoding encoding = bytes::Encoding::detect;  ///< byte order mark, else UTF-8 where valid, else latin-1
+    std::optional<char> separator;                       ///< '\t', ',', ';', or ' ' for runs of blanks
+    std::optional<char> decimal_point;                   ///< '.' or ','
+    std::optional<std::string> header_end;               ///< the line after which numbers begin, such as "eoh"
+    std::optional<std::string> sheet;                    ///< of a workbook; else the first that holds a table
 
     friend bool operator==(const TableOptions&, const TableOptions&) = default;
 };
@@ -29,10 +29,11 @@ struct RawTable {
         std::string name;
         std::string unit;
         Array1D values;
-        std::string text;  ///< the first cell that is no number, with its place, where the column holds text; values are NaN
+        std::string
+            text;  ///< the first cell that is no number, with its place, where the column holds text; values are NaN
     };
     std::vector<RawColumn> columns;
-    std::vector<std::string> header;  ///< lines before the numbers, decoded to UTF-8
+    std::vector<std::string> header;              ///< lines before the numbers, decoded to UTF-8
     std::map<std::string, std::string> metadata;  ///< of header lines "# key: value"
     char separator = ' ';
     char decimal_point = '.';
@@ -42,16 +43,16 @@ struct RawTable {
 ///
 /// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are found by trying
 /// which reading makes the most lines regular. Names stand in the last header line with as many cells as columns, units
-/// beside them as "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in a row of
-/// their own. An empty cell, "nan", "-" and "bad" are undefined; columns of text are kept as names and marked. Commas that may
-/// group thousands as well as begin decimals ("1,234" without any cell that decides) are refused, as are rows with twice as
-/// many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
+/// beside them as "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in
+/// a row of their own. An empty cell, "nan", "-" and "bad" are undefined; columns of text are kept as names and marked.
+/// Commas that may group thousands as well as begin decimals ("1,234" without any cell that decides) are refused, as
+/// are rows with twice as many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
 /// @throws FileError; FormatError that names the line where a row has another number of columns.
 [[nodiscard]] RawTable read_raw_table(const bytes::Source& source, const TableOptions& options = {});
 
-/// The same in SI. A column without unit keeps its numbers and has the empty unit; so does one whose unit setae does not
-/// know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines, further keys those of
-/// lines "# key: value".
+/// The same in SI. A column without unit keeps its numbers and has the empty unit; so does one whose unit setae does
+/// not know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines, further keys
+/// those of lines "# key: value".
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});
 
 /// What a loop's table must hold beside the force.

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/tables/table_file.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::tables {
 
@@ -17,11 +17,14 @@ struct DoubtfulComma {
     std::size_t line = 0;  ///< from 1
 };
 
-/// The first doubtful cell of rows from layout.first_row on; nothing where the layout leaves no doubt or a cell decides.
-[[nodiscard]] std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view>& lines, const Layout& layout);
+/// The first doubtful cell of rows from layout.first_row on; nothing where the layout leaves no doubt or a cell
+/// decides.
+[[nodiscard]] std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view>& lines,
+                                                            const Layout& layout);
 
 /// Refuses integers at commas, twice as many as names: commas that separate and begin decimals.
 /// @throws FormatError with the line of the first row.
-void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line, const Layout& layout, const std::string& name);
+void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line,
+                               const Layout& layout, const std::string& name);
 
 }  // namespace setae::tables

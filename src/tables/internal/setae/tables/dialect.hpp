@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "setae/tables/table_file.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::tables {
 
@@ -38,16 +38,19 @@ struct Layout {
 };
 
 /// The dialect that makes the most of the last lines rows of numbers, and the first row; nothing where no line is one.
-[[nodiscard]] std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, const TableOptions& options);
+[[nodiscard]] std::optional<Layout> find_layout(const std::vector<std::string_view>& lines,
+                                                const TableOptions& options);
 
-/// The same for text of which some columns are words: the layout that makes the most of the last lines rows of as many cells,
-/// the same columns numbers in each; nothing where there is none of at least two columns.
-[[nodiscard]] std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines, const TableOptions& options);
+/// The same for text of which some columns are words: the layout that makes the most of the last lines rows of as many
+/// cells, the same columns numbers in each; nothing where there is none of at least two columns.
+[[nodiscard]] std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines,
+                                                           const TableOptions& options);
 
 /// Numeric columns in the first bytes of a text, 0 where there are none or it is no text.
 [[nodiscard]] std::size_t numeric_columns(std::string_view head);
 
 /// Cells of a header line with between `least` and `most` cells, by the numbers' separator or any other; else empty.
-[[nodiscard]] std::vector<std::string> header_cells(std::string_view line, char separator, std::size_t least, std::size_t most);
+[[nodiscard]] std::vector<std::string> header_cells(std::string_view line, char separator, std::size_t least,
+                                                    std::size_t most);
 
 }  // namespace setae::tables

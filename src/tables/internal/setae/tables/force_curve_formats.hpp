@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "setae/bytes/source.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/tables/force_curve.hpp"
-#include "setae/bytes/source.hpp"
 
 namespace setae::tables {
 

@@ -16,14 +16,14 @@ struct HeaderCell {
     std::string unit;
 };
 
-/// Splits "force [mN]", "force (mN)", "force / mN", "force in mN", "force, mN" and, for lengths, forces, areas and times,
-/// "Lateral um" and "force_mN".
+/// Splits "force [mN]", "force (mN)", "force / mN", "force in mN", "force, mN" and, for lengths, forces, areas and
+/// times, "Lateral um" and "force_mN".
 [[nodiscard]] HeaderCell parse_header_cell(std::string_view cell);
 
 /// Names and units of `columns` columns from the header lines before them, the last of which may be a row of units.
 /// @throws InvalidArgument where a name and the row of units tell different units.
-[[nodiscard]] std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator, std::size_t least,
-                                                   std::size_t most);
+[[nodiscard]] std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator,
+                                                   std::size_t least, std::size_t most);
 
 /// The unit, or nothing for text that is none.
 [[nodiscard]] std::optional<Unit> try_parse_unit(std::string_view text);

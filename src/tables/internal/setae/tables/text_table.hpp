@@ -28,8 +28,8 @@ struct TextTable {
     [[nodiscard]] std::string names() const;
 };
 
-/// Lines that begin with '#' above the header are passed over; quoted cells may hold separators, quotes twice and line breaks. The separator is the
-/// one of tab, semicolon and comma that the header holds most of.
+/// Lines that begin with '#' above the header are passed over; quoted cells may hold separators, quotes twice and line
+/// breaks. The separator is the one of tab, semicolon and comma that the header holds most of.
 /// @throws FileError; FormatError for a file without header, and at the line of a row with another number of cells.
 [[nodiscard]] TextTable read_text_table(const std::string& path);
 

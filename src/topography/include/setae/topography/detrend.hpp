@@ -25,8 +25,8 @@ enum class Trend {
 [[nodiscard]] Profile detrended(Profile profile, Trend trend);
 [[nodiscard]] Measurement detrended(Measurement measurement, Trend trend, parallel::Threads threads = {});
 
-/// The same of a map larger than memory: a pass over it finds the trend, which is then taken from every band read. Equal to
-/// detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
+/// The same of a map larger than memory: a pass over it finds the trend, which is then taken from every band read.
+/// Equal to detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
 [[nodiscard]] TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads = {});
 
 /// A map with the best polynomial of the given order (0 mean … 3) removed from every line along x by itself.

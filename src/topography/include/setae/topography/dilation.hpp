@@ -13,9 +13,11 @@ namespace setae::topography {
 /// How a tip touches a surface.
 struct DilationOptions {
     parallel::Threads threads;
-    /// Parts of the tip higher than this above its apex never touch [m]; unset: highest minus lowest height, which is exact.
+    /// Parts of the tip higher than this above its apex never touch [m]; unset: highest minus lowest height, which is
+    /// exact.
     std::optional<double> height_range;
-    /// Results at undefined heights are undefined; false: what the tip reads there, from the defined heights it reaches.
+    /// Results at undefined heights are undefined; false: what the tip reads there, from the defined heights it
+    /// reaches.
     bool keep_undefined = true;
 };
 
@@ -23,14 +25,14 @@ struct DilationOptions {
 ///
 ///   i(x) = max_u [h(x + u) − t(u)]   over the grid points x + u, t(u) the tip's height above its apex
 ///
-/// Same points, same reading at both ends of the window: beyond it there is no surface (a periodic map goes on). Undefined
-/// heights never touch. Trends stay. Axis of the tip along z, tilt of the map not removed. i >= h; exact in double
-/// precision, the same bytes for any number of threads.
-/// Cost: search of the highest candidate over blocks of 8², 64², … pixels whose highest point could still touch; on rough
-/// surfaces 0.2 µs a point under a tip of 41² pixels, 0.6 µs under one of 321² (src/topography/benchmarks).
-/// @throws InvalidArgument for a tip outside its domain, or one that reaches farther than a map that is not periodic (an
-/// analytic tip reaches as far as the height range lets it, an ArrayTip to its last finite point).
-/// Source: Villarrubia, J. Res. Natl. Inst. Stand. Technol. 102, 425 (1997), eq. (2).
+/// Same points, same reading at both ends of the window: beyond it there is no surface (a periodic map goes on).
+/// Undefined heights never touch. Trends stay. Axis of the tip along z, tilt of the map not removed. i >= h; exact in
+/// double precision, the same bytes for any number of threads. Cost: search of the highest candidate over blocks of 8²,
+/// 64², … pixels whose highest point could still touch; on rough surfaces 0.2 µs a point under a tip of 41² pixels, 0.6
+/// µs under one of 321² (src/topography/benchmarks).
+/// @throws InvalidArgument for a tip outside its domain, or one that reaches farther than a map that is not periodic
+/// (an analytic tip reaches as far as the height range lets it, an ArrayTip to its last finite point). Source:
+/// Villarrubia, J. Res. Natl. Inst. Stand. Technol. 102, 425 (1997), eq. (2).
 [[nodiscard]] HeightMap dilated(const HeightMap& surface, const Tip& tip, const DilationOptions& options = {});
 
 /// The same for a line: the surface is the line alone, which lifts the reading less than the surface around it would.
@@ -38,7 +40,8 @@ struct DilationOptions {
 
 /// Readings at scattered points: metres from the map's first point, each read at its nearest grid point.
 /// A periodic map goes on beyond its ends.
-/// @throws InvalidArgument as dilated, for x and y of different length, and for a point outside a map that is not periodic.
+/// @throws InvalidArgument as dilated, for x and y of different length, and for a point outside a map that is not
+/// periodic.
 [[nodiscard]] Array1D dilated_at(const HeightMap& surface, const Tip& tip, const ArrayView1D& x, const ArrayView1D& y,
                                  const DilationOptions& options = {});
 

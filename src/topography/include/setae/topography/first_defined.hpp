@@ -7,7 +7,8 @@
 
 namespace setae::topography {
 
-/// The first height that is defined, row by row: an origin about which sums lose no digits to an offset. Nothing where none is.
+/// The first height that is defined, row by row: an origin about which sums lose no digits to an offset. Nothing where
+/// none is.
 [[nodiscard]] std::optional<double> first_defined(const ArrayView2D& heights);
 
 }  // namespace setae::topography

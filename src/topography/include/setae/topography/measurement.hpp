@@ -13,11 +13,11 @@ namespace setae::topography {
 
 /// The instrument that measured; what it cannot resolve is cut from spectra (spectra/reliability.hpp).
 struct Instrument {
-    std::string name;                                ///< as the file or the study says, such as "Dimension V"
-    std::string type;                                ///< "stylus", "afm", "tem", "optical", or empty where unknown
-    std::optional<double> tip_radius;                ///< [m]
-    std::optional<double> tip_radius_standard_error; ///< [m]
-    std::optional<double> resolution;                ///< shortest wavelength resolved [m]
+    std::string name;                                 ///< as the file or the study says, such as "Dimension V"
+    std::string type;                                 ///< "stylus", "afm", "tem", "optical", or empty where unknown
+    std::optional<double> tip_radius;                 ///< [m]
+    std::optional<double> tip_radius_standard_error;  ///< [m]
+    std::optional<double> resolution;                 ///< shortest wavelength resolved [m]
 };
 
 /// Where heights come from.
@@ -56,16 +56,18 @@ struct LineScan {
 
 /// What tracing did to a curve, known beforehand, so that spectra can be freed of it.
 ///
-///   C_traced(q) = T(q)² C1D(q) + K(q)² N,   T = K exp(−(q blur)²/2),   K = 1/(1 + (smoothing_length/step)⁴ (2 − 2 cos(q step))²)
+///   C_traced(q) = T(q)² C1D(q) + K(q)² N,   T = K exp(−(q blur)²/2),   K = 1/(1 + (smoothing_length/step)⁴ (2 − 2
+///   cos(q step))²)
 ///
-/// Lengths along x [m]. K: a smoothing spline on points `step` apart; exp: Gaussian blur of the picture along the curve, to first
-/// order in the slope.
+/// Lengths along x [m]. K: a smoothing spline on points `step` apart; exp: Gaussian blur of the picture along the
+/// curve, to first order in the slope.
 struct TraceResponse {
     double blur = 0.0;              ///< standard deviation [m], >= 0
     double smoothing_length = 0.0;  ///< [m], >= 0
     double step = 0.0;              ///< [m], > 0
     double noise_density = 0.0;     ///< N: C1D of the trace's noise before smoothing [m³], >= 0
-    bool jumps = false;             ///< overhangs were made jumps of h(x), which blur and smoothing have not touched: T is then not undone
+    bool jumps =
+        false;  ///< overhangs were made jumps of h(x), which blur and smoothing have not touched: T is then not undone
 };
 
 /// A traced curve h(x) as a polyline with strictly increasing x (clean_contour makes it so); its integrals are exact on
@@ -74,8 +76,8 @@ struct Profile {
     Array1D positions;  ///< [m]
     Array1D heights;    ///< [m]
     Metadata metadata;
-    Array1D standard_error = {};                     ///< of each height [m]; empty where unknown
-    std::optional<TraceResponse> response = {};      ///< of a curve traced in a picture
+    Array1D standard_error = {};                 ///< of each height [m]; empty where unknown
+    std::optional<TraceResponse> response = {};  ///< of a curve traced in a picture
 
     [[nodiscard]] double size() const { return positions[positions.size() - 1] - positions[0]; }
 };

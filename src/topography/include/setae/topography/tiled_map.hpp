@@ -15,10 +15,13 @@ struct TiledMap {
     std::array<double, 2> size{};  ///< extent along x and y [m]: n · pixel size
     bool periodic = false;
     Metadata metadata;
-    /// Heights h(x, first … first + count − 1) [m], shape (nx, count), NaN = undefined. May be called from one thread at a time.
+    /// Heights h(x, first … first + count − 1) [m], shape (nx, count), NaN = undefined. May be called from one thread
+    /// at a time.
     std::function<Array2D(Index first, Index count)> lines;
 
-    [[nodiscard]] std::array<double, 2> pixel_size() const { return {size[0] / static_cast<double>(nx), size[1] / static_cast<double>(ny)}; }
+    [[nodiscard]] std::array<double, 2> pixel_size() const {
+        return {size[0] / static_cast<double>(nx), size[1] / static_cast<double>(ny)};
+    }
 };
 
 /// A map in memory looked at by bands; `map` must outlive it.

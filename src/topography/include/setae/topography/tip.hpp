@@ -29,9 +29,9 @@ struct ParabolicTip {
 
 /// A measured or estimated tip: t at grid points, apex down.
 struct ArrayTip {
-    Array2D heights;                      ///< t [m] >= 0, 0 at the centre, infinite where there is no tip
-    std::array<double, 2> pixel_size{};   ///< along x and y [m]
-    Index centre_x = 0, centre_y = 0;     ///< grid point of the apex
+    Array2D heights;                     ///< t [m] >= 0, 0 at the centre, infinite where there is no tip
+    std::array<double, 2> pixel_size{};  ///< along x and y [m]
+    Index centre_x = 0, centre_y = 0;    ///< grid point of the apex
 };
 
 using Tip = std::variant<SphereTip, ConeTip, ParabolicTip, ArrayTip>;
@@ -52,14 +52,14 @@ void validate(const Tip& tip);
 
 /// A tip on the pixels of a map.
 struct TipImage {
-    Array2D heights;                   ///< t [m] at offsets (i − centre_x) pixel_x, (j − centre_y) pixel_y; infinite outside
+    Array2D heights;  ///< t [m] at offsets (i − centre_x) pixel_x, (j − centre_y) pixel_y; infinite outside
     Index centre_x = 0, centre_y = 0;  ///< grid point of the apex
 };
 
 /// The tip at every grid point no farther than `reach` [m] from its apex along x and along y.
 ///
-/// An ArrayTip with other pixels is interpolated bilinearly; where one of the four neighbours is infinite, so is the result.
-/// pixel_x, pixel_y [m], > 0.  reach >= 0.
+/// An ArrayTip with other pixels is interpolated bilinearly; where one of the four neighbours is infinite, so is the
+/// result. pixel_x, pixel_y [m], > 0.  reach >= 0.
 /// @throws InvalidArgument outside the domain.
 [[nodiscard]] TipImage tip_image(const Tip& tip, double pixel_x, double pixel_y, double reach);
 

@@ -13,8 +13,8 @@ namespace setae::topography {
 /// wavevectors [1/m].
 [[nodiscard]] Array1D smoothing_transfer(const TraceResponse& response, const ArrayView1D& wavevectors);
 
-/// What a trace does to waves of the curve and what is undone: T(q) = K(q) exp(−(q blur)²/2), or 1 where the profile has jumps: of
-/// C = T² C_curve + C_jumps neither part is known by itself.
+/// What a trace does to waves of the curve and what is undone: T(q) = K(q) exp(−(q blur)²/2), or 1 where the profile
+/// has jumps: of C = T² C_curve + C_jumps neither part is known by itself.
 [[nodiscard]] Array1D trace_transfer(const TraceResponse& response, const ArrayView1D& wavevectors);
 
 /// Share of the power of a wave that a trace must keep (T²) to be corrected: below, the smallest error of blur decides.

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "setae/validation/comparison.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/validation/comparison.hpp"
 
 namespace setae::validation {
 
@@ -37,14 +37,15 @@ struct CausesOptions {
     std::function<void(int done)> progress;
 };
 
-/// What [D19]'s mean over measurements would read of a recipe's surfaces if every periodogram were its own expectation under some
-/// of the causes alone: no scatter, so that a few surfaces show the effect.
+/// What [D19]'s mean over measurements would read of a recipe's surfaces if every periodogram were its own expectation
+/// under some of the causes alone: no scatter, so that a few surfaces show the effect.
 ///
-/// Reliable bands, shapes and points are those of simulated measurements. In the place of their C1D stand, of the planted one,
-///   segments: C1D R(q) (spectra::SegmentResponse);   trend and window: K C_iso (spectral_fit::scan_kernel), nodes up to Nyquist;
-///   aliasing: Σ_m C1D(|q + 2πm/Δ|);   tip: C1D T(q) (spectral_fit::tip_response)
-/// and all their products. Comparisons as of closures, method: the name; work_of_adhesion: at E* = 1 MPa from the planted W_app;
-/// work_of_adhesion_from_loss: W_int r/r_found.
+/// Reliable bands, shapes and points are those of simulated measurements. In the place of their C1D stand, of the
+/// planted one,
+///   segments: C1D R(q) (spectra::SegmentResponse);   trend and window: K C_iso (spectral_fit::scan_kernel), nodes up
+///   to Nyquist; aliasing: Σ_m C1D(|q + 2πm/Δ|);   tip: C1D T(q) (spectral_fit::tip_response)
+/// and all their products. Comparisons as of closures, method: the name; work_of_adhesion: at E* = 1 MPa from the
+/// planted W_app; work_of_adhesion_from_loss: W_int r/r_found.
 /// @throws as run_closure.
 [[nodiscard]] std::vector<Comparison> readings_by_cause(const std::string& recipe, const CausesOptions& options);
 

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "setae/validation/comparison.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/validation/comparison.hpp"
 
 namespace setae::validation {
 
 struct ClosureOptions {
     int runs = 25;
-    std::uint64_t first_seed = 1;       ///< run r makes the recipe with seed first_seed + r
-    std::string folder;                 ///< where data sets are made; each is removed when it is analysed
-    bool keep = false;                  ///< leave the data sets
+    std::uint64_t first_seed = 1;  ///< run r makes the recipe with seed first_seed + r
+    std::string folder;            ///< where data sets are made; each is removed when it is analysed
+    bool keep = false;             ///< leave the data sets
     study::SpectrumMethod spectrum = study::SpectrumMethod::likelihood;  ///< what fits and predictions rest on
-    bool tip_factor = true;             ///< of the likelihood: simulate tips
-    bool tip_band = true;               ///< of the likelihood: use tip-based data within their reliable band alone
+    bool tip_factor = true;                                              ///< of the likelihood: simulate tips
+    bool tip_band = true;  ///< of the likelihood: use tip-based data within their reliable band alone
     parallel::Threads threads;
     std::function<void(int done)> progress;  ///< called after each run, from any thread, one call at a time
 };
@@ -34,9 +34,10 @@ struct Closure {
     std::vector<FailedRun> failed;
 };
 
-/// Makes the recipe's data set once a run, with a seed of its own, studies it from its files, and compares with what is planted.
-/// Same result for any number of threads. Runs that fail stand in the result.
-/// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be made.
+/// Makes the recipe's data set once a run, with a seed of its own, studies it from its files, and compares with what is
+/// planted. Same result for any number of threads. Runs that fail stand in the result.
+/// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be
+/// made.
 [[nodiscard]] Closure run_closure(const std::string& recipe, const ClosureOptions& options);
 
 }  // namespace setae::validation

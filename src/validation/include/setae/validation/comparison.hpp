@@ -45,15 +45,17 @@ struct Planted {
 /// Everything a recipe plants. @throws as simulation::surface_truth and planted_loops.
 [[nodiscard]] Planted planted_in(const simulation::Recipe& recipe);
 
-/// Surfaces: rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, true_area_ratio and C1D by decade, by every
-/// spectrum of the study; where a spectrum begins above the roll-off, against the planted waves from there on.
+/// Surfaces: rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, true_area_ratio and C1D by decade, by
+/// every spectrum of the study; where a spectrum begins above the roll-off, against the planted waves from there on.
 /// Loops: work_approach, work_retraction, contact_modulus, energy_loss as measured, and predicted_work, predicted_loss.
 /// Study: work_of_adhesion and work_of_adhesion_from_loss, by the spectrum used and by the average.
 /// What failed or was not found is left out. Surfaces and loops are matched by name.
-[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted, const study::StudyResult& study);
+[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted,
+                                                  const study::StudyResult& study);
 
-/// The spectra of [D19]: eq. (11) and straight segments between contour points; intervals between percentiles of the bootstrap
-/// over measurements. Method "paper".
-[[nodiscard]] std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe, const Planted& planted, const study::StudyResult& study);
+/// The spectra of [D19]: eq. (11) and straight segments between contour points; intervals between percentiles of the
+/// bootstrap over measurements. Method "paper".
+[[nodiscard]] std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe,
+                                                           const Planted& planted, const study::StudyResult& study);
 
 }  // namespace setae::validation

@@ -13,7 +13,7 @@ namespace setae::validation {
 struct OverRuns {
     int count = 0;
     double mean = 0.0, standard_error = 0.0;
-    double worst = 0.0;     ///< furthest from what it should be
+    double worst = 0.0;  ///< furthest from what it should be
     int worst_run = 0;
 };
 
@@ -22,7 +22,8 @@ struct ContourRow {
     std::string kind;
     bool judged = true;
     int runs = 0, refused = 0, vacuum_mistaken = 0;
-    OverRuns segments, completeness, rms_error, largest_error, offset, within_two_errors, rms_height_ratio, floor_ratio, overhang_depth_ratio;
+    OverRuns segments, completeness, rms_error, largest_error, offset, within_two_errors, rms_height_ratio, floor_ratio,
+        overhang_depth_ratio;
     std::array<OverRuns, 5> spectrum_ratio;
     int overhangs = 0, overhangs_found = 0, overhangs_false = 0;
 };
@@ -34,11 +35,12 @@ struct ContourRow {
 struct ContourVerdict {
     std::string kind, criterion;  ///< "rms error below 0.5 px in every run"
     bool passed = false;
-    std::string found;            ///< "0.41 px on average, 0.47 px in run 12"
+    std::string found;  ///< "0.41 px on average, 0.47 px in run 12"
 };
 
-/// Of judged kinds: no picture refused; vacuum told from the sample; rms error below 0.5 px in every run; overhangs all found and none false; where the profile
-/// is judged, Rq within 2 % in every run and C1D within 10 % in each half decade on average.
+/// Of judged kinds: no picture refused; vacuum told from the sample; rms error below 0.5 px in every run; overhangs all
+/// found and none false; where the profile is judged, Rq within 2 % in every run and C1D within 10 % in each half
+/// decade on average.
 [[nodiscard]] std::vector<ContourVerdict> contour_verdicts(const std::vector<ContourRow>& rows);
 
 /// Rows as aligned text, then their spectra, then verdicts: those that failed, and how many passed.

@@ -13,13 +13,13 @@ struct SummaryRow {
     std::string quantity, method, unit;
     Deviation measure = Deviation::relative;
     int count = 0;
-    double bias = 0.0;            ///< mean deviation
-    double bias_error = 0.0;      ///< its standard error; comparisons of one run count as one where they share a value
-    double scatter = 0.0;         ///< standard deviation of the deviations
-    double worst = 0.0;           ///< deviation of the largest size
-    double stated = 0.0;          ///< mean of the standard deviations the intervals state
-    double coverage = 0.0;        ///< share of 95 % intervals that hold the planted value
-    Interval coverage_interval;   ///< Wilson's, 95 %
+    double bias = 0.0;           ///< mean deviation
+    double bias_error = 0.0;     ///< its standard error; comparisons of one run count as one where they share a value
+    double scatter = 0.0;        ///< standard deviation of the deviations
+    double worst = 0.0;          ///< deviation of the largest size
+    double stated = 0.0;         ///< mean of the standard deviations the intervals state
+    double coverage = 0.0;       ///< share of 95 % intervals that hold the planted value
+    Interval coverage_interval;  ///< Wilson's, 95 %
 };
 
 /// One row a quantity and method, in the order of their first appearance.

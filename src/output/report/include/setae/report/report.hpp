@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "setae/study_figures/study_figures.hpp"
 #include "setae/study/study_result.hpp"
+#include "setae/study_figures/study_figures.hpp"
 
 namespace setae::report {
 
@@ -15,8 +15,9 @@ struct RunRecord {
     std::string time;     ///< of the run, ISO 8601 with offset, such as "2026-11-21T18:40:20Z"
 };
 
-/// A study as one HTML page that holds everything it needs: text, tables, interactive figures, styles and programs. It asks no
-/// network for anything. The same arguments give the same bytes.
-[[nodiscard]] std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run);
+/// A study as one HTML page that holds everything it needs: text, tables, interactive figures, styles and programs. It
+/// asks no network for anything. The same arguments give the same bytes.
+[[nodiscard]] std::string as_html(const study::StudyResult& result,
+                                  const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run);
 
 }  // namespace setae::report

@@ -19,7 +19,8 @@ struct DrawnLoop {
     const loops::AnalysisOptions& options;
 };
 
-/// The figures of one loop: "loop" (force, contact radius and energy release rate, with the fits) and "residuals" (of every fit).
+/// The figures of one loop: "loop" (force, contact radius and energy release rate, with the fits) and "residuals" (of
+/// every fit).
 ///
 /// command: what makes them again, for the files' headers.
 [[nodiscard]] std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command);
@@ -30,18 +31,20 @@ struct NamedScan {
     loops::RangeScan scan;
 };
 
-/// E* and W of loading against where the fit begins and ends, and in their own plane with the 95 % ellipses of the fits: "ranges".
+/// E* and W of loading against where the fit begins and ends, and in their own plane with the 95 % ellipses of the
+/// fits: "ranges".
 [[nodiscard]] StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command);
 
 /// Where the energy of a loop goes, sample by sample, and against the contact area: "energy".
-[[nodiscard]] StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& course, const std::string& command);
+[[nodiscard]] StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& course,
+                                        const std::string& command);
 
 /// A loop's loss and the area it was lost on.
 struct NamedLoss {
     std::string name;
-    Estimate loss;           ///< [J]
-    double true_area = 0.0;  ///< r π a_max² [m²]
-    double ideal_loss = 0.0; ///< of a smooth sphere in this machine [J]
+    Estimate loss;            ///< [J]
+    double true_area = 0.0;   ///< r π a_max² [m²]
+    double ideal_loss = 0.0;  ///< of a smooth sphere in this machine [J]
 };
 
 /// E_loss against true area at the largest preload, with the line through the origin (10), of all loops: "losses".

@@ -37,8 +37,9 @@ struct MeanArea {
 
 /// True area of self-affine maps, H = 0.3 and 0.8, three of each, each scaled to every rms slope from 0.01 to 10.
 ///
-/// Fourier-filtered; shortest wave 4 points, longest 1/16 of the map, below which the spectrum is flat. Area of the triangles through
-/// the heights, both diagonals averaged. In order of Hurst exponent, map and slope; the same for any number of threads.
+/// Fourier-filtered; shortest wave 4 points, longest 1/16 of the map, below which the spectrum is flat. Area of the
+/// triangles through the heights, both diagonals averaged. In order of Hurst exponent, map and slope; the same for any
+/// number of threads.
 /// @throws InvalidArgument for maps smaller than 128 points.
 /// Source: [D19] (S3), Fig. S7.
 [[nodiscard]] std::vector<AreaOfMap> true_area_of_maps(const TrueAreaOptions& options);

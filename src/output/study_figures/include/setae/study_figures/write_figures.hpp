@@ -11,14 +11,14 @@
 namespace setae::study_figures {
 
 struct WriteOptions {
-    std::string folder;                                              ///< made where missing
-    std::string study;                                               ///< path of the study, as the command that makes a figure again names it
-    FigureWidth width = FigureWidth::double_column;                  ///< likewise
+    std::string folder;  ///< made where missing
+    std::string study;   ///< path of the study, as the command that makes a figure again names it
+    FigureWidth width = FigureWidth::double_column;  ///< likewise
     std::vector<std::string> endings{"svg", "pdf", "png", "csv"};
     parallel::Threads threads;
-    const cache::Store* store = nullptr;                             ///< figures drawn before are taken from it
-    std::function<void(const std::string& name)> progress;           ///< after each figure, one call at a time
-    const std::atomic<bool>* cancelled = nullptr;                    ///< once true, nothing new is begun
+    const cache::Store* store = nullptr;                    ///< figures drawn before are taken from it
+    std::function<void(const std::string& name)> progress;  ///< after each figure, one call at a time
+    const std::atomic<bool>* cancelled = nullptr;           ///< once true, nothing new is begun
 };
 
 /// What became of a figure.
@@ -35,14 +35,17 @@ struct WrittenFigure {
 std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures, const WriteOptions& options);
 
 /// The command that makes a figure again: "setae plot STUDY --figure ID -o NAME.svg".
-[[nodiscard]] std::string command_of(const StudyFigure& figure, const std::string& study, FigureWidth width = FigureWidth::double_column);
+[[nodiscard]] std::string command_of(const StudyFigure& figure, const std::string& study,
+                                     FigureWidth width = FigureWidth::double_column);
 
-/// The numbers of a figure as CSV, under lines "# …" that say its title, identifier, caption, the version of setae and the command
-/// that makes it again.
-[[nodiscard]] std::string data_of(const StudyFigure& figure, const std::string& study, FigureWidth width = FigureWidth::double_column);
+/// The numbers of a figure as CSV, under lines "# …" that say its title, identifier, caption, the version of setae and
+/// the command that makes it again.
+[[nodiscard]] std::string data_of(const StudyFigure& figure, const std::string& study,
+                                  FigureWidth width = FigureWidth::double_column);
 
 /// A drawable figure as bytes of an svg, pdf or png, from the store where it was drawn before by the same gnuplot.
 /// @throws as figures::drawn.
-[[nodiscard]] std::string bytes_of(const StudyFigure& figure, const std::string& ending, const cache::Store* store = nullptr);
+[[nodiscard]] std::string bytes_of(const StudyFigure& figure, const std::string& ending,
+                                   const cache::Store* store = nullptr);
 
 }  // namespace setae::study_figures

@@ -24,16 +24,19 @@ struct DiagnosisOptions {
 
 /// Everything the tests of docs/diagnostics.md find in one measurement, in the order of that table.
 ///
-/// Heights are looked at as they are; tests that need a level surface remove tilt or parabola from a copy of their own. Undefined
-/// heights are left out where a test can, and filled with a line's neighbours where it needs a transform. The tests for spikes, noise
-/// and directions compare heights with what Gaussian random surfaces show (docs/diagnostics.md says how often they err).
+/// Heights are looked at as they are; tests that need a level surface remove tilt or parabola from a copy of their own.
+/// Undefined heights are left out where a test can, and filled with a line's neighbours where it needs a transform. The
+/// tests for spikes, noise and directions compare heights with what Gaussian random surfaces show (docs/diagnostics.md
+/// says how often they err).
 /// @throws as topography::validate; InvalidArgument for a false_alarm outside (0, 0.5).
 /// Cost: a few passes and one transform of the heights.
-[[nodiscard]] std::vector<Finding> diagnose(const topography::Measurement& measurement, const DiagnosisOptions& options = {});
+[[nodiscard]] std::vector<Finding> diagnose(const topography::Measurement& measurement,
+                                            const DiagnosisOptions& options = {});
 
-/// What several measurements of one surface say of each other: DISAGREE for pairs whose power spectra differ in their common band by
-/// more than their errors. The measurements themselves are not tested: diagnose each.
+/// What several measurements of one surface say of each other: DISAGREE for pairs whose power spectra differ in their
+/// common band by more than their errors. The measurements themselves are not tested: diagnose each.
 /// @throws as above; InvalidArgument for fewer than two measurements.
-[[nodiscard]] std::vector<Finding> diagnose_overlap(std::span<const topography::Measurement> measurements, const DiagnosisOptions& options = {});
+[[nodiscard]] std::vector<Finding> diagnose_overlap(std::span<const topography::Measurement> measurements,
+                                                    const DiagnosisOptions& options = {});
 
 }  // namespace setae::diagnostics

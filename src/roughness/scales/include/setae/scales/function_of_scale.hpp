@@ -19,9 +19,10 @@ struct FunctionOfScale {
     Array1D distance;        ///< increasing, > 0 [m]
     Array1D value;           ///< [unit]
     Array1D standard_error;  ///< between measurements [unit]; NaN for one measurement
-    Array1D count;           ///< what each value rests on: pairs of points, residuals, differences, vectors; of polylines a length
+    Array1D
+        count;  ///< what each value rests on: pairs of points, residuals, differences, vectors; of polylines a length
     std::string count_unit = "1";  ///< "m" for the length of a polyline
-    double reliable_from = 0.0;  ///< shorter distances show sampling, tip or resolution [m]
+    double reliable_from = 0.0;    ///< shorter distances show sampling, tip or resolution [m]
     std::vector<Alert> alerts;
     topography::Metadata metadata;
 };
@@ -29,30 +30,36 @@ struct FunctionOfScale {
 /// Only distances >= reliable_from (up to rounding, 1e-9): the one rule for single and combined results.
 [[nodiscard]] FunctionOfScale within_limit(FunctionOfScale function);
 
-/// Averages over the bins of a grid: arithmetic means of distance and value over the members of each bin, counts added; empty bins
-/// are left out. A second time it changes nothing.
+/// Averages over the bins of a grid: arithmetic means of distance and value over the members of each bin, counts added;
+/// empty bins are left out. A second time it changes nothing.
 [[nodiscard]] FunctionOfScale binned(const FunctionOfScale& function, const spectra::LogGrid& grid = {});
 
-/// The shortest wavelength of a measurement that its sampling, tip radius and resolution let through [m], 2π over the end of its
-/// reliable band. What it means for a distance depends on the quantity: half of it for height differences (the tip's criterion rests
-/// on the curvature, a stencil of two steps), n/2 of it for n-th derivatives over a whole stencil, itself for cells of a bandwidth.
-/// Source: 10.1016/j.apsadv.2021.100190.
-[[nodiscard]] double shortest_reliable_wavelength(const topography::HeightMap& map, const spectra::ReliabilityOptions& options = {},
+/// The shortest wavelength of a measurement that its sampling, tip radius and resolution let through [m], 2π over the
+/// end of its reliable band. What it means for a distance depends on the quantity: half of it for height differences
+/// (the tip's criterion rests on the curvature, a stencil of two steps), n/2 of it for n-th derivatives over a whole
+/// stencil, itself for cells of a bandwidth. Source: 10.1016/j.apsadv.2021.100190.
+[[nodiscard]] double shortest_reliable_wavelength(const topography::HeightMap& map,
+                                                  const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
-[[nodiscard]] double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together, const spectra::ReliabilityOptions& options = {},
+[[nodiscard]] double shortest_reliable_wavelength(const topography::TiledMap& map, Index lines_together,
+                                                  const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
-[[nodiscard]] double shortest_reliable_wavelength(const topography::LineScan& scan, const spectra::ReliabilityOptions& options = {},
+[[nodiscard]] double shortest_reliable_wavelength(const topography::LineScan& scan,
+                                                  const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
-[[nodiscard]] double shortest_reliable_wavelength(const topography::Profile& profile, const spectra::ReliabilityOptions& options = {},
+[[nodiscard]] double shortest_reliable_wavelength(const topography::Profile& profile,
+                                                  const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
-[[nodiscard]] double shortest_reliable_wavelength(const topography::Measurement& measurement, const spectra::ReliabilityOptions& options = {},
+[[nodiscard]] double shortest_reliable_wavelength(const topography::Measurement& measurement,
+                                                  const spectra::ReliabilityOptions& options = {},
                                                   parallel::Threads threads = {});
 
 /// How measurements that share a bin are weighted.
 enum class Weighting {
     equal,           ///< arithmetic mean over measurements
     per_instrument,  ///< arithmetic mean over instruments of their measurements' means
-    by_count,        ///< by `count`: the number of pairs, residuals or differences; lines and polylines cannot be weighed against each other so
+    by_count,  ///< by `count`: the number of pairs, residuals or differences; lines and polylines cannot be weighed
+               ///< against each other so
 };
 
 struct CombinationOptions {
@@ -64,13 +71,13 @@ struct CombinationOptions {
 struct CombinedFunction {
     std::string quantity;
     std::string unit;
-    Array1D distance;          ///< mean of the members' mean distances in the bin, weighted as the values [m]
+    Array1D distance;  ///< mean of the members' mean distances in the bin, weighted as the values [m]
     Array1D value;
-    Array1D standard_error;    ///< between measurements; NaN for one
-    Array1D count;             ///< measurements in the bin
-    Array1D instrument_count;  ///< different instruments in the bin
+    Array1D standard_error;                        ///< between measurements; NaN for one
+    Array1D count;                                 ///< measurements in the bin
+    Array1D instrument_count;                      ///< different instruments in the bin
     std::vector<std::vector<Index>> contributors;  ///< of each bin, the measurements in it
-    std::vector<Alert> alerts; ///< COVERAGE_GAP: distances between measurements that none spans
+    std::vector<Alert> alerts;                     ///< COVERAGE_GAP: distances between measurements that none spans
 };
 
 /// Mean over measurements of each bin, of the distances each can be trusted at.
@@ -78,9 +85,10 @@ struct CombinedFunction {
 ///   v = Σ w_i v_i/Σ w_i;   SE² = n/(n−1) Σ w_i² (v_i − v)²/(Σ w_i)²
 ///
 /// Values that are not finite are passed over. Neither order nor other measurements move a bin's edges.
-/// @throws InvalidArgument for none, for different quantities, for counts of different units as weights, or where no distance of any is
-/// reliable.
-[[nodiscard]] CombinedFunction combine(std::span<const FunctionOfScale> functions, const CombinationOptions& options = {});
+/// @throws InvalidArgument for none, for different quantities, for counts of different units as weights, or where no
+/// distance of any is reliable.
+[[nodiscard]] CombinedFunction combine(std::span<const FunctionOfScale> functions,
+                                       const CombinationOptions& options = {});
 
 /// "equal", "per_instrument", "by_count". @throws InvalidArgument that lists them.
 [[nodiscard]] Weighting weighting_from_name(const std::string& name);

@@ -10,7 +10,7 @@ namespace setae::scales {
 
 /// Along which direction of a map finite differences are taken; lines and polylines have x alone.
 enum class Along {
-    x,     ///< the fast axis
+    x,  ///< the fast axis
     y,
     both,  ///< order 1: |∇h|, order 2: ½∇²h, at points that have both components
 };
@@ -27,13 +27,15 @@ enum class Interpolation {
 ///   order 2: [h(x − s) − 2h(x) + h(x + s)]/s²                       d = 2s
 ///   order 3: [−h(x − s) + 3h(x) − 3h(x + s) + h(x + 2s)]/s³         d = 3s
 ///
-/// d: length of the whole stencil [m]. Where s is a whole number of steps (to 1e-9) heights are not interpolated. A difference exists
-/// where every height it uses with a weight other than 0 is defined; non-periodic data have none that reach beyond an end.
+/// d: length of the whole stencil [m]. Where s is a whole number of steps (to 1e-9) heights are not interpolated. A
+/// difference exists where every height it uses with a weight other than 0 is defined; non-periodic data have none that
+/// reach beyond an end.
 struct DifferenceOptions {
     int order = 1;  ///< 1, 2 or 3
     Along along = Along::x;
     Interpolation interpolation = Interpolation::linear;
-    /// Lengths of stencils [m]; by default the 10^(b/n) m of `grid` from order · pixel size to the size (order 1 of periodic data: half of it).
+    /// Lengths of stencils [m]; by default the 10^(b/n) m of `grid` from order · pixel size to the size (order 1 of
+    /// periodic data: half of it).
     std::optional<Array1D> distances;
     spectra::LogGrid grid;
     Index fewest = 4;  ///< distances with fewer differences are left out
@@ -45,8 +47,8 @@ struct DifferenceOptions {
 struct DifferenceStatistics {
     int order = 1;
     Along along = Along::x;
-    Array1D distance;  ///< [m]
-    Array1D count;     ///< differences; of polylines the length they are integrated over
+    Array1D distance;              ///< [m]
+    Array1D count;                 ///< differences; of polylines the length they are integrated over
     std::string count_unit = "1";  ///< "m" for a length
     Array1D mean;
     Array1D rms;       ///< about zero
@@ -61,14 +63,19 @@ struct DifferenceStatistics {
 
 /// One pass over the heights for all distances; no map of derivatives is stored. O(points · distances).
 /// Rows are summed in fixed blocks about the mean difference of the first row: same bytes for any number of threads.
-/// @throws InvalidArgument for an order outside 1 … 3, order 3 along both, distances that are not positive or longer than the data,
-/// Fourier interpolation of data that are not periodic, y of a line; UndefinedDataError for Fourier interpolation of undefined points.
-/// Source: 10.1016/j.apsadv.2021.100190.
-[[nodiscard]] DifferenceStatistics difference_statistics(const topography::HeightMap& map, const DifferenceOptions& options = {});
-[[nodiscard]] DifferenceStatistics difference_statistics(const topography::LineScan& scan, const DifferenceOptions& options = {});
-/// Polylines: integrals over x of the exact, piecewise linear difference, as many moments as above; O(points) a distance.
-[[nodiscard]] DifferenceStatistics difference_statistics(const topography::Profile& profile, const DifferenceOptions& options = {});
-[[nodiscard]] DifferenceStatistics difference_statistics(const topography::Measurement& measurement, const DifferenceOptions& options = {});
+/// @throws InvalidArgument for an order outside 1 … 3, order 3 along both, distances that are not positive or longer
+/// than the data, Fourier interpolation of data that are not periodic, y of a line; UndefinedDataError for Fourier
+/// interpolation of undefined points. Source: 10.1016/j.apsadv.2021.100190.
+[[nodiscard]] DifferenceStatistics difference_statistics(const topography::HeightMap& map,
+                                                         const DifferenceOptions& options = {});
+[[nodiscard]] DifferenceStatistics difference_statistics(const topography::LineScan& scan,
+                                                         const DifferenceOptions& options = {});
+/// Polylines: integrals over x of the exact, piecewise linear difference, as many moments as above; O(points) a
+/// distance.
+[[nodiscard]] DifferenceStatistics difference_statistics(const topography::Profile& profile,
+                                                         const DifferenceOptions& options = {});
+[[nodiscard]] DifferenceStatistics difference_statistics(const topography::Measurement& measurement,
+                                                         const DifferenceOptions& options = {});
 
 /// Which of the statistics is wanted as a function of distance.
 enum class Statistic { rms, variance, mean, skewness, kurtosis, minimum, maximum };
@@ -76,20 +83,25 @@ enum class Statistic { rms, variance, mean, skewness, kurtosis, minimum, maximum
 /// One statistic, named such as "rms_slope", "variance_of_curvature".
 [[nodiscard]] FunctionOfScale function_of(const DifferenceStatistics& statistics, Statistic statistic);
 
-/// Receives the differences at one distance along x or y, row by row of the map: `row` is the first index, `first` the second index of
-/// values[0]; NaN where one is undefined. Called in order from one thread.
+/// Receives the differences at one distance along x or y, row by row of the map: `row` is the first index, `first` the
+/// second index of values[0]; NaN where one is undefined. Called in order from one thread.
 using RowConsumer = std::function<void(Index row, Index first, const ArrayView1D& values)>;
 
-/// Hands all differences at one distance to a function: any statistic without a stored map. A line scan is a single row.
+/// Hands all differences at one distance to a function: any statistic without a stored map. A line scan is a single
+/// row.
 /// @throws InvalidArgument as difference_statistics, and for Along::both.
-void for_each_row_of_differences(const topography::HeightMap& map, double distance, const DifferenceOptions& options, const RowConsumer& consume);
-void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options, const RowConsumer& consume);
+void for_each_row_of_differences(const topography::HeightMap& map, double distance, const DifferenceOptions& options,
+                                 const RowConsumer& consume);
+void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options,
+                                 const RowConsumer& consume);
 
 /// A statistic of the differences as an array of their own (undefined ones left out), at each distance.
 ///
 /// statistic: a function of all differences along options.along (x or y). unit: of what it returns.
-[[nodiscard]] FunctionOfScale any_statistic(const topography::Measurement& measurement, const DifferenceOptions& options, const std::string& name,
-                                            const std::string& unit, const std::function<double(const ArrayView1D& differences)>& statistic);
+[[nodiscard]] FunctionOfScale any_statistic(const topography::Measurement& measurement,
+                                            const DifferenceOptions& options, const std::string& name,
+                                            const std::string& unit,
+                                            const std::function<double(const ArrayView1D& differences)>& statistic);
 
 /// "rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum". @throws InvalidArgument that lists them.
 [[nodiscard]] Statistic statistic_from_name(const std::string& name);

@@ -25,10 +25,12 @@ struct ArealOptions {
 
 /// All parameters of ISO 25178-2:2021 of a map: height, spatial, hybrid, functional, volume, feature.
 ///
-/// The map is taken as it is, about its mean: remove form first. Parameters without a value are NaN with an alert. Sq, Sa, Ssk and Sku have
-/// standard errors from the map's own autocorrelation, which hold for Gaussian heights. Filters are Gaussian, fitted to a plane at edges.
+/// The map is taken as it is, about its mean: remove form first. Parameters without a value are NaN with an alert. Sq,
+/// Sa, Ssk and Sku have standard errors from the map's own autocorrelation, which hold for Gaussian heights. Filters
+/// are Gaussian, fitted to a plane at edges.
 /// @throws InvalidArgument for a line; UndefinedDataError for a map without a pixel of four defined corners.
-[[nodiscard]] std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement, const ArealOptions& options = {},
+[[nodiscard]] std::vector<TextureParameter> areal_parameters(const MeasurementView& measurement,
+                                                             const ArealOptions& options = {},
                                                              parallel::Threads threads = {});
 
 }  // namespace setae::texture

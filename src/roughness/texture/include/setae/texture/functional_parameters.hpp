@@ -7,21 +7,21 @@ namespace setae::texture {
 
 /// Ratios that functional parameters refer to; the defaults are the standards'.
 struct MaterialRatios {
-    double peaks = 0.10;            ///< of Vmp, Vmc, Vvc
-    double valleys = 0.80;          ///< of Vmc, Vvc, Vvv
-    double extreme = 0.025;         ///< upper end of Sxp
-    double extreme_reference = 0.5; ///< lower end of Sxp
-    double upper = 0.02;            ///< upper end of Sdc
-    double lower = 0.98;            ///< lower end of Sdc
+    double peaks = 0.10;             ///< of Vmp, Vmc, Vvc
+    double valleys = 0.80;           ///< of Vmc, Vvc, Vvv
+    double extreme = 0.025;          ///< upper end of Sxp
+    double extreme_reference = 0.5;  ///< lower end of Sxp
+    double upper = 0.02;             ///< upper end of Sdc
+    double lower = 0.98;             ///< lower end of Sdc
 };
 
-/// What the material ratio curve H(p) says of peaks, core and valleys; heights [m] against the mean, volumes an area [m³/m²].
+/// What the material ratio curve H(p) says of peaks, core and valleys; heights [m] against the mean, volumes an area
+/// [m³/m²].
 ///
-///   straight line through the 40 % of the curve with the smallest secant, by least squares of heights; at p = 0 and 1 it ends at
-///   c1 and c2:  Sk = c1 − c2,  Smrk1 = P(c1),  Smrk2 = P(c2)
-///   Spk = 2/Smrk1 ∫_c1^∞ P dh,   Svk = 2/(1 − Smrk2) ∫_−∞^c2 (1 − P) dh
-///   Vm(p) = ∫_H(p)^∞ P dh,  Vv(p) = ∫_−∞^H(p) (1 − P) dh
-///   Vmp = Vm(10 %), Vmc = Vm(80 %) − Vm(10 %), Vvc = Vv(10 %) − Vv(80 %), Vvv = Vv(80 %),  Sxp = H(2.5 %) − H(50 %)
+///   straight line through the 40 % of the curve with the smallest secant, by least squares of heights; at p = 0 and 1
+///   it ends at c1 and c2:  Sk = c1 − c2,  Smrk1 = P(c1),  Smrk2 = P(c2) Spk = 2/Smrk1 ∫_c1^∞ P dh,   Svk = 2/(1 −
+///   Smrk2) ∫_−∞^c2 (1 − P) dh Vm(p) = ∫_H(p)^∞ P dh,  Vv(p) = ∫_−∞^H(p) (1 − P) dh Vmp = Vm(10 %), Vmc = Vm(80 %) −
+///   Vm(10 %), Vvc = Vv(10 %) − Vv(80 %), Vvv = Vv(80 %),  Sxp = H(2.5 %) − H(50 %)
 ///
 /// Of lines the same with R in place of S. Members carry the names of the areal parameters.
 /// Source: ISO 25178-2:2021, 4.5 and annex B; ISO 21920-2:2021, 4.5.3 and 4.5.5; ISO 13565-2:1996.
@@ -40,15 +40,17 @@ struct FunctionalParameters {
     double Sdc = 0.0;
 };
 
-/// The core's line is fitted to the curve between nodes at which it falls by at most 1/1024; heights at ratios and volumes are exact.
-/// Cost: about six passes over the heights.
+/// The core's line is fitted to the curve between nodes at which it falls by at most 1/1024; heights at ratios and
+/// volumes are exact. Cost: about six passes over the heights.
 /// @throws UndefinedDataError as bearing_area. A constant surface has zeros, and Smrk1 = 0, Smrk2 = 1.
-[[nodiscard]] FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios = {},
-                                                         Between between = Between::linear, parallel::Threads threads = {});
+[[nodiscard]] FunctionalParameters functional_parameters(const MeasurementView& measurement,
+                                                         const MaterialRatios& ratios = {},
+                                                         Between between = Between::linear,
+                                                         parallel::Threads threads = {});
 
 /// Volumes of material and void at ratios p [m³/m²].
 struct MaterialVolumes {
-    Array1D material;  ///< Vm(p)
+    Array1D material;     ///< Vm(p)
     Array1D void_volume;  ///< Vv(p)
 };
 [[nodiscard]] MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios,

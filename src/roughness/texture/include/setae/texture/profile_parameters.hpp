@@ -33,7 +33,8 @@ struct Discrimination {
 struct ProfileOptions {
     ProfileKind kind = ProfileKind::roughness;
     Filters filters;
-    std::optional<double> section_length;  ///< l_sc [m]; absent: the L-filter's nesting index, or all of the profile without it
+    std::optional<double>
+        section_length;  ///< l_sc [m]; absent: the L-filter's nesting index, or all of the profile without it
     Averages averages = Averages::evaluation_length;
     MeanLine mean_line = MeanLine::mean;
     Discrimination discrimination;
@@ -45,9 +46,9 @@ struct ProfileOptions {
 
 /// Elements of a profile, each a hill and the dale behind it, found by crossing the mean line.
 ///
-/// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to what lies around it. Elements
-/// begin at the first crossing; what lies before it and behind the last is left out.
-/// Source: ISO 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
+/// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to what lies
+/// around it. Elements begin at the first crossing; what lies before it and behind the last is left out. Source: ISO
+/// 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
 struct ProfileElements {
     double RSm = 0.0;   ///< mean length [m]; NaN without a whole element
     double RSmq = 0.0;  ///< its rms deviation [m]
@@ -58,9 +59,11 @@ struct ProfileElements {
 
 /// height, length: thresholds [m]; mean_line: [m]. Straight between the points.
 /// @throws InvalidArgument for a map; UndefinedDataError for undefined heights.
-[[nodiscard]] ProfileElements profile_elements(const MeasurementView& line, double height, double length, double mean_line);
+[[nodiscard]] ProfileElements profile_elements(const MeasurementView& line, double height, double length,
+                                               double mean_line);
 
-/// Sections of equal length from the start of a line, as many as fit to 1 % of their length; polylines are cut between points.
+/// Sections of equal length from the start of a line, as many as fit to 1 % of their length; polylines are cut between
+/// points.
 /// @throws InvalidArgument for a map, or where not one section fits.
 [[nodiscard]] std::vector<topography::Measurement> sections(const MeasurementView& line, double section_length);
 
@@ -73,7 +76,8 @@ struct ProfileSlopes {
     double Rdq_2 = 0.0;  ///< rms by differences of neighbours, as spectra have it [1]
 };
 /// @throws InvalidArgument for a map or a re-entrant profile.
-/// Seven points: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx). Source: ISO 21920-2:2021, 4.4; ISO 4287:1997, local slope.
+/// Seven points: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx). Source: ISO 21920-2:2021, 4.4; ISO
+/// 4287:1997, local slope.
 [[nodiscard]] ProfileSlopes profile_slopes(const MeasurementView& line);
 
 /// Filters and section length that a roughness asks for.
@@ -88,15 +92,17 @@ struct ProfileSetting {
 /// Source: ISO 4288:1996, table 1; ISO 3274:1996, table 1.
 [[nodiscard]] ProfileSetting default_setting(double Ra);
 
-/// Of a line with equal steps: the smallest L-filter of the table that the Ra behind it asks for itself, with its S-filter; the largest that
-/// leaves one section where none does.
+/// Of a line with equal steps: the smallest L-filter of the table that the Ra behind it asks for itself, with its
+/// S-filter; the largest that leaves one section where none does.
 /// @throws InvalidArgument for a map, a polyline, or a line shorter than the smallest section.
 /// Source: ISO 4288:1996, 7.2.
 [[nodiscard]] ProfileSetting default_setting(const MeasurementView& line, parallel::Threads threads = {});
 
 /// All parameters of ISO 21920-2:2021 of a line, its symbols with P, W or R. Filters need equal steps.
-/// @throws InvalidArgument for a map (take topography::line_scans), a filter on a polyline or a waviness without L-filter.
-[[nodiscard]] std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options = {},
+/// @throws InvalidArgument for a map (take topography::line_scans), a filter on a polyline or a waviness without
+/// L-filter.
+[[nodiscard]] std::vector<TextureParameter> profile_parameters(const MeasurementView& line,
+                                                               const ProfileOptions& options = {},
                                                                parallel::Threads threads = {});
 
 }  // namespace setae::texture

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
-#include <span>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
@@ -14,10 +14,10 @@ enum class Standard { iso25178, iso21920 };
 
 /// One row of the table of parameters.
 struct ParameterDefinition {
-    std::string_view symbol;     ///< as the standard writes it, such as "Sq"
-    std::string_view name;       ///< snake_case, such as "root_mean_square_height"
-    std::string_view formula;    ///< in plain text
-    std::string_view unit;       ///< SI
+    std::string_view symbol;   ///< as the standard writes it, such as "Sq"
+    std::string_view name;     ///< snake_case, such as "root_mean_square_height"
+    std::string_view formula;  ///< in plain text
+    std::string_view unit;     ///< SI
     Standard standard;
     std::string_view clause;     ///< of the standard
     std::string_view validated;  ///< what the number was compared with
@@ -31,7 +31,8 @@ struct ParameterDefinition {
 
 /// A value of a parameter with the filters it stands behind.
 struct TextureParameter {
-    Quantity quantity;   ///< its band is the bandwidth: 2π/(longest wavelength) … 2π/(shortest) [1/m]; its alerts are the warnings
+    Quantity quantity;  ///< its band is the bandwidth: 2π/(longest wavelength) … 2π/(shortest) [1/m]; its alerts are
+                        ///< the warnings
     std::string filter;  ///< such as "S-filter 2.5 µm, L-filter 0.8 mm (Gaussian)", "none"
 
     /// Whether there is nothing to warn of.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "setae/core/arrays.hpp"
-#include "setae/spectral_fit/mode_bins.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/spectral_fit/mode_bins.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::spectral_fit {
@@ -14,24 +14,25 @@ namespace setae::spectral_fit {
 ///   P_k = |A h|²_k/L,   A = (L/n_f) F(w ∘ S)(I − VVᵀ),   k = 1 … L/(2 mean step)
 ///   E[P_k] = (1/2πL) ∫_0^{q_s} (|A e^{iqx}|² + |A e^{−iqx}|²)_k C1D(q) dq
 ///
-/// V: orthonormal basis of the line over the points. S: natural cubic spline onto n_f equidistant positions, four for a mean
-/// step. w: Hann by position with ∫w² dx = L. C_iso stands on nodes q_i = q_s e^{h(i − N)}, i = 0 … N (hat_node.hpp), the last
-/// one with its lower half alone, constant below the first. |A e^{iqx}|² is taken linear between wavevectors 2π/(4L) apart.
+/// V: orthonormal basis of the line over the points. S: natural cubic spline onto n_f equidistant positions, four for a
+/// mean step. w: Hann by position with ∫w² dx = L. C_iso stands on nodes q_i = q_s e^{h(i − N)}, i = 0 … N
+/// (hat_node.hpp), the last one with its lower half alone, constant below the first. |A e^{iqx}|² is taken linear
+/// between wavevectors 2π/(4L) apart.
 ///
-/// Where the profile knows the response of its trace (topography::TraceResponse), its waves come with T(q)² C1D(q), and its noise
-/// from point to point, smoothed with K, is expected beside them:
+/// Where the profile knows the response of its trace (topography::TraceResponse), its waves come with T(q)² C1D(q), and
+/// its noise from point to point, smoothed with K, is expected beside them:
 ///
 ///   E[noise] = (1/2πL) ∫_0^π (|A a e^{iνk}|² + |A a e^{−iνk}|²) K(ν/step)² dν,   Σ a_k² d_k² = N L
 ///
-/// a_k: proportional to the standard errors of the points k (equal where unknown), d_k: their share of the length, so that long
-/// waves of the noise have C1D N.
-/// Source: derived here; the likelihood of expected periodograms is that of Sykulski et al., Biometrika 106 (2019) 251.
+/// a_k: proportional to the standard errors of the points k (equal where unknown), d_k: their share of the length, so
+/// that long waves of the noise have C1D N. Source: derived here; the likelihood of expected periodograms is that of
+/// Sykulski et al., Biometrika 106 (2019) 251.
 struct ContourKernel {
     ModeBins bins;
-    double length = 0.0;    ///< L [m]
-    Array1D periodogram;    ///< means over groups of modes [m³]
-    Array2D response;       ///< (group, node): E[P] = Σ_i response C_iso(q_i) [1/m]
-    Array1D noise;          ///< E[P] of the trace's noise as stated [m³]; empty where it is unknown
+    double length = 0.0;  ///< L [m]
+    Array1D periodogram;  ///< means over groups of modes [m³]
+    Array2D response;     ///< (group, node): E[P] = Σ_i response C_iso(q_i) [1/m]
+    Array1D noise;        ///< E[P] of the trace's noise as stated [m³]; empty where it is unknown
 };
 
 /// The periodogram alone [m³], one value for each of ModeBins(modes).
@@ -39,19 +40,20 @@ struct ContourKernel {
 
 /// nodes: q_i [1/m], increasing by the factor e^h, the last one q_s.
 /// O((q_s L + points) · points log points) + O(groups · nodes · q_s L).
-/// @throws InvalidArgument for fewer than 8 points or a profile validate() refuses; UndefinedDataError for undefined heights.
+/// @throws InvalidArgument for fewer than 8 points or a profile validate() refuses; UndefinedDataError for undefined
+/// heights.
 [[nodiscard]] ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView1D& nodes,
                                            parallel::Threads threads = {});
 
-/// How much of a mode is its own, for each group: neighbouring modes share the window, and where points are irregular power
-/// scatters over all of them.
+/// How much of a mode is its own, for each group: neighbouring modes share the window, and where points are irregular
+/// power scatters over all of them.
 ///
 ///   ω_k = 1/Σ_k' (|G_kk'|² + |H_kk'|²)/(G_kk G_k'k'),   G = ⟨F F†⟩, H = ⟨F Fᵀ⟩ of the transforms F = A h
 ///
-/// of Gaussian heights with this spectrum and the noise of their trace, at the mode in the middle of each group. 0.514 for Hann on equidistant points.
-/// C_iso: at the nodes [m⁴].  O(groups · modes · q_s L).
+/// of Gaussian heights with this spectrum and the noise of their trace, at the mode in the middle of each group. 0.514
+/// for Hann on equidistant points. C_iso: at the nodes [m⁴].  O(groups · modes · q_s L).
 /// @throws as contour_kernel.
-[[nodiscard]] Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes, const ArrayView1D& C_iso,
-                                        parallel::Threads threads = {});
+[[nodiscard]] Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes,
+                                        const ArrayView1D& C_iso, parallel::Threads threads = {});
 
 }  // namespace setae::spectral_fit

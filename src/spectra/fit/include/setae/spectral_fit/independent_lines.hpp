@@ -10,8 +10,9 @@ namespace setae::spectral_fit {
 ///
 ///   n = N²/Σ_ij ρ²(y_i − y_j),   ρ(y) = [∫_0^∞ C_iso(√(q² + p²)) cos(py) dp/ same at y = 0]
 ///
-/// wavevectors, pitch > 0 [1/m, m]. signal: share of the periodogram's expectation that is surface, not noise, at each q (noise is independent from line to line).
-[[nodiscard]] Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors, const ArrayView1D& signal,
-                                        Index lines, double pitch);
+/// wavevectors, pitch > 0 [1/m, m]. signal: share of the periodogram's expectation that is surface, not noise, at each
+/// q (noise is independent from line to line).
+[[nodiscard]] Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors,
+                                        const ArrayView1D& signal, Index lines, double pitch);
 
 }  // namespace setae::spectral_fit

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
-#include "setae/spectral_fit/log_spline.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/spectral_fit/log_spline.hpp"
 #include "setae/topography/detrend.hpp"
 #include "setae/topography/measurement.hpp"
 
@@ -22,12 +22,12 @@ struct ObservedSurface {
 
 struct LikelihoodOptions {
     double shortest_wavelength = 4e-10;  ///< 2π/q_s [m]: the surface has no shorter waves
-    double bend = 0.25;                  ///< prior standard deviation of the second difference of ln C_iso per 0.1 decade
-    bool tip_factor = true;              ///< simulate tips; false: T = 1
-    bool tip_band = true;                ///< use tip-based data below 2π/l_c alone
-    double least_transfer = 0.4;         ///< use tip-based data where T is larger
-    int rounds = 5;                      ///< most simulations of each tip; they end when T settles
-    Index tip_points = 1024;             ///< of a side of the simulated patch
+    double bend = 0.25;           ///< prior standard deviation of the second difference of ln C_iso per 0.1 decade
+    bool tip_factor = true;       ///< simulate tips; false: T = 1
+    bool tip_band = true;         ///< use tip-based data below 2π/l_c alone
+    double least_transfer = 0.4;  ///< use tip-based data where T is larger
+    int rounds = 5;               ///< most simulations of each tip; they end when T settles
+    Index tip_points = 1024;      ///< of a side of the simulated patch
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
@@ -36,50 +36,55 @@ struct LikelihoodOptions {
 ///
 ///   χ² = Σ 2ν (r − 1 − ln r)/(1 + 1/6ν),  r = P/E
 ///
-/// over groups of modes: the deviance of gamma variates, each divided by its mean (to 1 % for ν >= 1), ν the values behind a group.
+/// over groups of modes: the deviance of gamma variates, each divided by its mean (to 1 % for ν >= 1), ν the values
+/// behind a group.
 struct Agreement {
     std::string instrument;
-    int decade = 0;           ///< 10^decade … 10^(decade+1) 1/m
-    double ratio = 1.0;       ///< mean of P/E, weighted by ν
-    double standard_error = 0.0;  ///< of the ratio where the instrument agrees: √(Σ ν²/ν_own)/Σ ν, ν_own the independent values of a group
+    int decade = 0;      ///< 10^decade … 10^(decade+1) 1/m
+    double ratio = 1.0;  ///< mean of P/E, weighted by ν
+    double standard_error =
+        0.0;  ///< of the ratio where the instrument agrees: √(Σ ν²/ν_own)/Σ ν, ν_own the independent values of a group
     double chi_squared = 0.0;
     int groups = 0;
-    double probability = 1.0; ///< of a χ² as large with as many degrees of freedom as groups
+    double probability = 1.0;  ///< of a χ² as large with as many degrees of freedom as groups
 };
 
 /// What a tip was found to do.
 struct TipFactor {
     std::string instrument;
-    double tip_radius = 0.0;   ///< [m]
-    Array1D wavevector;        ///< [1/m]
-    Array1D transfer;          ///< T
+    double tip_radius = 0.0;  ///< [m]
+    Array1D wavevector;       ///< [1/m]
+    Array1D transfer;         ///< T
 };
 
 /// One C_iso fitted to all measurements at once.
 struct LikelihoodSpectrum {
-    Array1D wavevector;          ///< forty a decade up to q_s [1/m]
-    Array1D C_iso;               ///< [m⁴]
-    Array1D standard_error;      ///< of ln C_iso
-    Band band;                   ///< from the lowest to the highest wavevector that data speak of; beyond it the prior continues
-    Eigen::MatrixXd design;      ///< ln C_iso = design · theta
+    Array1D wavevector;      ///< forty a decade up to q_s [1/m]
+    Array1D C_iso;           ///< [m⁴]
+    Array1D standard_error;  ///< of ln C_iso
+    Band band;  ///< from the lowest to the highest wavevector that data speak of; beyond it the prior continues
+    Eigen::MatrixXd design;  ///< ln C_iso = design · theta
     Eigen::VectorXd theta;
-    Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips, uncertain radii and skewness, noise of the simulation
+    Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips,
+                                 ///< uncertain radii and skewness, noise of the simulation
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
     int rounds = 0;
     bool converged = false;
-    std::vector<Alert> alerts;   ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
+    std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
 };
 
-/// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling and
-/// aliases of scans and maps, the points of contours, noise of each instrument, and tips simulated on the estimate itself.
+/// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling
+/// and aliases of scans and maps, the points of contours, noise of each instrument, and tips simulated on the estimate
+/// itself.
 ///
-/// Maps and scans lose a tilt (a parabola where that was taken from them) line by line. Maps count as many lines as are independent.
-/// Undefined heights are refused. Same bytes for any number of threads.
+/// Maps and scans lose a tilt (a parabola where that was taken from them) line by line. Maps count as many lines as are
+/// independent. Undefined heights are refused. Same bytes for any number of threads.
 /// @throws InvalidArgument where no measurement has a mode inside its band; what the kernels throw.
-/// Source: Sykulski et al., Biometrika 106 (2019) 251; Guillaumin et al., J. R. Stat. Soc. B 84 (2022) 1539; trends, contours and
-/// tips derived here.
-[[nodiscard]] LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed, const LikelihoodOptions& options = {});
+/// Source: Sykulski et al., Biometrika 106 (2019) 251; Guillaumin et al., J. R. Stat. Soc. B 84 (2022) 1539; trends,
+/// contours and tips derived here.
+[[nodiscard]] LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed,
+                                                     const LikelihoodOptions& options = {});
 
 /// Spectra drawn from the normal distribution of theta: row r is C_iso [m⁴] at the spectrum's wavevectors.
 [[nodiscard]] Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed);

@@ -7,14 +7,14 @@
 
 namespace setae::spectral_fit {
 
-/// Modes k = 1 … n in groups: each by itself up to 16, then about 32 groups a decade. A likelihood of the mean over a group
-/// loses nothing while the expectation is the mean over the same group.
+/// Modes k = 1 … n in groups: each by itself up to 16, then about 32 groups a decade. A likelihood of the mean over a
+/// group loses nothing while the expectation is the mean over the same group.
 class ModeBins {
 public:
     explicit ModeBins(Index modes);
 
     [[nodiscard]] Index size() const { return static_cast<Index>(first_.size()) - 1; }
-    [[nodiscard]] Index first(Index bin) const { return first_[static_cast<std::size_t>(bin)]; }    ///< lowest k
+    [[nodiscard]] Index first(Index bin) const { return first_[static_cast<std::size_t>(bin)]; }         ///< lowest k
     [[nodiscard]] Index last(Index bin) const { return first_[static_cast<std::size_t>(bin) + 1] - 1; }  ///< highest k
     [[nodiscard]] Index count(Index bin) const { return last(bin) - first(bin) + 1; }
     [[nodiscard]] double centre(Index bin) const { return 0.5 * static_cast<double>(first(bin) + last(bin)); }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "setae/core/arrays.hpp"
-#include "setae/spectral_fit/mode_bins.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/spectral_fit/mode_bins.hpp"
 
 namespace setae::spectral_fit {
 
@@ -32,19 +32,21 @@ struct ScanShape {
 /// C_iso stands on nodes (hat_node.hpp) at q_jΔ = e^{jh}, so that one kernel serves every pixel size. With R_j the
 /// autocovariance of a node, a(m) = Σ_i w_i w_{i+m} and u_l = F(w ∘ V_l):
 ///
-///   E[P_k] = (Δ/n) [ a(0)R(0) + 2 Σ_m a(m) R(mΔ) cos(2πkm/n) − 2 Σ_l Re(ū_l F(w ∘ RV_l))_k + Σ_lm Re(u_l ū_m)_k V_lᵀRV_m ]
+///   E[P_k] = (Δ/n) [ a(0)R(0) + 2 Σ_m a(m) R(mΔ) cos(2πkm/n) − 2 Σ_l Re(ū_l F(w ∘ RV_l))_k + Σ_lm Re(u_l ū_m)_k
+///   V_lᵀRV_m ]
 ///
 /// Source: the expected periodogram of Sykulski et al., Biometrika 106 (2019) 251; detrending derived here.
 struct ScanKernel {
-    Index first_node = 0;   ///< j of column 0
-    Array2D response;       ///< (group of modes, node): E[P] Δ/C_iso(q_j) [1]; columns scale as E[P] = Σ_j response f_j/Δ
-    Array1D flat_response;  ///< the same for C_iso constant below the first node
-    Array1D noise_response; ///< E[P]/(Δσ²) for white noise of variance σ² in every point
+    Index first_node = 0;  ///< j of column 0
+    Array2D response;  ///< (group of modes, node): E[P] Δ/C_iso(q_j) [1]; columns scale as E[P] = Σ_j response f_j/Δ
+    Array1D flat_response;   ///< the same for C_iso constant below the first node
+    Array1D noise_response;  ///< E[P]/(Δσ²) for white noise of variance σ² in every point
 };
 
 /// The kernel for nodes first … last. Columns made once are kept for the life of the process.
 /// O(n log n) a node.
 /// @throws InvalidArgument as scan_periodogram, or for last < first.
-[[nodiscard]] ScanKernel scan_kernel(const ScanShape& shape, Index first_node, Index last_node, parallel::Threads threads = {});
+[[nodiscard]] ScanKernel scan_kernel(const ScanShape& shape, Index first_node, Index last_node,
+                                     parallel::Threads threads = {});
 
 }  // namespace setae::spectral_fit

@@ -17,7 +17,8 @@ struct TipSimulation {
     bool radius_response = true;     ///< whether ∂ ln T/∂ ln R is wanted; else it is 0
     double skewness = 0.0;           ///< of the surface's heights, log-normal; 0: Gaussian
     bool skewness_response = false;  ///< whether ∂ ln T/∂ skewness is wanted; else it is 0
-    double correlation_length = 0.0; ///< of the heights [m]: lines that far apart count as independent in the smoothing
+    double correlation_length =
+        0.0;  ///< of the heights [m]: lines that far apart count as independent in the smoothing
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
@@ -33,22 +34,25 @@ struct TipResponse {
     Array1D amplitude_response;  ///< ∂ ln T/∂ ln A for C_iso ∝ A
     Array1D radius_response;     ///< ∂ ln T/∂ ln R
     Array1D skewness_response;   ///< ∂ ln T/∂ skewness
-    Array2D simulation_errors;   ///< a row a repetition: how its ln T departs from the mean, over √(n(n − 1)); the outer products of its rows
-                                 ///< sum up to the covariance of ln T that the simulation leaves. None for one repetition.
+    Array2D simulation_errors;  ///< a row a repetition: how its ln T departs from the mean, over √(n(n − 1)); the outer
+                                ///< products of its rows sum up to the covariance of ln T that the simulation leaves.
+                                ///< None for one repetition.
 };
 
-/// Simulates the tip on periodic random patches of the given spectrum, their heights transformed to the skewness asked for: 2-D dilation, read along x, the same surface with and
-/// without tip. T is constant below the lowest and above the highest bin. Same random numbers for every spectrum, so that T
-/// changes smoothly with it.
+/// Simulates the tip on periodic random patches of the given spectrum, their heights transformed to the skewness asked
+/// for: 2-D dilation, read along x, the same surface with and without tip. T is constant below the lowest and above the
+/// highest bin. Same random numbers for every spectrum, so that T changes smoothly with it.
 /// @throws InvalidArgument for a radius, step or correlation length that is not positive, or a spectrum without power.
 /// Source: dilation, Villarrubia 1997; its use as a transfer factor derived here.
 [[nodiscard]] TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation);
 
-/// T alone, on a spectrum changed a little since `before` was simulated with the same step; the derivatives stay those of `before`.
-[[nodiscard]] TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, const TipResponse& before);
+/// T alone, on a spectrum changed a little since `before` was simulated with the same step; the derivatives stay those
+/// of `before`.
+[[nodiscard]] TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation,
+                                       const TipResponse& before);
 
-/// Skewness of heights as a tip reads them, less that of the same heights: a ball rests on peaks. One patch, four times as wide as those
-/// of tip_response() and as much coarser, since a skewness needs many of the longest waves.
+/// Skewness of heights as a tip reads them, less that of the same heights: a ball rests on peaks. One patch, four times
+/// as wide as those of tip_response() and as much coarser, since a skewness needs many of the longest waves.
 /// @throws as tip_response.
 [[nodiscard]] double added_skewness(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation);
 
@@ -59,7 +63,7 @@ struct SampledResponse {
     Array1D log_transfer, amplitude_response, radius_response, skewness_response;
     Array2D simulation_errors;  ///< a row a repetition
 };
-[[nodiscard]] SampledResponse sampled(const TipResponse& response, const spectra::SpectralDensity& C1D, double pixel_size,
-                                      const ArrayView1D& wavevectors);
+[[nodiscard]] SampledResponse sampled(const TipResponse& response, const spectra::SpectralDensity& C1D,
+                                      double pixel_size, const ArrayView1D& wavevectors);
 
 }  // namespace setae::spectral_fit

@@ -10,27 +10,29 @@ namespace setae::spectral_fit {
 
 /// Periodograms that share one expectation: measurements of one shape by one instrument, averaged.
 struct PeriodogramClass {
-    std::string instrument;      ///< type
-    std::string name;            ///< how messages call it
-    Array1D wavevector;          ///< of each group of modes [1/m]
-    Array1D periodogram;         ///< mean over measurements [m³]
-    Array1D freedom;             ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
-    Array1D nodes;               ///< q_j the response refers to [1/m]
-    Array2D response;            ///< E[P] = response · C_iso(nodes), the flat part below the first node included
-    Array1D noise_response;      ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as stated; empty where none is fitted
-    double noise_known_to = 0.0; ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes of an instrument; 0: found from the periodogram
-    Array1D log_transfer;        ///< ln T of the tip, 0 without
-    Array1D amplitude_response;  ///< ∂ ln T/∂ ln A, A the amplitude below
-    double amplitude_order = 1.0;       ///< A = ∫_0^{amplitude_end} q^order C_iso dq
-    double amplitude_end = 0.0;         ///< [1/m]
-    double reference_amplitude = 0.0;   ///< A that log_transfer was simulated at; 0: T does not respond
+    std::string instrument;  ///< type
+    std::string name;        ///< how messages call it
+    Array1D wavevector;      ///< of each group of modes [1/m]
+    Array1D periodogram;     ///< mean over measurements [m³]
+    Array1D freedom;   ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
+    Array1D nodes;     ///< q_j the response refers to [1/m]
+    Array2D response;  ///< E[P] = response · C_iso(nodes), the flat part below the first node included
+    Array1D noise_response;       ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as
+                                  ///< stated; empty where none is fitted
+    double noise_known_to = 0.0;  ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes
+                                  ///< of an instrument; 0: found from the periodogram
+    Array1D log_transfer;              ///< ln T of the tip, 0 without
+    Array1D amplitude_response;        ///< ∂ ln T/∂ ln A, A the amplitude below
+    double amplitude_order = 1.0;      ///< A = ∫_0^{amplitude_end} q^order C_iso dq
+    double amplitude_end = 0.0;        ///< [1/m]
+    double reference_amplitude = 0.0;  ///< A that log_transfer was simulated at; 0: T does not respond
 };
 
 /// How smooth ln C_iso is taken to be.
 struct Smoothness {
-    double bend = 0.25;          ///< standard deviation of the second difference of coefficients (0.1 decade)
-    double slope = 0.5;          ///< of the first difference, below `slope_end` alone
-    double slope_end = 0.0;      ///< [1/m]
+    double bend = 0.25;      ///< standard deviation of the second difference of coefficients (0.1 decade)
+    double slope = 0.5;      ///< of the first difference, below `slope_end` alone
+    double slope_end = 0.0;  ///< [1/m]
 };
 
 /// A fitted spectrum.
@@ -38,7 +40,7 @@ struct WhittleFit {
     Eigen::VectorXd theta;       ///< coefficients of ln C_iso
     Array1D log_noise;           ///< ln σ² of each class, in the unit of its noise_response; NaN where none
     Eigen::MatrixXd covariance;  ///< of theta, with the tip's response
-    Eigen::MatrixXd gain;        ///< ∂theta/∂score: how theta answers to a change Jᵀν δ(ln E) of what is expected
+    Eigen::MatrixXd gain;  ///< ∂theta/∂score: how theta answers to a change Jᵀν δ(ln E) of what is expected
     std::vector<Eigen::MatrixXd> jacobian;  ///< ∂ ln E/∂theta of each class at fixed T
     std::vector<Array1D> expected;          ///< E[P] of each class
     double log_likelihood = 0.0;
@@ -46,13 +48,15 @@ struct WhittleFit {
     bool converged = false;
 };
 
-/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = T K C_iso + σ² N,  by Fisher scoring with a step limit.
+/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = T K C_iso + σ² N,  by Fisher scoring with a step
+/// limit.
 ///
-/// T answers to the fit's own amplitude, ln T = ln T_0 + s (ln A − ln A_0), in E and in the step, so that few simulations of the
-/// tip suffice. Covariance: H1⁻¹ (J₀ᵀνJ₀ + Q) H1⁻ᵀ, H1 = J₀ᵀν(J₀ + J_T) + Q.
-/// start: theta to begin with; empty: from the periodograms.
+/// T answers to the fit's own amplitude, ln T = ln T_0 + s (ln A − ln A_0), in E and in the step, so that few
+/// simulations of the tip suffice. Covariance: H1⁻¹ (J₀ᵀνJ₀ + Q) H1⁻ᵀ, H1 = J₀ᵀν(J₀ + J_T) + Q. start: theta to begin
+/// with; empty: from the periodograms.
 /// @throws InvalidArgument where no class has a value to fit.
-/// Source: Whittle likelihood of expected periodograms, Sykulski et al., Biometrika 106 (2019) 251; response of T derived here.
+/// Source: Whittle likelihood of expected periodograms, Sykulski et al., Biometrika 106 (2019) 251; response of T
+/// derived here.
 [[nodiscard]] WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
                                      const Smoothness& smoothness, const Eigen::VectorXd& start = {});
 
@@ -61,6 +65,7 @@ struct SplineMoment {
     double value = 0.0;
     Eigen::VectorXd gradient;
 };
-[[nodiscard]] SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order, double end);
+[[nodiscard]] SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order,
+                                         double end);
 
 }  // namespace setae::spectral_fit

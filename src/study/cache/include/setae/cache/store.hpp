@@ -27,9 +27,9 @@ struct Content {
 
 /// Results on disk, each under a key that says what it was computed from.
 ///
-/// An entry is written to a temporary name and renamed, so that a process may end at any moment; it holds the version that
-/// wrote it and the SHA-256 of its content, and is given back only where both are right. Many threads and processes may use one
-/// folder. A store never fails: what cannot be read or written is computed, and counted.
+/// An entry is written to a temporary name and renamed, so that a process may end at any moment; it holds the version
+/// that wrote it and the SHA-256 of its content, and is given back only where both are right. Many threads and
+/// processes may use one folder. A store never fails: what cannot be read or written is computed, and counted.
 class Store {
 public:
     /// Keeps nothing and finds nothing.
@@ -46,7 +46,8 @@ public:
     void keep(const std::string& key, std::string_view content) const;
     [[nodiscard]] Traffic traffic() const;
     [[nodiscard]] Content content() const;
-    /// Removes every entry, or those of other versions alone, and what interrupted writers left. Returns what was removed.
+    /// Removes every entry, or those of other versions alone, and what interrupted writers left. Returns what was
+    /// removed.
     Content remove(bool of_other_versions_alone = false) const;
 
 private:
@@ -57,8 +58,8 @@ private:
     mutable Counters counters_;
 };
 
-/// Where results are kept without another wish: $SETAE_CACHE, else $XDG_CACHE_HOME/setae, else $HOME/.cache/setae; empty where none
-/// of them is set.
+/// Where results are kept without another wish: $SETAE_CACHE, else $XDG_CACHE_HOME/setae, else $HOME/.cache/setae;
+/// empty where none of them is set.
 [[nodiscard]] std::string default_folder();
 
 }  // namespace setae::cache
