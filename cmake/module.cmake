@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# setae_module(name LINKS targets... PRIVATE targets... TEST_LINKS targets...)
+# setae_module(name [QUICK] LINKS targets... PRIVATE targets... TEST_LINKS targets...)
 #
 # A module is one folder and one library setae::<name>. Its sources are the *.cpp beside CMakeLists.txt and in its rooms, the folders
-# beside it without a CMakeLists.txt of their own. include/ holds what users of the library may name, internal/ what other modules may,
+# beside it without a CMakeLists.txt of their own. QUICK: it calls what computes and computes nothing itself. include/ holds what users of the library may name, internal/ what other modules may,
 # headers beside sources are the module's own.
 # Tests are tests/**/*_test.cpp, in one program a folder of src (label "unit"); files named *_property_test.cpp go into one program of
 # all modules (label "property"). Benchmarks are benchmarks/*_bench.cpp.
@@ -38,7 +38,7 @@ function(setae_rooms result)
 endfunction()
 
 function(setae_module name)
-  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE;TEST_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "" "LINKS;PRIVATE;TEST_LINKS" ${ARGN})
   set(here ${CMAKE_CURRENT_SOURCE_DIR})
   setae_rooms(rooms)
   list(TRANSFORM rooms APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
@@ -53,8 +53,13 @@ function(setae_module name)
   target_include_directories(setae_${name} PRIVATE ${here})
   target_link_libraries(setae_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
   setae_compile_options(setae_${name})
-  if(TARGET setae_precompiled AND "fmt::fmt" IN_LIST ARG_PRIVATE)
-    target_precompile_headers(setae_${name} REUSE_FROM setae_precompiled)
+  set(precompiled setae_precompiled)
+  if(ARG_QUICK)
+    setae_compile_quickly(setae_${name})
+    set(precompiled setae_precompiled_quick)
+  endif()
+  if(TARGET ${precompiled} AND "fmt::fmt" IN_LIST ARG_PRIVATE)
+    target_precompile_headers(setae_${name} REUSE_FROM ${precompiled})
   endif()
   install(TARGETS setae_${name} EXPORT setae ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
