@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "../../src/output/report/tests/pages.hpp"
+#include "pages.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/report/report.hpp"
 

@@ -242,16 +242,17 @@ def check_print(page, path, output):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("pages", "chromium", "cache", "output"):
+    for name in ("pages", "cache", "output"):
         parser.add_argument("--" + name, required=True)
     options = parser.parse_args()
-    if not options.chromium or options.chromium.endswith("NOTFOUND") or not shutil.which(options.chromium):
+    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    if not chromium:
         print("skipped: no Chromium; apt-get install chromium")
         return 77
     subprocess.run([options.pages, options.output], check=True)
     path = lambda name: os.path.join(options.output, name + ".html")  # noqa: E731
     axe = axe_source(options.cache)
-    page = Browser(options.chromium)
+    page = Browser(chromium)
     try:
         for name in ("published", "hostile", "many", "empty"):
             seconds = page.open(path(name))

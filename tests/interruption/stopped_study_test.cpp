@@ -78,7 +78,7 @@ protected:
         study = variable("SETAE_STUDY", (folder / "data/study.toml").string());
         if (!std::getenv("SETAE_STUDY")) {
             ASSERT_EQ(status_of(started(
-                          {"lab", "make", "tests/cli/lab_make_and_study/recipe.toml", "-o", (folder / "data").string()},
+                          {"lab", "make", "tests/cli/lab/lab_make_and_study/recipe.toml", "-o", (folder / "data").string()},
                           log())),
                       0);
         }

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "bootstrap_intervals.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/resampling.hpp"
@@ -118,12 +119,12 @@ TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
     std::vector<double> replicas;
     for (int i = -500; i < 500; ++i) replicas.push_back(i + 0.5);
     const std::vector<LeaveOneOut> symmetric{{-1.0, 0.0, 1.0}};
-    const auto bca = bca_interval(0.0, replicas, symmetric), percentile = percentile_interval(replicas);
+    const auto bca = tests::bca_interval(0.0, replicas, symmetric), percentile = percentile_interval(replicas);
     EXPECT_NEAR(bca.lower, percentile.lower, 1e-9);
     EXPECT_NEAR(bca.upper, percentile.upper, 1e-9);
     // members whose absence lowers the value more than others' raises it: influence skewed upwards, interval moved
     // upwards
-    const auto skewed = bca_interval(0.0, replicas, std::vector<LeaveOneOut>{{-2.0, 1.0, 1.0}});
+    const auto skewed = tests::bca_interval(0.0, replicas, std::vector<LeaveOneOut>{{-2.0, 1.0, 1.0}});
     EXPECT_GT(skewed.upper, bca.upper);
     EXPECT_GT(skewed.lower, bca.lower);
     EXPECT_THROW((void)percentile_interval({1.0}), InvalidArgument);
@@ -132,10 +133,10 @@ TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
 TEST(BootstrapTInterval, TurnsTheQuantilesOfTheStudentisedRound) {
     const std::vector<double> replicas{0.0, 1.0, 2.0, 5.0}, errors{1.0, 1.0, 1.0, 1.0};
     // studentised −1, 0, 1, 4 about 1 with SE 2: from 1 − 2·4 to 1 + 2·1
-    const auto interval = bootstrap_t_interval({1.0, 2.0}, replicas, errors, 1.0 - 1e-12);
+    const auto interval = tests::bootstrap_t_interval({1.0, 2.0}, replicas, errors, 1.0 - 1e-12);
     EXPECT_NEAR(interval.lower, -7.0, 1e-6);
     EXPECT_NEAR(interval.upper, 3.0, 1e-6);
-    EXPECT_THROW((void)bootstrap_t_interval({1.0, 2.0}, replicas, {}, 0.95), InvalidArgument);
+    EXPECT_THROW((void)tests::bootstrap_t_interval({1.0, 2.0}, replicas, {}, 0.95), InvalidArgument);
 }
 
 TEST(Estimate, MakesItsIntervalFromItsFreedom) {

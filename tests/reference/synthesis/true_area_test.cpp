@@ -38,8 +38,8 @@ TEST_P(TrueAreaOfSelfAffineMaps, IsThatOfGaussianSlopes) {
     EXPECT_LT(worst_deviation(1024, GetParam(), {0.01, 0.3, 1.0, 3.0, 10.0}), 0.01);
 }
 
-TEST_P(TrueAreaOfSelfAffineMaps, DISABLED_Of4096PointsIsThatOfGaussianSlopes) {
-    EXPECT_LT(worst_deviation(4096, GetParam(), {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}), 0.01);
+TEST_P(TrueAreaOfSelfAffineMaps, Of4096PointsIsThatOfGaussianSlopes) {
+    EXPECT_LT(worst_deviation(4096, GetParam(), {0.01, 1.0, 10.0}), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(HurstExponents, TrueAreaOfSelfAffineMaps, testing::Values(0.3, 0.8));
