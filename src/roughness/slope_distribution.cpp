@@ -83,33 +83,85 @@ DirectionalSlope directional(double angle, const Blocks& blocks) {
 
 std::size_t block_of(Index i, Index n) { return static_cast<std::size_t>(i * block_count / n); }
 
-struct Slopes {
-    std::vector<DirectionalSlope> directions;
-    std::vector<double> along_x;
+constexpr int histogram_bins = 40;
+constexpr double histogram_range = 5.0;  // in rms
+constexpr double bin_width = 2.0 * histogram_range / histogram_bins;
+
+/// How many slopes lie in which bin about their mean, in units of their rms.
+struct Histogram {
+    double mean, rms;
+    std::array<Index, histogram_bins> counts{};
+
+    void add(double slope) {
+        const double bin = (slope - mean) * (1.0 / (rms * bin_width)) + histogram_range / bin_width;
+        if (bin >= 0.0 && bin < histogram_bins) ++counts[static_cast<std::size_t>(bin)];
+    }
 };
 
-Slopes slopes_of(const topography::HeightMap& map) {
-    const auto nx = map.heights.rows(), ny = map.heights.cols();
+struct Slopes {
+    std::vector<DirectionalSlope> directions;
+    Index defined = 0;  ///< along x
+    std::array<Index, histogram_bins> counts{};
+};
+
+/// Power sums of a map's slopes over the cells [i, end_i) × [j, end_j), along x, y and both diagonals side by side.
+std::array<PowerSums, 4> tile_sums(const topography::HeightMap& map, Index begin_i, Index end_i, Index begin_j,
+                                   Index end_j) {
     const auto [dx, dy] = map.pixel_size();
     const double diagonal = std::hypot(dx, dy);
-    Blocks x{}, y{}, up{}, down{};
-    Slopes slopes;
-    slopes.along_x.reserve(static_cast<std::size_t>(map.heights.size()));
-    const auto& h = map.heights;
-    for (Index i = 0; i + 1 < nx; ++i)
-        for (Index j = 0; j + 1 < ny; ++j) {
-            // blocks are tiles of a 4 × 4 partition: neighbours in both directions stay together
-            const auto block = static_cast<std::size_t>((i * 4 / nx) * 4 + j * 4 / ny);
-            const double along_x = (h(i + 1, j) - h(i, j)) / dx;
-            if (along_x == along_x) slopes.along_x.push_back(along_x);
-            x[block].add(along_x, 1.0);
-            y[block].add((h(i, j + 1) - h(i, j)) / dy, 1.0);
-            up[block].add((h(i + 1, j + 1) - h(i, j)) / diagonal, 1.0);
-            down[block].add((h(i + 1, j) - h(i, j + 1)) / diagonal, 1.0);
+    const Index ny = map.heights.cols();
+    double sums[5][4] = {};
+    for (Index i = begin_i; i < end_i; ++i) {
+        const double *lower = map.heights.data() + i * ny, *upper = lower + ny;
+        for (Index j = begin_j; j < end_j; ++j) {
+            const double slopes[4] = {(upper[j] - lower[j]) / dx, (lower[j + 1] - lower[j]) / dy,
+                                      (upper[j + 1] - lower[j]) / diagonal, (upper[j] - lower[j + 1]) / diagonal};
+            for (int direction = 0; direction < 4; ++direction) {
+                const bool defined = slopes[direction] == slopes[direction];
+                const double slope = defined ? slopes[direction] : 0.0;
+                double power = defined ? 1.0 : 0.0;
+                for (auto& sum : sums) {
+                    sum[direction] += power;
+                    power *= slope;
+                }
+            }
         }
+    }
+    std::array<PowerSums, 4> result;
+    for (std::size_t direction = 0; direction < 4; ++direction)
+        for (std::size_t k = 0; k < 5; ++k) result[direction].s[k] = sums[k][direction];
+    return result;
+}
+
+/// Blocks are tiles of a 4 × 4 partition: neighbours in both directions stay together.
+Slopes slopes_of(const topography::HeightMap& map, parallel::Threads threads) {
+    constexpr Index tiles = 4;
+    const auto nx = map.heights.rows(), ny = map.heights.cols();
+    const auto [dx, dy] = map.pixel_size();
+    const auto edge = [](Index tile, Index n) { return std::min((tile * n + tiles - 1) / tiles, n - 1); };
+    std::array<Blocks, 4> blocks{};
+    parallel::for_each_index(block_count, threads, [&](std::size_t block) {
+        const Index row = static_cast<Index>(block) / tiles, column = static_cast<Index>(block) % tiles;
+        const auto sums = tile_sums(map, edge(row, nx), edge(row + 1, nx), edge(column, ny), edge(column + 1, ny));
+        for (std::size_t direction = 0; direction < 4; ++direction) blocks[direction][block] = sums[direction];
+    });
     const double tilt = std::atan2(dy, dx);
-    slopes.directions = {directional(0.0, x), directional(0.5 * pi, y), directional(tilt, up),
-                         directional(-tilt, down)};
+    Slopes slopes;
+    slopes.directions = {directional(0.0, blocks[0]), directional(0.5 * pi, blocks[1]), directional(tilt, blocks[2]),
+                         directional(-tilt, blocks[3])};
+    PowerSums along_x;
+    for (const auto& block : blocks[0]) along_x += block;
+    slopes.defined = static_cast<Index>(along_x.s[0]);
+    std::array<Histogram, block_count> histograms;
+    histograms.fill({along_x.s[1] / along_x.s[0], slopes.directions.front().rms});
+    parallel::for_each_index(block_count, threads, [&, step = dx](std::size_t block) {
+        const Index part = static_cast<Index>(block);
+        for (Index i = part * (nx - 1) / block_count; i < (part + 1) * (nx - 1) / block_count; ++i)
+            for (Index j = 0; j + 1 < ny; ++j)
+                histograms[block].add((map.heights(i + 1, j) - map.heights(i, j)) / step);
+    });
+    for (const auto& histogram : histograms)
+        for (std::size_t bin = 0; bin < slopes.counts.size(); ++bin) slopes.counts[bin] += histogram.counts[bin];
     return slopes;
 }
 
@@ -117,40 +169,39 @@ Slopes slopes_of(const topography::HeightMap& map) {
 template <class Step, class Rise>
 Slopes slopes_along_line(Index n, Step step, Rise rise) {
     Blocks blocks{};
-    Slopes slopes;
+    std::vector<double> defined;
     for (Index i = 0; i < n; ++i) {
         const double slope = rise(i) / step(i);
         blocks[block_of(i, n)].add(slope, step(i));
-        if (slope == slope) slopes.along_x.push_back(slope);
+        if (slope == slope) defined.push_back(slope);
     }
-    slopes.directions = {directional(0.0, blocks)};
+    Slopes slopes{{directional(0.0, blocks)}, std::ssize(defined)};
+    Histogram histogram{0.0, slopes.directions.front().rms};
+    for (const double slope : defined) histogram.mean += slope / static_cast<double>(defined.size());
+    for (const double slope : defined) histogram.add(slope);
+    slopes.counts = histogram.counts;
     return slopes;
 }
 
-Slopes slopes_of(const topography::LineScan& scan) {
+Slopes slopes_of(const topography::LineScan& scan, parallel::Threads) {
     const auto& h = scan.heights;
     return slopes_along_line(
         h.size() - 1, [step = scan.pixel_size()](Index) { return step; }, [&](Index i) { return h[i + 1] - h[i]; });
 }
 
-Slopes slopes_of(const topography::Profile& profile) {
+Slopes slopes_of(const topography::Profile& profile, parallel::Threads) {
     const auto &x = profile.positions, &h = profile.heights;
     return slopes_along_line(
         x.size() - 1, [&](Index i) { return x[i + 1] - x[i]; }, [&](Index i) { return h[i + 1] - h[i]; });
 }
 
-void fill_histogram(SlopeDistribution& distribution, const std::vector<double>& slopes, double rms) {
-    constexpr int bins = 40;
-    constexpr double range = 5.0;  // in rms
-    constexpr double width = 2.0 * range / bins;
-    double mean = 0.0;
-    for (const double s : slopes) mean += s / static_cast<double>(slopes.size());
-    distribution.slope = Array1D::LinSpaced(bins, -range + 0.5 * width, range - 0.5 * width);
-    distribution.density = Array1D::Zero(bins);
-    for (const double s : slopes) {
-        const auto bin = static_cast<Index>(std::floor(((s - mean) / rms + range) / width));
-        if (bin >= 0 && bin < bins) distribution.density[bin] += 1.0 / (static_cast<double>(slopes.size()) * width);
-    }
+void fill_histogram(SlopeDistribution& distribution, const Slopes& slopes) {
+    distribution.slope =
+        Array1D::LinSpaced(histogram_bins, -histogram_range + 0.5 * bin_width, histogram_range - 0.5 * bin_width);
+    distribution.density.resize(histogram_bins);
+    for (Index bin = 0; bin < histogram_bins; ++bin)
+        distribution.density[bin] = static_cast<double>(slopes.counts[static_cast<std::size_t>(bin)]) /
+                                    (static_cast<double>(slopes.defined) * bin_width);
 }
 
 double chi_squared_p_value(double chi2, int degrees_of_freedom) {
@@ -223,15 +274,14 @@ void add_alerts(SlopeDistribution& distribution, const std::string& subject) {
 
 }  // namespace
 
-SlopeDistribution slope_distribution(const topography::Measurement& measurement) {
-    const auto slopes = std::visit([](const auto& m) { return slopes_of(m); }, measurement);
+SlopeDistribution slope_distribution(const topography::Measurement& measurement, parallel::Threads threads) {
+    const auto slopes = std::visit([threads](const auto& m) { return slopes_of(m, threads); }, measurement);
     const auto& subject = topography::metadata(measurement).file;
-    if (slopes.along_x.size() < 32)
-        throw UndefinedDataError(
-            fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.along_x.size()));
+    if (slopes.defined < 32)
+        throw UndefinedDataError(fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.defined));
     SlopeDistribution distribution;
     distribution.directions = slopes.directions;
-    fill_histogram(distribution, slopes.along_x, slopes.directions.front().rms);
+    fill_histogram(distribution, slopes);
     distribution.gaussian_p_value = gaussian_p_value(slopes.directions);
     const bool map = slopes.directions.size() > 1;
     distribution.isotropy_ratio = map ? isotropy_ratio(slopes.directions) : undefined;

@@ -42,27 +42,40 @@ TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::T
     struct Sums {
         double area = 0.0, slope2 = 0.0, triangles = 0.0;
     };
-    const auto nx = map.heights.rows(), ny = map.heights.cols();
+    const Index nx = map.heights.rows(), ny = map.heights.cols();
     const auto [dx, dy] = map.pixel_size();
     const auto rows = static_cast<std::size_t>(map.periodic ? nx : nx - 1);
-    const auto columns = map.periodic ? ny : ny - 1;
+    const Index columns = map.periodic ? ny : ny - 1;
     std::vector<Sums> partial(rows);
-    parallel::for_each_index(rows, threads, [&](std::size_t i) {
-        const double* lower = map.heights.data() + static_cast<Index>(i) * ny;
-        const double* upper = map.heights.data() + ((static_cast<Index>(i) + 1) % nx) * ny;
+    parallel::for_each_index(rows, threads, [&, dx = dx, dy = dy](std::size_t i) {
+        using Row = Eigen::Map<const Array1D>;
+        const Row lower(map.heights.data() + static_cast<Index>(i) * ny, ny),
+            upper(map.heights.data() + ((static_cast<Index>(i) + 1) % nx) * ny, ny);
+        // squares of the slopes along x, and along y on either side of the cells
+        thread_local Array1D x2, lower2, upper2, area, slope2;
+        const auto along_y = [&, dy](const Row& row, Array1D& squares) {
+            squares.resize(ny);
+            squares.head(ny - 1) = ((row.tail(ny - 1) - row.head(ny - 1)) / dy).square();
+            const double round = (row[0] - row[ny - 1]) / dy;
+            squares[ny - 1] = round * round;
+        };
+        x2.resize(ny + 1);
+        x2.head(ny) = ((upper - lower) / dx).square();
+        x2[ny] = x2[0];
+        along_y(lower, lower2);
+        along_y(upper, upper2);
+        // both triangulations of the cell: each pairs one slope along x with one along y
+        const auto x0 = x2.head(columns), x1 = x2.segment(1, columns), y0 = lower2.head(columns),
+                   y1 = upper2.head(columns);
+        area =
+            (1.0 + (x0 + y0)).sqrt() + (1.0 + (x1 + y1)).sqrt() + (1.0 + (x0 + y1)).sqrt() + (1.0 + (x1 + y0)).sqrt();
+        slope2 = (x0 + y0) + (x1 + y1) + (x0 + y1) + (x1 + y0);
         Sums sums;
         for (Index j = 0; j < columns; ++j) {
-            const auto next = j + 1 == ny ? 0 : j + 1;
-            const double a = lower[j], b = upper[j], c = lower[next], d = upper[next];
-            // both triangulations of the cell: each pairs one slope along x with one along y
-            const double x0 = (b - a) / dx, x1 = (d - c) / dx, y0 = (c - a) / dy, y1 = (d - b) / dy;
-            const double s00 = x0 * x0 + y0 * y0, s11 = x1 * x1 + y1 * y1, s01 = x0 * x0 + y1 * y1,
-                         s10 = x1 * x1 + y0 * y0;
-            const double slope2 = s00 + s11 + s01 + s10;
-            if (slope2 != slope2) continue;
-            sums.area += std::sqrt(1.0 + s00) + std::sqrt(1.0 + s11) + std::sqrt(1.0 + s01) + std::sqrt(1.0 + s10);
-            sums.slope2 += slope2;
-            sums.triangles += 4.0;
+            const bool defined = slope2[j] == slope2[j];
+            sums.area += defined ? area[j] : 0.0;
+            sums.slope2 += defined ? slope2[j] : 0.0;
+            sums.triangles += defined ? 4.0 : 0.0;
         }
         partial[i] = sums;
     });

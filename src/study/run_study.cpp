@@ -49,7 +49,7 @@ std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parall
     const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
     parallel::for_each_index(results.size(), {std::max(1, at_once)}, [&](std::size_t i) {
         run.stop_if_cancelled();
-        results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside);
+        results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside).surface;
     });
     return results;
 }
@@ -172,6 +172,22 @@ StudyResult with_averages(StudyResult result) {
     return result;
 }
 
+/// What follows from a study's surfaces and loops.
+StudyResult concluded(StudyResult result) {
+    for (const auto& input : result.study.elastomers) {
+        ElastomerResult elastomer;
+        elastomer.input = input;
+        set_modulus(elastomer, result);
+        if (result.study.loop_models.shared()) elastomer.shared_fit = share(result, elastomer.input.name);
+        check_plausibility(elastomer);
+        result.elastomers.push_back(std::move(elastomer));
+    }
+    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                                         [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
+    if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
+    return related(std::move(result));
+}
+
 }  // namespace
 
 int StudyResult::failures() const {
@@ -202,6 +218,13 @@ const ElastomerResult& StudyResult::elastomer(const std::string& name) const {
     throw InternalError(fmt::format("elastomer '{}' is not in the study", name));
 }
 
+StudyResult predicted_study(Study study, SurfaceResult surface) {
+    StudyResult result;
+    result.study = std::move(study);
+    result.surfaces.push_back(std::move(surface));
+    return concluded(std::move(result));
+}
+
 StudyResult run_study(Study study, const RunOptions& options) {
     StudyResult result;
     result.study = std::move(study);
@@ -219,18 +242,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
         if (!run.cancelled()) result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs, run);
     });
     run.stop_if_cancelled();
-    for (const auto& input : inputs.elastomers) {
-        ElastomerResult elastomer;
-        elastomer.input = input;
-        set_modulus(elastomer, result);
-        if (result.study.loop_models.shared()) elastomer.shared_fit = share(result, elastomer.input.name);
-        check_plausibility(elastomer);
-        result.elastomers.push_back(std::move(elastomer));
-    }
-    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
-                                         [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
-    if (likelihoods) result.by_average = std::make_shared<const StudyResult>(related(with_averages(result)));
-    return related(std::move(result));
+    return concluded(std::move(result));
 }
 
 std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options) {

@@ -59,6 +59,7 @@ void require_extent(double size, Index points, const char* direction, const Meta
 
 template <class Heights>
 void require_heights(const Heights& heights, const Metadata& metadata) {
+    if ((heights - heights).sum() == 0.0) return;  // all are finite
     if (heights.isInf().any())
         throw InvalidArgument(fmt::format("{}: a height is infinite; write undefined heights as NaN", label(metadata)));
     if (heights.isNaN().all())

@@ -35,7 +35,6 @@ struct Arguments {
 study::Study study_of(const Arguments& arguments) {
     study::Study study;
     study.analysis = arguments.surface.analysis();
-    study.surfaces = {arguments.surface.surface()};
     study.counter_youngs_modulus = arguments.rough_modulus.empty()
                                        ? std::numeric_limits<double>::infinity()
                                        : parse_quantity(arguments.rough_modulus, dimension::pressure);
@@ -51,7 +50,8 @@ study::Study study_of(const Arguments& arguments) {
 }
 
 /// Stored energy by the routes the prediction does not use: Eq. (11), and for one map its own transform.
-void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& result, parallel::Threads threads) {
+void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& result,
+                      const std::optional<topography::HeightMap>& map, parallel::Threads threads) {
     const double modulus = result.elastomers.front().contact_modulus.value;
     const auto& options = result.study.analysis;
     const auto add = [&](const char* name, double energy, const char* source) {
@@ -66,22 +66,22 @@ void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& res
     const auto& p = result.surfaces.front().used().parameters;
     add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope),
         "E* h_rms h'_rms/4, no spectrum with these two stores more");
-    const auto map = single_map(result.study.surfaces.front(), result.study.analysis);
     if (!map) return;
-    const auto curve = roughness::limited(isotropic_curve(*map, options, threads), options.limits);
+    const auto curve = roughness::limited(study::isotropic_curve(*map, options, threads), options.limits);
     add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");
     add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads),
         "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
 }
 
-std::vector<Quantity> quantities(const study::StudyResult& result, parallel::Threads threads) {
+std::vector<Quantity> quantities(const study::StudyResult& result, const std::optional<topography::HeightMap>& map,
+                                 parallel::Threads threads) {
     using output::quantity;
     const auto& pair = result.pairs.front();
     const auto& surface = result.surfaces.front();
     auto list = output::surface_quantities(surface, surface.used(), result.study.analysis.conversion);
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
-    add_other_routes(list, result, threads);
+    add_other_routes(list, result, map, threads);
     const auto predicted = [&](const char* name, const std::optional<study::PredictedWork>& work, const char* source) {
         auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", work->estimate, "J/m2");
         raw.source = source;
@@ -98,20 +98,25 @@ std::vector<Quantity> quantities(const study::StudyResult& result, parallel::Thr
 ExitCode run(const Arguments& arguments) {
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
-    const auto result = study::run_study(study_of(arguments), {arguments.common.workers()});
-    const auto code = report_failures(result.surfaces.front());
+    const auto study = study_of(arguments);
+    const auto threads = arguments.common.workers();
+    auto [surface, map] = study::analyse_surface(arguments.surface.surface(), study.analysis,
+                                                 {.previews = false, .parameters = false, .map = true}, threads);
+    const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
+    const auto result = study::predicted_study(study, std::move(surface));
+    const auto list = quantities(result, map, threads);
     const auto& pair = result.pairs.front();
     auto alerts = alerts_of(result.surfaces.front());
     alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
     if (!arguments.common.json) {
-        for (const auto& q : quantities(result, arguments.common.workers())) print(as_line(q));
+        for (const auto& q : list) print(as_line(q));
         print(fmt::format("conforms: {}\n", pair.modified->work.conforms ? "yes by (7)" : "no by (7)"));
         show(alerts);
         return code;
     }
     output::Json json;
-    for (const auto& q : quantities(result, arguments.common.workers())) json[q.quantity] = output::to_json(q);
+    for (const auto& q : list) json[q.quantity] = output::to_json(q);
     json["conforms"] = pair.modified->work.conforms;
     const auto& scales = *pair.scales;
     json["scales"] = {

@@ -92,7 +92,8 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) return write_page(arguments.documentation);
     if (arguments.texture.asked()) return run_standard(arguments);
     const auto options = arguments.surface.analysis();
-    const auto surface = study::analyse_surface(arguments.surface.surface(), options, arguments.common.workers());
+    const auto [surface, map] =
+        study::analyse_surface(arguments.surface.surface(), options, {.previews = false}, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     output::Json json = output::Json::array();

@@ -55,13 +55,12 @@ Table spectrum(const study::SurfaceResult& surface, const Arguments& arguments) 
     return table;
 }
 
-void add_isotropic(Table& table, const study::SurfaceInput& input, const Arguments& arguments) {
-    const auto options = arguments.surface.analysis();
+void add_isotropic(Table& table, const std::optional<topography::HeightMap>& map, const Arguments& arguments) {
     const auto& q = table.at("wavevector");
-    if (const auto map = single_map(input, options)) {
+    if (map) {
         // its values belong to the mean |q| of each bin; the table has the bins' centres
-        table.columns.push_back(
-            {"C_iso", "m4", roughness::values_at(isotropic_curve(*map, options, arguments.common.workers()), q)});
+        const auto curve = study::isotropic_curve(*map, arguments.surface.analysis(), arguments.common.workers());
+        table.columns.push_back({"C_iso", "m4", roughness::values_at(curve, q)});
         table.metadata["C_iso"] = "radial mean of the two-dimensional transform";
         return;
     }
@@ -102,14 +101,15 @@ output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    const auto input = arguments.surface.surface();
     auto options = arguments.surface.analysis();
     options.bootstrap_resamples = 0;
-    const auto surface = study::analyse_surface(input, options, arguments.common.workers());
+    const study::Wanted wanted{.previews = false, .parameters = false, .map = arguments.isotropic};
+    const auto [surface, map] =
+        study::analyse_surface(arguments.surface.surface(), options, wanted, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     auto table = spectrum(surface, arguments);
-    if (arguments.isotropic) add_isotropic(table, input, arguments);
+    if (arguments.isotropic) add_isotropic(table, map, arguments);
     if (arguments.abel) add_inverse_abel(table, surface);
     std::optional<spectra::SelfAffineFit> fit;
     if (arguments.fit.wanted) {

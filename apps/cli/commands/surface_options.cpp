@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "setae/core/errors.hpp"
-#include "setae/spectra/isotropic.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli {
@@ -71,25 +70,6 @@ study::AnalysisOptions SurfaceOptions::analysis() const {
     options.largest_map = static_cast<std::uint64_t>(memory * static_cast<double>(std::uint64_t{1} << 30));
     options.bootstrap_resamples = resamples;
     return options;
-}
-
-std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input,
-                                                const study::AnalysisOptions& options) {
-    if (input.measurements.size() != 1) return std::nullopt;
-    const auto members = study::measurement_sources(input.measurements.front());
-    if (members.size() != 1 || study::too_large(members.front(), options)) return std::nullopt;
-    const auto prepared = members.front().prepare();
-    const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement);
-    return map ? std::optional(*map) : std::nullopt;
-}
-
-roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const study::AnalysisOptions& options,
-                                         parallel::Threads threads) {
-    spectra::SpectrumOptions spectrum;
-    spectrum.window = options.window;
-    spectrum.threads = threads;
-    const auto iso = spectra::isotropic_power_spectrum(map, spectrum);
-    return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
 }
 
 ExitCode report_failures(const study::SurfaceResult& surface) {

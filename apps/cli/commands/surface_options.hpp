@@ -24,16 +24,6 @@ struct SurfaceOptions {
     [[nodiscard]] study::AnalysisOptions analysis() const;
 };
 
-/// The measurement if it is one single map that may be held in memory: then C_iso and stored energy come from its
-/// transform.
-[[nodiscard]] std::optional<topography::HeightMap> single_map(const study::SurfaceInput& input,
-                                                              const study::AnalysisOptions& options);
-
-/// C_iso of a map by transform.
-[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map,
-                                                       const study::AnalysisOptions& options,
-                                                       parallel::Threads threads);
-
 /// Prints what failed; done, some failed or nothing done.
 [[nodiscard]] ExitCode report_failures(const study::SurfaceResult& surface);
 

@@ -4,30 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "setae/core/constants.hpp"
-
 namespace setae::spectral_fit {
 
 Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors,
-                          const ArrayView1D& signal, Index lines, double pitch) {
+                          const ArrayView1D& signal, Index lines, double pitch, parallel::Threads threads) {
     constexpr Index nodes = 160, lags = 40;
     constexpr double end = 6.0;  // p = q sinh t up to 200 q
     // lags: each by itself at first, then logarithmically, each standing for the lags around it
     Array1D lag(lags + 1);
     for (Index l = 0; l <= lags; ++l)
         lag[l] = std::expm1(std::log1p(static_cast<double>(lines - 1)) * static_cast<double>(l) / lags);
+    Array1D sinh(nodes), cosh(nodes);
+    for (Index i = 0; i < nodes; ++i) {
+        const double t = end * (static_cast<double>(i) + 0.5) / nodes;
+        sinh[i] = std::sinh(t);
+        cosh[i] = std::cosh(t);
+    }
     Array1D result(wavevectors.size());
-    for (Index k = 0; k < wavevectors.size(); ++k) {
-        const double q = wavevectors[k];
-        Array1D p(nodes), weight(nodes);
-        for (Index i = 0; i < nodes; ++i) {
-            const double t = end * (static_cast<double>(i) + 0.5) / nodes;
-            p[i] = q * std::sinh(t);
-            weight[i] = C_iso(q * std::cosh(t)) * std::cosh(t);
-        }
+    parallel::for_each_index(static_cast<std::size_t>(wavevectors.size()), threads, [&](std::size_t index) {
+        const auto k = static_cast<Index>(index);
+        const Array1D p = wavevectors[k] * sinh;
+        const Array1D weight = cosh * (wavevectors[k] * cosh).unaryExpr(C_iso);
         const double total = weight.sum();
+        Index reached = nodes;  // most lie beyond the end of the spectrum
+        while (reached > 0 && weight[reached - 1] == 0.0) --reached;
         const auto squared = [&](double distance) {
-            const double rho = signal[k] * (weight * (p * (distance * pitch)).cos()).sum() / total;
+            const double rho =
+                signal[k] * (weight.head(reached) * (p.head(reached) * (distance * pitch)).cos()).sum() / total;
             return rho * rho;
         };
         // Σ_ij ρ² = N + 2 Σ_l (N − l) ρ²(l), the sum over l by the trapezoidal rule between the chosen lags
@@ -42,7 +45,7 @@ Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView
                (total > 0.0 ? signal[k] * signal[k] : 0.0);  // half of the lag 0 the rule counted, both signs
         result[k] = std::clamp(static_cast<double>(lines) * static_cast<double>(lines) / std::max(sum, 1.0), 1.0,
                                static_cast<double>(lines));
-    }
+    });
     return result;
 }
 

@@ -140,7 +140,7 @@ private:
             if (g.lines > 1) {
                 const double noise = std::exp(fit_.log_noise[static_cast<Index>(c)]);
                 const Array1D signal = (1.0 - g.data.noise_response * noise / fit_.expected[c]).max(0.0).min(1.0);
-                lines = independent_lines(C_iso(), g.data.wavevector, signal, g.lines, g.pitch);
+                lines = independent_lines(C_iso(), g.data.wavevector, signal, g.lines, g.pitch, options_.threads);
             }
             g.data.freedom = freedom(g, lines);
         }

@@ -92,7 +92,7 @@ std::vector<std::vector<SpectralParameters>> parameters_without_each(const spect
 }
 
 /// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
-Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum) {
+Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum, parallel::Threads threads) {
     const Index lines = static_cast<Index>(spectrum.count[0]);
     Array1D independent = Array1D::Ones(spectrum.wavevector.size());
     if (lines > 1) {
@@ -100,17 +100,17 @@ Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum) {
                                                                    std::numeric_limits<double>::infinity());
         independent =
             spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
-                                            Array1D::Ones(independent.size()), lines, spectrum.pitch);
+                                            Array1D::Ones(independent.size()), lines, spectrum.pitch, threads);
     }
     return independent * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
 }
 
 /// What other places of the surface would give, as far as one measurement can say.
 void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum,
-                          const AnalysisOptions& options) {
+                          const AnalysisOptions& options, parallel::Threads threads) {
     auto replica = spectrum;
     const Array2D drawn =
-        spectra::parametric_noise(spectrum, own_freedom(spectrum), options.bootstrap_resamples, options.seed);
+        spectra::parametric_noise(spectrum, own_freedom(spectrum, threads), options.bootstrap_resamples, options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
         replica.C1D = drawn.row(r).transpose();
         spread.replicas.push_back(parameters_of(curve_of(replica), options));
@@ -137,7 +137,8 @@ void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options,
     auto& spread = surface.average.spread;
     const auto members = spectra::binned(found, combination);
     const auto band = curve_of(*surface.combined).band;
-    if (found.size() == 1 && options.bootstrap_resamples > 0) add_parametric_noise(spread, found.front(), options);
+    if (found.size() == 1 && options.bootstrap_resamples > 0)
+        add_parametric_noise(spread, found.front(), options, threads);
     else spread.replicas = resampled_parameters(members, band, options, threads);
     spread.seed = options.seed;
     if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/spectra/isotropic.hpp"
 #include "setae/study/surface_analysis.hpp"
 
 namespace setae::study {
@@ -81,19 +82,21 @@ Alert large_map_alert(const topography::Metadata& metadata, const topography::Ti
 }  // namespace
 
 MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
-                                      parallel::Threads threads) {
+                                      parallel::Threads threads, const Wanted& wanted) {
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
     describe(result, topography::metadata(measurement), prepared.trend, prepared.alerts);
     result.processing = prepared.processing;
-    result.preview = height_preview(measurement);
-    result.real_space = roughness::real_space_parameters(measurement, threads);
-    result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement))
-        result.triangulated = roughness::triangulated_area(*map, threads);
+    if (wanted.previews) result.preview = height_preview(measurement);
+    if (wanted.parameters) {
+        result.real_space = roughness::real_space_parameters(measurement, threads);
+        result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
+        if (const auto* map = std::get_if<topography::HeightMap>(&measurement))
+            result.triangulated = roughness::triangulated_area(*map, threads);
+    }
     const auto [nx, ny] = topography::shape(measurement);
     if (nx * ny > 64) {
-        result.slopes = roughness::slope_distribution(measurement);
+        result.slopes = roughness::slope_distribution(measurement, threads);
         result.alerts.insert(result.alerts.end(), result.slopes->alerts.begin(), result.slopes->alerts.end());
     }
     const auto spectrum = spectrum_options(options, threads);
@@ -106,6 +109,12 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     return result;
 }
 
+roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const AnalysisOptions& options,
+                                         parallel::Threads threads) {
+    const auto iso = spectra::isotropic_power_spectrum(map, spectrum_options(options, threads));
+    return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
+}
+
 bool too_large(const MeasurementSource& source, const AnalysisOptions& options) {
     if (!source.by_bands) return false;
     const auto& map = source.by_bands->map;
@@ -113,15 +122,16 @@ bool too_large(const MeasurementSource& source, const AnalysisOptions& options) 
            options.largest_map;
 }
 
-MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads) {
+MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads,
+                                    const Wanted& wanted) {
     const auto& metadata = large.map.metadata;
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(options.largest_map));
     MeasurementResult result;
     describe(result, metadata, large.trend, large.alerts);
     result.alerts.push_back(large_map_alert(metadata, large.map, options.largest_map));
     const auto levelled = topography::detrended(large.map, large.trend, lines_together, threads);
-    result.preview = preview_of(levelled, lines_together);
-    result.real_space = roughness::real_space_parameters(levelled, lines_together, threads);
+    if (wanted.previews) result.preview = preview_of(levelled, lines_together);
+    if (wanted.parameters) result.real_space = roughness::real_space_parameters(levelled, lines_together, threads);
     result.arithmetic_height = undefined;
     const auto spectrum = spectrum_options(options, threads);
     result.spectrum = spectra::power_spectrum(levelled, lines_together, spectrum);

@@ -133,12 +133,12 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     const auto pipeline = pipeline_of_lines(input.steps);
     process(prepared, pipeline, options);
     make_analysable(prepared);
+    topography::validate(prepared.measurement);
     add_projection_alert(prepared);
     add_reentrance_alert(prepared);
     prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none)
                                       : trend_of(channel, input, topography::metadata(prepared.measurement));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
-    topography::validate(prepared.measurement);
     return prepared;
 }
 

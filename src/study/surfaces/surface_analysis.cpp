@@ -40,14 +40,14 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
     return tasks;
 }
 
-/// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow, in the same
-/// order, else nothing: maps need not all fit into memory at once for an average.
+/// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow or heights are
+/// wanted, in the same order, else nothing: maps need not all fit into memory at once for an average.
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input,
                                                       const AnalysisOptions& options, Run& run,
-                                                      parallel::Threads threads) {
+                                                      parallel::Threads threads, const Wanted& wanted) {
     const auto tasks = tasks_of(input, options, run);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
-    const bool keep = wants_likelihood(options, std::ssize(tasks));
+    const bool joint = wants_likelihood(options, std::ssize(tasks)), keep = joint || (wanted.map && tasks.size() == 1);
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
     const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
@@ -59,12 +59,12 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
         auto found = run.find<MeasurementResult>(task.key);
         try {
             PreparedMeasurement prepared;
-            const bool large = !keep && too_large(task.source, options);
-            if (keep || (!found && !large)) prepared = task.source.prepare();
+            const bool large = !joint && too_large(task.source, options);
+            if (!large && (keep || !found)) prepared = task.source.prepare();
             if (found) result = std::move(*found);
             else
-                result = large ? analyse_large_map(*task.source.by_bands, options, inside)
-                               : analyse_measurement(prepared, options, inside);
+                result = large ? analyse_large_map(*task.source.by_bands, options, inside, wanted)
+                               : analyse_measurement(prepared, options, inside, wanted);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const Error& error) {
@@ -75,6 +75,12 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
     });
     run.stop_if_cancelled();
     return kept;
+}
+
+std::optional<topography::HeightMap> only_map(std::vector<PreparedMeasurement> prepared) {
+    if (prepared.size() != 1) return std::nullopt;
+    auto* map = std::get_if<topography::HeightMap>(&prepared.front().measurement);
+    return map && map->heights.size() > 0 ? std::optional(std::move(*map)) : std::nullopt;
 }
 
 /// The likelihood's spectrum beside the average, where it is wanted and can be had.
@@ -93,8 +99,8 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
 
 }  // namespace
 
-SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
-                              parallel::Threads threads) {
+SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                               parallel::Threads threads, const Wanted& wanted) {
     const double work = surface_work(options, input.measurements.size());
     const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
     if (auto found = run.find<SurfaceResult>(key)) {
@@ -103,9 +109,10 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
         for (const auto& measurement : found->measurements)
             run.step_done("measurement", measurement.file, true, measurement_work);
         run.step_done("surface", input.name, true, work);
-        return std::move(*found);
+        return {std::move(*found), {}};
     }
     SurfaceResult surface;
+    std::optional<topography::HeightMap> heights;
     surface.name = input.name;
     try {
         if (input.moments) {
@@ -113,10 +120,11 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
         } else if (input.power_spectrum) {
             take_power_spectrum(surface, *input.power_spectrum, options);
         } else {
-            auto prepared = analyse_measurements(surface, input, options, run, threads);
+            auto prepared = analyse_measurements(surface, input, options, run, threads, wanted);
             run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
-            add_likelihood(surface, std::move(prepared), options, threads);
+            if (wanted.map) heights = only_map(std::move(prepared));
+            else add_likelihood(surface, std::move(prepared), options, threads);
         }
         // a failure may be gone the next time
         if (std::none_of(surface.measurements.begin(), surface.measurements.end(),
@@ -128,12 +136,17 @@ SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& 
         surface.error = error.what();
     }
     run.step_done("surface", input.name, false, work);
-    return surface;
+    return {std::move(surface), std::move(heights)};
 }
 
 SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+    return analyse_surface(input, options, Wanted{}, threads).surface;
+}
+
+SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, const Wanted& wanted,
+                               parallel::Threads threads) {
     Run run;
-    return analyse_surface(input, options, run, threads);
+    return analyse_surface(input, options, run, threads, wanted);
 }
 
 std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {

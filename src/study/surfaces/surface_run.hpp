@@ -9,8 +9,8 @@ namespace setae::study {
 
 /// Everything about one surface as a step of a run: what the store holds is not computed again.
 /// @throws Cancelled where the run is.
-[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
-                                            parallel::Threads threads);
+[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+                                             parallel::Threads threads, const Wanted& wanted = {});
 
 /// The steps analyse_surface() will take.
 [[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::roughness {
@@ -37,6 +38,7 @@ struct SlopeDistribution {
 /// (tiles of a map, stretches of a scan). An alert needs both significance (p < 0.01) and size (|excess kurtosis| or
 /// |skewness| above 0.5; rms slopes that differ by more than 10 %).
 /// @throws UndefinedDataError for fewer than 32 defined slopes.
-[[nodiscard]] SlopeDistribution slope_distribution(const topography::Measurement& measurement);
+[[nodiscard]] SlopeDistribution slope_distribution(const topography::Measurement& measurement,
+                                                   parallel::Threads threads = {});
 
 }  // namespace setae::roughness

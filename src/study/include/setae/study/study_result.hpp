@@ -155,6 +155,9 @@ struct StudyResult {
 /// @throws Cancelled where the options say so; what is done by then is in the store.
 [[nodiscard]] StudyResult run_study(Study study, const RunOptions& options = {});
 
+/// The same of a study without loops whose only surface is analysed already.
+[[nodiscard]] StudyResult predicted_study(Study study, SurfaceResult surface);
+
 /// One step of a study and whether its result is already in the store.
 struct PlannedStep {
     std::string stage, item;  ///< as Progress

@@ -138,20 +138,42 @@ struct MeasurementSource {
 [[nodiscard]] bool too_large(const MeasurementSource& source, const AnalysisOptions& options);
 [[nodiscard]] std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input);
 
+/// What is wanted of a surface beside its spectrum.
+struct Wanted {
+    bool previews = true;    ///< of heights
+    bool parameters = true;  ///< from heights
+    bool map =
+        false;  ///< the heights themselves, where the surface is one map held in memory: then by the average alone
+};
+
 /// Spectrum and real-space parameters of a prepared measurement.
 [[nodiscard]] MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
-                                                    parallel::Threads threads);
+                                                    parallel::Threads threads, const Wanted& wanted = {});
 
 /// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What
 /// needs all heights at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area,
 /// arithmetic height.
 [[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options,
-                                                  parallel::Threads threads);
+                                                  parallel::Threads threads, const Wanted& wanted = {});
 
 /// Everything about one surface. Never throws for bad data: the failure stands in the result, of the measurement or of
 /// the surface, and the rest is done.
 [[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options,
                                             parallel::Threads threads);
+
+/// A surface and its heights, where it is one map held in memory.
+struct SurfaceWithMap {
+    SurfaceResult surface;
+    std::optional<topography::HeightMap> map;
+};
+/// The same with no more than what is wanted.
+[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options,
+                                             const Wanted& wanted, parallel::Threads threads);
+
+/// C_iso of a map by transform.
+/// @throws as spectra::isotropic_power_spectrum.
+[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const AnalysisOptions& options,
+                                                       parallel::Threads threads);
 
 /// Parameters of a spectrum cut at other wavelengths.
 [[nodiscard]] roughness::SpectralParameters parameters_within(const SpectrumResult& spectrum,

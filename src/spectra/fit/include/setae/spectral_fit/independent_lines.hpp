@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/core/arrays.hpp"
+#include "setae/parallel/for_each.hpp"
 #include "setae/spectra/spectral_density.hpp"
 
 namespace setae::spectral_fit {
@@ -13,6 +14,7 @@ namespace setae::spectral_fit {
 /// wavevectors, pitch > 0 [1/m, m]. signal: share of the periodogram's expectation that is surface, not noise, at each
 /// q (noise is independent from line to line).
 [[nodiscard]] Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView1D& wavevectors,
-                                        const ArrayView1D& signal, Index lines, double pitch);
+                                        const ArrayView1D& signal, Index lines, double pitch,
+                                        parallel::Threads threads = {});
 
 }  // namespace setae::spectral_fit
