@@ -46,7 +46,7 @@ std::string page(const formats::Format& format) {
 std::string index_page() {
     std::string text =
         "# Formats of topographies\n\n"
-        "Made from the program's own table by `setae formats --documentation docs/formats`: edit the table, not these pages. `setae info FILE`\n"
+        "Made from the program's own table by `setae formats --documentation docs/reference/formats`: edit the table, not these pages. `setae info FILE`\n"
         "says what a file holds, `setae convert` writes it in another format. Heights are metres, scaled once, NaN where undefined, h(x, y) with y\n"
         "downwards as Gwyddion shows the file.\n\n"
         "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";

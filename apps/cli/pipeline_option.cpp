@@ -67,7 +67,7 @@ std::string step_list() {
 std::string step_page() {
     std::string text =
         "# Processing steps\n\n"
-        "Made from the program's own table by `setae level --documentation docs/processing-steps.md`: edit the table, not this page.\n"
+        "Made from the program's own table by `setae level --documentation docs/reference/processing-steps.md`: edit the table, not this page.\n"
         "[processing.md](processing.md) says how steps are put together and what to mind.\n\n"
         "| step | what it does |\n|---|---|\n";
     for (const auto& step : processing::step_descriptions())

@@ -28,7 +28,7 @@ struct PipelineOption {
 /// All steps with their parameters, for --explain.
 [[nodiscard]] std::string step_list();
 
-/// The same as a page of Markdown: docs/processing-steps.md.
+/// The same as a page of Markdown: docs/reference/processing-steps.md.
 [[nodiscard]] std::string step_page();
 
 }  // namespace setae::cli

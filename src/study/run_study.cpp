@@ -235,7 +235,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     if (inputs.surfaces.empty() && inputs.experiments.empty())
         result.alerts.push_back({"EMPTY_STUDY", inputs.title,
                                  "the study names no surface and no experiment: there is nothing to conclude from",
-                                 "add [surfaces.NAME] or [[experiments]], see docs/study.md"});
+                                 "add [surfaces.NAME] or [[experiments]], see docs/guides/study.md"});
     result.surfaces = analyse_surfaces(inputs, run, options.threads);
     result.experiments.resize(inputs.experiments.size());
     parallel::for_each_index(inputs.experiments.size(), options.threads, [&](std::size_t i) {

@@ -5,4 +5,4 @@ set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$1" formats --documentation "$work"
-diff -r "$work" "$2" || { echo "differs from the table; make them again: setae formats --documentation docs/formats"; exit 1; }
+diff -r "$work" "$2" || { echo "differs from the table; make them again: setae formats --documentation docs/reference/formats"; exit 1; }

@@ -6,4 +6,4 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$2" "$work/page.md"
 "$1" params --documentation "$work/page.md"
-diff "$work/page.md" "$2" || { echo "differs from the table; make it again: setae params --documentation docs/parameters.md"; exit 1; }
+diff "$work/page.md" "$2" || { echo "differs from the table; make it again: setae params --documentation docs/reference/parameters.md"; exit 1; }

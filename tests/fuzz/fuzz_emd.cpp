@@ -15,7 +15,7 @@ constexpr std::size_t most_written = 4096;
 /// metadata.
 ///
 /// Not the file's own bytes: HDF5 1.10.8 reads beyond its memory and takes gigabytes where the structure of a file is
-/// damaged (docs/micrograph-formats.md), and what is looked for here are faults of the reader above it.
+/// damaged (docs/reference/micrograph-formats.md), and what is looked for here are faults of the reader above it.
 tests::EmdFile described(std::string_view bytes) {
     const auto next = [&]() -> unsigned {
         if (bytes.empty()) return 0;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameters of ISO 25178-2 by setae and by surfalize (PyPI) on the same heights, as the table at the end of docs/parameters.md.
+"""Parameters of ISO 25178-2 by setae and by surfalize (PyPI) on the same heights, as the table at the end of docs/reference/parameters.md.
 
     python3 -m venv peers && peers/bin/pip install surfalize numpy
     peers/bin/python tests/peers/surfalize_parameters.py --setae build/bin/setae

@@ -11,8 +11,8 @@
 #include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
 
-/// Intervals that setae was measured against (docs/uncertainty.md) and does not use: they hold too little with few
-/// measurements.
+/// Intervals that setae was measured against (docs/theory/uncertainty.md) and does not use: they hold too little with
+/// few measurements.
 namespace setae::tests {
 
 inline double mean(std::span<const double> values) {

@@ -25,7 +25,7 @@ constexpr const char* explanation =
     "LOW_Q_GAP       C1D steeper than 1/q at the longest wavelengths: how rms height grows with the scan\n"
     "SCAN_DIRECTION  offsets of scan lines; ANISOTROPIC: rms slopes of perpendicular directions\n"
     "DISAGREE        of several files: C1D in their common band, with its error; SCALE_TWICE where the ratio is one factor throughout\n"
-    "docs/diagnostics.md says how each is tested and how often it errs\n";
+    "docs/reference/diagnostics.md says how each is tested and how often it errs\n";
 
 struct Arguments {
     Common common;

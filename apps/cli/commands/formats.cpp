@@ -105,7 +105,7 @@ ExitCode run(const Arguments& arguments) {
         tables::as_text(topographies_table()) +
         "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
         tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
-        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/loop-format.md\n");
+        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n");
     return ExitCode::done;
 }
 

@@ -26,7 +26,7 @@ constexpr const char* explanation =
     "without --map, columns are guessed from names and units; the guess is shown, --column overrules it, --save-map keeps it\n"
     "force > 0 presses, displacement grows into the contact, contact_radius is 0 out of contact; SI after import\n"
     "clocks      F = 2 E* a (delta - a^2/(3R)) holds at any state: the camera's offset is where its frames satisfy it best\n"
-    "the result is a loop file, docs/loop-format.md; sphere_radius and the like in it need not be given again\n";
+    "the result is a loop file, docs/reference/loop-format.md; sphere_radius and the like in it need not be given again\n";
 
 struct Arguments {
     Common common;

@@ -26,7 +26,7 @@ constexpr const char* explanation =
     "another one prediction interval: one more measurement with another lens, spot and repeat\n"
     "I2, Q       Q = sum (y - mean)^2/SE^2, I2 = 1 - (n - 1)/Q: share of the scatter that the fits' errors do not explain\n"
     "excluded    rows are left out with a reason alone, and stay in every table and figure; the mean with them stands beside\n"
-    "docs/replicates.md; Patterson, Thompson, Biometrika 58 (1971) 545\n";
+    "docs/guides/replicates.md; Patterson, Thompson, Biometrika 58 (1971) 545\n";
 
 struct Arguments {
     Common common;

@@ -126,7 +126,7 @@ std::string as_text(const MeasuredTexture& measured) {
 }
 
 constexpr std::string_view marker =
-    "<!-- what stands above is made by `setae params --documentation docs/parameters.md` -->\n";
+    "<!-- what stands above is made by `setae params --documentation docs/reference/parameters.md` -->\n";
 
 std::string rows_of(Standard standard) {
     std::string text = "| symbol | name | formula | unit | clause | validated against |\n|---|---|---|---|---|---|\n";

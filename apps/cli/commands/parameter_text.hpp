@@ -21,7 +21,7 @@ struct MeasuredTexture {
 
 [[nodiscard]] output::Json parameter_json(const std::vector<MeasuredTexture>& list);
 
-/// The page docs/parameters.md from the table of parameters, up to its marker.
+/// The page docs/reference/parameters.md from the table of parameters, up to its marker.
 [[nodiscard]] std::string parameter_page();
 
 /// The page with what stands behind its marker in `existing`.

@@ -23,7 +23,7 @@ constexpr const char* explanation =
     "h''_rms^2   = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian                             exact\n"
     "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                                    [D19] (9)\n"
     "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n"
-    "--standard   parameters of ISO 25178-2 or ISO 21920-2: formulas in docs/parameters.md\n";
+    "--standard   parameters of ISO 25178-2 or ISO 21920-2: formulas in docs/reference/parameters.md\n";
 
 struct Arguments {
     Common common;

@@ -17,7 +17,7 @@ namespace setae::cli {
 namespace {
 
 constexpr const char* explanation =
-    "1, 2, 4, S1, S2, S3, S5, S6, S7, S8  the figures of [D19], with error bars; docs/figures.md says what each shows\n"
+    "1, 2, 4, S1, S2, S3, S5, S6, S7, S8  the figures of [D19], with error bars; docs/reference/figures.md says what each shows\n"
     "spectra:NAME  every measurement of a surface, by instrument, with what was cut\n"
     "scales        which wavevectors cost the energy: shares of U_el, excess area and W_app - W_int below q\n"
     "prediction    W_app against E* for each surface: curve of (7) with its band, measured values, residuals, chi2\n"
@@ -108,7 +108,7 @@ ExitCode plot(const PlotArguments& arguments, const cache::Store& store, Progres
 }
 
 ExitCode run(const PlotArguments& arguments) {
-    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
+    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
     if (!arguments.list && arguments.figure.empty())
         throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
     if (!arguments.output.empty()) (void)ending_of(arguments.output);

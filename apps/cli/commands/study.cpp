@@ -81,7 +81,7 @@ void remove_marks(const std::string& folder) {
 }
 
 study::Study study_of(const Arguments& arguments) {
-    if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/study.md");
+    if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
     auto study = study::read_study(arguments.file);
     if (!arguments.output.empty()) study.output = arguments.output;
     return study;

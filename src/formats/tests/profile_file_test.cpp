@@ -156,7 +156,7 @@ TEST(TextTable, ThirdColumnStandardErrorIsRead) {
 }
 
 TEST(ProfileFormat, KeysAreInTheDocumentation) {
-    std::ifstream file("docs/profile-format.md");
+    std::ifstream file("docs/reference/profile-format.md");
     std::stringstream text;
     text << file.rdbuf();
     for (const auto& key : profile_keys()) {

@@ -18,7 +18,7 @@ using statistics::MixedModel;
 using statistics::ReplicateData;
 
 constexpr const char* source =
-    "linear mixed model, restricted likelihood, Satterthwaite's degrees of freedom; docs/replicates.md";
+    "linear mixed model, restricted likelihood, Satterthwaite's degrees of freedom; docs/guides/replicates.md";
 
 const statistics::Exclusion* exclusion_of(const ReplicateData& data, std::size_t row) {
     const auto found =

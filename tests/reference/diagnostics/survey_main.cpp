@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often the tests of a measurement find faults in surfaces that have none, and how many planted spikes they find:
-// the table of docs/diagnostics.md.  diagnostics_survey [surfaces of each kind, default 100]
+// the table of docs/reference/diagnostics.md.  diagnostics_survey [surfaces of each kind, default 100]
 #include <cstdio>
 #include <cstdlib>
 

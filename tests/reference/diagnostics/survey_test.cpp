@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The survey of docs/diagnostics.md, shortened: what stands there is its 100 surfaces of each kind.
+// The survey of docs/reference/diagnostics.md, shortened: what stands there is its 100 surfaces of each kind.
 #include "survey.hpp"
 
 #include <gtest/gtest.h>

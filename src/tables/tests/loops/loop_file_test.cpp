@@ -109,7 +109,7 @@ TEST(LoopFile, WhatWouldNotComeBackIsNotWritten) {
 }
 
 TEST(LoopFile, KeysStandInTheDocument) {
-    std::ifstream document("docs/loop-format.md");
+    std::ifstream document("docs/reference/loop-format.md");
     const std::string text{std::istreambuf_iterator<char>(document), {}};
     for (const auto& key : loop_keys()) EXPECT_TRUE(holds(text, fmt::format("| {} |", key.name))) << key.name;
 }

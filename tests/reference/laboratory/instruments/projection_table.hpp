@@ -9,7 +9,8 @@
 
 namespace setae::tests {
 
-/// One row of the table in docs/tem-projection.md: a self-affine surface, waves down to 4 Å, seen through a foil.
+/// One row of the table in docs/theory/tem-projection.md: a self-affine surface, waves down to 4 Å, seen through a
+/// foil.
 struct ProjectionCase {
     double hurst_exponent = 0.8;
     double rolloff_wavelength = 100e-9;  ///< [m]
