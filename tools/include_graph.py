@@ -4,7 +4,7 @@
 
   tools/include_graph.py worst [N]     headers of ours that cost most: their own lines times the sources that read them
   tools/include_graph.py order         every include against the order of modules in src/CMakeLists.txt; fails where one is broken
-  tools/include_graph.py dot           the graph of modules for Graphviz, as docs/modules.svg draws it
+  tools/include_graph.py dot           the graph of modules without detours: tools/include_graph.py dot | dot -Tsvg > docs/modules.svg
 """
 import collections
 import pathlib
@@ -24,12 +24,15 @@ def sources():
 
 def module_order():
     text = (ROOT / "src/CMakeLists.txt").read_text()
-    return re.search(r"foreach\(module ([^)]+)\)", text).group(1).split()
+    return re.search(r"foreach\(module\s+([^)]+)\)", text).group(1).split()
+
+
+MODULES = sorted(module_order(), key=len, reverse=True)
 
 
 def module_of(path):
-    parts = path.relative_to(ROOT).parts
-    return parts[1] if parts[0] == "src" else "apps"
+    folder = path.relative_to(ROOT).as_posix()
+    return next((module for module in MODULES if folder.startswith(f"src/{module}/")), "apps")
 
 
 def resolver(paths):
@@ -111,10 +114,19 @@ def order():
 
 
 def dot():
+    """Each module points at those it includes and does not reach through another."""
     _, found = edges()
-    print("digraph modules {\n  rankdir=BT; node [shape=box, fontname=\"Liberation Sans\"];")
-    for (above, below), count in sorted(found.items()):
-        print(f"  {above} -> {below} [tooltip=\"{count} includes\"];")
+    below = collections.defaultdict(set)
+    for upper, lower in found:
+        below[upper].add(lower)
+
+    def reach(module):
+        return below[module].union(*(reach(lower) for lower in below[module]))
+
+    print('digraph modules {\n  rankdir=BT; ranksep=0.35; nodesep=0.2;\n  node [shape=box, style=rounded, fontname="Liberation Sans", height=0.3];')
+    for upper in sorted(below):
+        for lower in sorted(below[upper] - set().union(*(reach(other) for other in below[upper]))):
+            print(f'  "{upper}" -> "{lower}" [tooltip="{found[upper, lower]} includes"];')
     print("}")
 
 

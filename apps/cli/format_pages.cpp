@@ -46,6 +46,7 @@ std::string page(const formats::Format& format) {
 std::string index_page() {
     std::string text =
         "# Formats of topographies\n\n"
+        "*Reference · [all documents](../../README.md)*\n\n"
         "Made from the program's own table by `setae formats --documentation docs/reference/formats`: edit the table, not these pages. `setae info FILE`\n"
         "says what a file holds, `setae convert` writes it in another format. Heights are metres, scaled once, NaN where undefined, h(x, y) with y\n"
         "downwards as Gwyddion shows the file.\n\n"
@@ -55,7 +56,7 @@ std::string index_page() {
                             cell(format.extensions), format.writes() ? "yes" : "",
                             format.tested_on_real_files ? "yes" : "**no**");
     text += fmt::format(
-        "\n**no**: {}.\n\nForce curves: [force-curves.md](../force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
+        "\n**no**: {}.\n\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
         "[loop-format.md](../loop-format.md).\n",
         untested);
     return text;

@@ -67,8 +67,9 @@ std::string step_list() {
 std::string step_page() {
     std::string text =
         "# Processing steps\n\n"
+        "*Reference · [all documents](../README.md)*\n\n"
         "Made from the program's own table by `setae level --documentation docs/reference/processing-steps.md`: edit the table, not this page.\n"
-        "[processing.md](processing.md) says how steps are put together and what to mind.\n\n"
+        "[processing.md](../guides/processing.md) says how steps are put together and what to mind.\n\n"
         "| step | what it does |\n|---|---|\n";
     for (const auto& step : processing::step_descriptions())
         text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, cell(step.sentence));

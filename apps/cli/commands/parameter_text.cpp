@@ -167,6 +167,7 @@ output::Json parameter_json(const std::vector<MeasuredTexture>& list) {
 
 std::string parameter_page() {
     return "# Parameters of surface texture\n\n"
+           "*Reference · [all documents](../README.md)*\n\n"
            "`setae params FILE --standard iso25178` prints the first table of a map, `--standard iso21920` the second of a line (of a map: mean over its\n"
            "scan lines). Every row has its filter, bandwidth, number of points and warnings; `--format md|tsv|latex|json` writes it for others.\n"
            "z is the height over the mean (the mean line), <…> the average over the area or the evaluation length, P(h) the share of it at or above\n"
