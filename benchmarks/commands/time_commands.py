@@ -48,7 +48,7 @@ def make_inputs(program, folder):
 
 
 # words of the command, its input
-MAP = ("map.npy", "--size", "5 um", "--unit", "m")
+MAP = ("map.npy", "--size", "5 um x 5 um", "--unit", "m")
 COMMANDS = [
     ("--version", ("--version",), None),
     ("info map.npy", ("info", *MAP), "map.npy"),
