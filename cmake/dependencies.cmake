@@ -22,31 +22,47 @@ pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
 # find_package(HDF5) needs the language C, which a project that uses setae may not have
 pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial hdf5)
+# shared, it loads curl and with that Kerberos, LDAP, SSH and TLS, of which no file has need
+find_library(HDF5_ARCHIVE NAMES libhdf5_serial.a libhdf5.a HINTS ${HDF5_LIBRARY_DIRS})
+find_library(SZIP_LIBRARY NAMES libsz.a sz)
+find_library(AEC_LIBRARY NAMES libaec.a aec)
+if(HDF5_ARCHIVE AND SZIP_LIBRARY AND AEC_LIBRARY)
+  set_target_properties(PkgConfig::HDF5 PROPERTIES INTERFACE_LINK_LIBRARIES
+                        "${HDF5_ARCHIVE};${SZIP_LIBRARY};${AEC_LIBRARY};z;${CMAKE_DL_LIBS};m" INTERFACE_LINK_OPTIONS "")
+endif()
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
 pkg_check_modules(TIFF REQUIRED IMPORTED_TARGET libtiff-4>=4.5)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 find_package(ZLIB REQUIRED)
-pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 
-# Debian's own OpenCVConfig.cmake asks for every part of OpenCV; three are needed
-find_path(OPENCV_INCLUDE opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4 REQUIRED)
+# Debian's own OpenCVConfig.cmake asks for every part of OpenCV; two are needed. Shared, core loads X11 for windows.
+find_path(OPENCV_INCLUDE opencv2/imgproc.hpp PATH_SUFFIXES opencv4 REQUIRED)
+set(opencv_links "")
+foreach(name libopencv_imgproc.a libopencv_core.a tbb lapack blas z)
+  find_library(OPENCV_LINKS_${name} ${name})
+  list(APPEND opencv_links ${OPENCV_LINKS_${name}})
+endforeach()
+if(opencv_links MATCHES "NOTFOUND")
+  set(opencv_links opencv_imgproc opencv_core)
+else()
+  # what nothing calls goes, but for the look for OpenGL's functions when a window is opened
+  list(APPEND opencv_links ${CMAKE_DL_LIBS} -Wl,--gc-sections -Wl,--defsym=glXGetProcAddressARB=0)
+endif()
 if(NOT TARGET setae_opencv)
   add_library(setae_opencv INTERFACE IMPORTED)
   target_include_directories(setae_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE})
-  foreach(part imgcodecs imgproc core)
-    find_library(OPENCV_${part}_LIBRARY opencv_${part} REQUIRED)
-    target_link_libraries(setae_opencv INTERFACE ${OPENCV_${part}_LIBRARY})
-  endforeach()
+  target_link_libraries(setae_opencv INTERFACE ${opencv_links})
 endif()
 
-# labels of scale bars; what its .pc lists beside it serves static linking
+# labels of scale bars: its library is loaded when one is read
 pkg_check_modules(TESSERACT REQUIRED tesseract>=5)
-find_library(TESSERACT_LIBRARY tesseract REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX) # its threads are held back
 if(NOT TARGET setae_tesseract)
   add_library(setae_tesseract INTERFACE IMPORTED)
   target_include_directories(setae_tesseract SYSTEM INTERFACE ${TESSERACT_INCLUDE_DIRS})
-  target_link_libraries(setae_tesseract INTERFACE ${TESSERACT_LIBRARY} ${OpenMP_gomp_LIBRARY} ${OpenMP_omp_LIBRARY}) # GCC's or clang's
+  target_link_libraries(setae_tesseract INTERFACE ${OpenMP_gomp_LIBRARY} ${OpenMP_omp_LIBRARY} ${CMAKE_DL_LIBS}) # GCC's or clang's
 endif()
 
 # surfaces larger than one machine's memory: built where MPI and FFTW's part for it are there

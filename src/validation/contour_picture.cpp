@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "setae/bytes/whole_file.hpp"
+#include "setae/imaging/png_writer.hpp"
 
 namespace setae::validation {
 namespace {
@@ -28,12 +28,6 @@ void draw(cv::Mat& picture, const Array1D& x, const Array1D& y, bool closed, con
     if (!line.empty()) cv::polylines(picture, line, closed, colour, 1, cv::LINE_AA, shift);
 }
 
-void write_png(const std::string& path, const cv::Mat& picture) {
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", picture, bytes);
-    bytes::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 }  // namespace
 
 void write_contour_picture(const std::string& folder, const ContourTrial& trial, const imaging::FramePixels& pixels,
@@ -50,12 +44,12 @@ void write_contour_picture(const std::string& folder, const ContourTrial& trial,
                  scale = high > low ? 255.0 / (high - low) : 0.0;
     cv::Mat bytes, picture;
     grey.convertTo(bytes, CV_8U, scale, -low * scale);
-    write_png(path("_bare.png"), bytes);
+    bytes::write_whole_file(path("_bare.png"), imaging::png_of(bytes));
     cv::resize(bytes, bytes, {}, enlarged, enlarged, cv::INTER_NEAREST);
     cv::cvtColor(bytes, picture, cv::COLOR_GRAY2BGR);
     draw(picture, truth.x, truth.y, false, truth_colour);
     for (const auto& segment : trace.segments) draw(picture, segment.x, segment.y, segment.closed, trace_colour);
-    write_png(path(".png"), picture);
+    bytes::write_whole_file(path(".png"), imaging::png_of(picture));
     std::string points = "x,y\n";
     for (Index i = 0; i < truth.x.size(); ++i) points += fmt::format("{},{}\n", truth.x[i], truth.y[i]);
     bytes::write_whole_file(path("_truth.csv"), points);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/formats/netcdf.hpp"
 
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
-#include <cstdlib>
-#include <memory>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -20,42 +18,140 @@
 namespace setae::formats {
 namespace {
 
-/// A NetCDF dataset being written in memory.
+constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
+enum Type : std::uint32_t { byte = 1, character = 2, float64 = 6 };
+constexpr std::uint64_t most_bytes = 0xFFFFFFFCU;  // of a variable
+
+template <class T>
+void append(std::string& bytes, T value) {
+    for (int shift = 8 * (static_cast<int>(sizeof(T)) - 1); shift >= 0; shift -= 8)
+        bytes += static_cast<char>((value >> shift) & 0xFF);
+}
+
+void append(std::string& bytes, double number) { append(bytes, std::bit_cast<std::uint64_t>(number)); }
+
+void append(std::string& bytes, const std::string& text) {
+    append(bytes, static_cast<std::uint32_t>(text.size()));
+    bytes += text + std::string((4 - text.size() % 4) % 4, '\0');
+}
+
+/// A list of a header: its kind and number of elements, then these.
+struct List {
+    std::uint32_t tag = 0, count = 0;
+    std::string elements{};
+
+    [[nodiscard]] std::string bytes() const {
+        std::string all;
+        append(all, count > 0 ? tag : 0);
+        append(all, count);
+        return all + elements;
+    }
+};
+
+/// A dataset of the classic model with offsets of 64 bits; all numbers big-endian.
+/// Source: NetCDF Users Guide, appendix B.
 class Dataset {
 public:
-    explicit Dataset(std::string path) : path_(std::move(path)) {
-        check(nc_create_mem(path_.c_str(), NC_64BIT_OFFSET, 0, &id_));
-    }
-    Dataset(const Dataset&) = delete;
-    Dataset& operator=(const Dataset&) = delete;
-    ~Dataset() {
-        if (id_ >= 0) nc_abort(id_);
+    explicit Dataset(std::string name) : name_(std::move(name)) {}
+
+    /// The number of a dimension.
+    std::uint32_t dimension(const std::string& name, Index length) {
+        refuse_name(name, dimension_names_);
+        append(dimensions_.elements, name);
+        append(dimensions_.elements, static_cast<std::uint32_t>(length));
+        return dimensions_.count++;
     }
 
-    [[nodiscard]] int id() const { return id_; }
+    class Variable {
+    public:
+        void put(const std::string& name, double number) {
+            begin(name, float64, 1);
+            append(attributes_.elements, number);
+        }
+        void put(const std::string& name, const std::string& text) {
+            begin(name, character, {});
+            append(attributes_.elements, text);
+        }
 
-    void check(int status) const {
-        if (status != NC_NOERR) throw InvalidArgument(fmt::format("{}: NetCDF: {}", path_, nc_strerror(status)));
-    }
+    private:
+        friend class Dataset;
+        void begin(const std::string& name, Type type, std::optional<std::uint32_t> count) {
+            append(attributes_.elements, name);
+            append(attributes_.elements, static_cast<std::uint32_t>(type));
+            if (count) append(attributes_.elements, *count);
+            ++attributes_.count;
+        }
 
-    void put_number(int variable, const char* name, double number) const {
-        check(nc_put_att_double(id_, variable, name, NC_DOUBLE, 1, &number));
-    }
-    void put_text(int variable, const char* name, const std::string& text) const {
-        check(nc_put_att_text(id_, variable, name, text.size(), text.data()));
-    }
+        std::string head_;  ///< name and dimensions
+        List attributes_{attribute_tag};
+        Type type_ = float64;
+        std::string values_;
+    };
 
-    /// Closes and gives up the bytes written.
-    [[nodiscard]] std::string release() {
-        NC_memio memory{};
-        check(nc_close_memio(std::exchange(id_, -1), &memory));
-        const std::unique_ptr<void, decltype(&std::free)> owned(memory.memory, &std::free);
-        return {static_cast<const char*>(memory.memory), memory.size};
+    Variable& variable(const std::string& name, std::span<const std::uint32_t> dimensions, const ArrayView1D& values) {
+        auto& made = begin(name, dimensions, float64, 8 * static_cast<std::uint64_t>(values.size()));
+        for (const double value : values) append(made.values_, value);
+        return made;
+    }
+    /// One byte a value, 1 where it is undefined.
+    void mask(const std::string& name, std::span<const std::uint32_t> dimensions, const ArrayView1D& values) {
+        auto& made = begin(name, dimensions, byte, static_cast<std::uint64_t>(values.size()) + 3);
+        for (const double value : values) made.values_ += std::isnan(value) ? '\1' : '\0';
+        made.values_.resize((made.values_.size() + 3) / 4 * 4, '\x81');  // the value the format fills with
+    }
+    void put(const std::string& name, const std::string& text) { about_.put(name, text); }
+
+    [[nodiscard]] std::string bytes() const {
+        const std::string before = std::string("CDF\2\0\0\0\0", 8) + dimensions_.bytes() + about_.attributes_.bytes();
+        List list{variable_tag};
+        std::uint64_t begin = before.size() + 8;
+        for (const auto& variable : variables_)
+            begin += variable.head_.size() + variable.attributes_.bytes().size() + 4 + 4 + 8;
+        for (const auto& variable : variables_) {
+            list.elements += variable.head_ + variable.attributes_.bytes();
+            append(list.elements, static_cast<std::uint32_t>(variable.type_));
+            append(list.elements, static_cast<std::uint32_t>(variable.values_.size()));
+            append(list.elements, begin);
+            begin += variable.values_.size();
+            ++list.count;
+        }
+        std::string file = before + list.bytes();
+        file.reserve(begin);
+        for (const auto& variable : variables_) file += variable.values_;
+        return file;
     }
 
 private:
-    std::string path_;
-    int id_ = -1;
+    Variable& begin(const std::string& name, std::span<const std::uint32_t> dimensions, Type type,
+                    std::uint64_t bytes) {
+        refuse_name(name, variable_names_);
+        if (bytes > most_bytes)
+            throw InvalidArgument(
+                fmt::format("{}: NetCDF: '{}' takes {} bytes, a variable may have {}", name_, name, bytes, most_bytes));
+        auto& made = variables_.emplace_back();
+        made.type_ = type;
+        append(made.head_, name);
+        append(made.head_, static_cast<std::uint32_t>(dimensions.size()));
+        for (const auto dimension : dimensions) append(made.head_, dimension);
+        made.values_.reserve(bytes);
+        return made;
+    }
+    void refuse_name(const std::string& name, std::vector<std::string>& taken) const {
+        const bool sound =
+            !name.empty() && name.back() != ' ' && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+                return letter >= ' ' && letter != '/' && letter != 127;
+            });
+        if (!sound) throw InvalidArgument(fmt::format("{}: NetCDF: no name may be '{}'", name_, name));
+        if (std::find(taken.begin(), taken.end(), name) != taken.end())
+            throw InvalidArgument(fmt::format("{}: NetCDF: two are named '{}'", name_, name));
+        taken.push_back(name);
+    }
+
+    std::string name_;
+    std::vector<std::string> dimension_names_, variable_names_;
+    List dimensions_{dimension_tag};
+    Variable about_;  ///< holds the attributes of the whole
+    std::vector<Variable> variables_;
 };
 
 /// The length unit that files are written in, its name in ASCII as readers of old NetCDF want it.
@@ -108,38 +204,18 @@ private:
     }
 
     void write(std::span<const Axis> axes, const ArrayView1D& heights) const {
-        std::vector<int> dimensions, variables;
+        std::vector<std::uint32_t> dimensions;
         for (const auto& axis : axes) {
-            dimensions.emplace_back();
-            variables.emplace_back();
-            dataset_.check(nc_def_dim(dataset_.id(), axis.dimension, static_cast<std::size_t>(axis.positions.size()),
-                                      &dimensions.back()));
-            dataset_.check(nc_def_var(dataset_.id(), axis.name, NC_DOUBLE, 1, &dimensions.back(), &variables.back()));
-            dataset_.put_text(variables.back(), "unit", unit_.name);
+            dimensions.push_back(dataset_.dimension(axis.dimension, axis.positions.size()));
+            auto& variable =
+                dataset_.variable(axis.name, std::span(&dimensions.back(), 1), axis.positions / unit_.factor);
+            variable.put("unit", unit_.name);
             if (!axis.length) continue;
-            dataset_.put_number(variables.back(), "length", *axis.length / unit_.factor);
-            dataset_.put_number(variables.back(), "periodic", axis.periodic ? 1.0 : 0.0);
+            variable.put("length", *axis.length / unit_.factor);
+            variable.put("periodic", axis.periodic ? 1.0 : 0.0);
         }
-        const int values = define("heights", NC_DOUBLE, dimensions);
-        dataset_.put_text(values, "unit", unit_.name);
-        const bool any_undefined = heights.isNaN().any();
-        const int mask = any_undefined ? define("mask", NC_BYTE, dimensions) : -1;
-        dataset_.check(nc_enddef(dataset_.id()));
-        for (std::size_t i = 0; i < variables.size(); ++i) put(variables[i], axes[i].positions / unit_.factor);
-        put(values, heights / unit_.factor);
-        if (!any_undefined) return;
-        const Eigen::Array<signed char, Eigen::Dynamic, 1> undefined_points = heights.isNaN().cast<signed char>();
-        dataset_.check(nc_put_var_schar(dataset_.id(), mask, undefined_points.data()));
-    }
-
-    [[nodiscard]] int define(const char* name, nc_type type, const std::vector<int>& dimensions) const {
-        int variable = 0;
-        dataset_.check(
-            nc_def_var(dataset_.id(), name, type, static_cast<int>(dimensions.size()), dimensions.data(), &variable));
-        return variable;
-    }
-    void put(int variable, const ArrayView1D& values) const {
-        dataset_.check(nc_put_var_double(dataset_.id(), variable, values.data()));
+        dataset_.variable("heights", dimensions, heights / unit_.factor).put("unit", unit_.name);
+        if (heights.isNaN().any()) dataset_.mask("mask", dimensions, heights);
     }
 
     Dataset& dataset_;
@@ -151,7 +227,7 @@ private:
 std::string netcdf_content(const topography::Measurement& measurement, const std::string& unit) {
     Dataset dataset(topography::label(topography::metadata(measurement)));
     std::visit(HeightsWriter(dataset, written_unit(unit)), measurement);
-    return dataset.release();
+    return dataset.bytes();
 }
 
 void write_netcdf(const std::string& path, const topography::Measurement& measurement) {
@@ -164,20 +240,14 @@ void write_netcdf(const std::string& path, const Table& table) {
             throw InvalidArgument(fmt::format("{}: column '{}' has {} rows, expected {}", path, column.name,
                                               column.values.size(), table.rows()));
     Dataset dataset(path);
-    int rows = 0;
-    dataset.check(nc_def_dim(dataset.id(), "row", static_cast<std::size_t>(table.rows()), &rows));
-    std::vector<int> variables;
+    const auto rows = dataset.dimension("row", table.rows());
     for (const auto& column : table.columns) {
-        variables.emplace_back();
-        dataset.check(nc_def_var(dataset.id(), column.name.c_str(), NC_DOUBLE, 1, &rows, &variables.back()));
-        dataset.put_text(variables.back(), "units", column.unit);
-        dataset.put_text(variables.back(), "long_name", column.name);
+        auto& variable = dataset.variable(column.name, std::span(&rows, 1), column.values);
+        variable.put("units", column.unit);
+        variable.put("long_name", column.name);
     }
-    for (const auto& [key, value] : table.metadata) dataset.put_text(NC_GLOBAL, key.c_str(), value);
-    dataset.check(nc_enddef(dataset.id()));
-    for (std::size_t k = 0; k < variables.size(); ++k)
-        dataset.check(nc_put_var_double(dataset.id(), variables[k], table.columns[k].values.data()));
-    bytes::write_whole_file(path, dataset.release());
+    for (const auto& [key, value] : table.metadata) dataset.put(key, value);
+    bytes::write_whole_file(path, dataset.bytes());
 }
 
 }  // namespace setae::formats

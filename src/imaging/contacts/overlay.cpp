@@ -4,12 +4,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
+#include "setae/imaging/png_writer.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -72,9 +72,7 @@ void write_overlay(const std::string& path, const FrameSource& source, std::size
             : fmt::format("frame {}: {}", found.number, to_string(contact.state));
     cv::putText(picture, words, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
     cv::putText(picture, words, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.5, words_colour, 1, cv::LINE_AA);
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", picture, bytes);
-    bytes::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    bytes::write_whole_file(path, png_of(picture));
 }
 
 }  // namespace setae::imaging

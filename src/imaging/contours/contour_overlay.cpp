@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "setae/imaging/png_writer.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -71,11 +72,7 @@ public:
         cv::putText(picture_, text, {8, 20 + 20 * row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
         cv::putText(picture_, text, {8, 20 + 20 * row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
     }
-    [[nodiscard]] std::string png() const {
-        std::vector<unsigned char> bytes;
-        cv::imencode(".png", picture_, bytes);
-        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    }
+    [[nodiscard]] std::string png() const { return png_of(picture_); }
 
 private:
     static constexpr int shift = 4;  // 16ths of a pixel

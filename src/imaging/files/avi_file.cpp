@@ -142,7 +142,12 @@ FrameRead AviFile::read(std::size_t index) const {
     const auto bytes = file_.read(place.offset, place.bytes);
     if (bytes.size() < place.bytes)
         return {{}, fmt::format("truncated: {} of {} bytes at byte {}", bytes.size(), place.bytes, place.offset)};
-    return layout_ == Layout::compressed ? decoded_picture(bytes) : uncompressed(bytes);
+    if (layout_ != Layout::compressed) return uncompressed(bytes);
+    if (const auto stated = stated_size(bytes); stated && *stated != size_)
+        return {{},
+                fmt::format("{} × {} pixels, the film has {} × {}", stated->width, stated->height, size_.width,
+                            size_.height)};
+    return decoded_picture(bytes);
 }
 
 }  // namespace setae::imaging

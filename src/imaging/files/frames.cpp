@@ -240,7 +240,7 @@ FrameRead FrameSource::read(std::size_t index) const {
                                       },
                                       [&](const AviFile& avi) { return avi.read(at); }},
                            r.store);
-    } catch (const FileError& error) {
+    } catch (const Error& error) {
         return {{}, error.what()};
     }
     if (!frame.fault.empty()) return frame;

@@ -2,10 +2,8 @@
 #include "picture.hpp"
 
 #include <fmt/format.h>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "picture_decoders.hpp"
 #include "png_chunks.hpp"
 #include "random_access.hpp"
 
@@ -61,6 +59,9 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
             return PictureSize{static_cast<long>(number_in(bytes, 16, 4, true)),
                                static_cast<long>(number_in(bytes, 20, 4, true))};
         case PictureKind::bmp: {
+            if (number_in(bytes, 14, 4) == 12)  // as OS/2 writes it
+                return PictureSize{static_cast<long>(number_in(bytes, 18, 2)),
+                                   static_cast<long>(number_in(bytes, 20, 2))};
             const auto height = static_cast<std::int32_t>(number_in(bytes, 22, 4));
             return PictureSize{static_cast<std::int32_t>(number_in(bytes, 18, 4)),
                                height < 0 ? -static_cast<long>(height) : height};
@@ -73,26 +74,12 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
 FrameRead decoded_picture(std::string_view bytes) {
     if (!ends_whole(bytes))
         return {{}, fmt::format("truncated or damaged: {} bytes without the end its format has", bytes.size())};
-    [[maybe_unused]] static const auto silent =
-        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // a library does not print
-    cv::Mat image;
-    try {
-        const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-        image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
-    } catch (const cv::Exception& error) {
-        return {{}, fmt::format("does not decode: {}", error.err)};
-    }
-    if (image.empty()) return {{}, "does not decode: the picture is damaged or of a kind OpenCV does not know"};
-    const PictureSize size{image.cols, image.rows};
-    if (image.channels() >= 3)
-        cv::cvtColor(image, image, image.channels() == 3 ? cv::COLOR_BGR2RGB : cv::COLOR_BGRA2RGBA);
-    const auto stride = static_cast<long>(image.step1());
-    switch (image.depth()) {
-        case CV_8U: return {luminance(image.ptr<std::uint8_t>(), size, image.channels(), stride), {}};
-        case CV_16U: return {luminance(image.ptr<std::uint16_t>(), size, image.channels(), stride), {}};
-        case CV_32F: return {luminance(image.ptr<float>(), size, image.channels(), stride), {}};
-        case CV_64F: return {luminance(image.ptr<double>(), size, image.channels(), stride), {}};
-        default: return {{}, "its numbers are neither 8 or 16 bit nor floating point"};
+    const auto size = stated_size(bytes);
+    if (!size || size->width <= 0 || size->height <= 0) return {{}, "damaged: its header states no size"};
+    switch (picture_kind(bytes)) {
+        case PictureKind::png: return decoded_png(bytes, *size);
+        case PictureKind::jpeg: return decoded_jpeg(bytes, *size);
+        default: return decoded_bmp(bytes, *size);
     }
 }
 

@@ -20,9 +20,9 @@ namespace {
 
 namespace tag {
 constexpr int width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270,
-              strip_offsets = 273, samples = 277, strip_bytes = 279, x_resolution = 282, y_resolution = 283,
-              planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323, tile_offsets = 324,
-              tile_bytes = 325, sample_format = 339;
+              strip_offsets = 273, samples = 277, rows_a_strip = 278, strip_bytes = 279, x_resolution = 282,
+              y_resolution = 283, planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323,
+              tile_offsets = 324, tile_bytes = 325, sample_format = 339;
 }
 
 constexpr std::uint64_t most_entries = 4096;  // of a directory; real ones have some twenty
@@ -57,6 +57,11 @@ std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) 
         case 643: return SampleType::float64;
         default: return std::nullopt;
     }
+}
+
+/// What libtiff may take at once: a picture, the compressed bytes of it, and a little for itself.
+std::uint64_t memory_for(const bytes::TiffPieces& pieces, std::uint64_t file_bytes) {
+    return 4 * pieces.nx * pieces.ny + pieces.bytes() + file_bytes + (std::uint64_t{1} << 26);
 }
 
 }  // namespace
@@ -220,134 +225,105 @@ std::optional<double> TiffStack::frame_rate() const {
     return std::nullopt;
 }
 
-std::string TiffStack::strips(const TiffPage& page, std::string& fault) const {
-    std::string pixels;
+std::vector<TiffStack::Part> TiffStack::parts(const TiffPage& page, std::string& fault) const {
+    std::vector<Part> parts;
     if (page.offset) {
         const auto size = size_of(0);
-        const auto expected = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-                              number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8;
-        pixels = file_.read(*page.offset, expected);
-        if (pixels.size() < expected)
-            fault =
-                fmt::format("truncated: {} of {} bytes of pixels at byte {}", pixels.size(), expected, *page.offset);
-        return pixels;
+        parts.push_back(
+            {*page.offset, static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                               number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8});
+    } else {
+        const bool tiled = page.entries.contains(tag::tile_offsets);
+        const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets,
+                  counts = tiled ? tag::tile_bytes : tag::strip_bytes;
+        const auto found = page.entries.find(offsets);
+        if (found == page.entries.end() || !page.entries.contains(counts)) {
+            fault = "damaged: its directory names no pixels";
+            return {};
+        }
+        std::uint64_t total = 0;
+        for (std::uint64_t i = 0; i < found->second.count; ++i) {
+            const auto start = number(page, offsets, i), bytes = number(page, counts, i);
+            if (!start || !bytes) fault = "damaged: its directory is incomplete";
+            total += std::min(bytes.value_or(0), file_.size());
+            if (total > file_.size()) fault = "truncated or damaged: its pixels are more than the file";
+            if (!fault.empty()) return {};
+            parts.push_back({*start, *bytes});
+        }
     }
-    const bool tiled = page.entries.contains(tag::tile_offsets);
-    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets,
-              counts = tiled ? tag::tile_bytes : tag::strip_bytes;
-    const auto found = page.entries.find(offsets);
-    if (found == page.entries.end() || !page.entries.contains(counts)) {
-        fault = "damaged: its directory names no pixels";
+    for (const auto& part : parts) {
+        const auto there = file_.size() - std::min(part.offset, file_.size());
+        if (there >= part.bytes) continue;
+        fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", there, part.bytes, part.offset);
         return {};
     }
-    std::uint64_t total = 0;
-    for (std::uint64_t i = 0; i < found->second.count; ++i) {
-        total += std::min(number(page, counts, i).value_or(0), file_.size());
-        if (total > file_.size()) {
-            fault = "truncated or damaged: its pixels are more than the file";
-            return {};
-        }
-    }
-    pixels.reserve(total);
-    for (std::uint64_t i = 0; i < found->second.count; ++i) {
-        const auto start = number(page, offsets, i), bytes = number(page, counts, i);
-        if (!start || !bytes) {
-            fault = "damaged: its directory is incomplete";
-            return {};
-        }
-        const auto before = pixels.size();
-        pixels.resize(before + std::min(*bytes, file_.size()));
-        const auto got = file_.read_into(pixels.data() + before, *start, pixels.size() - before);
-        if (got < *bytes) {
-            fault = fmt::format("truncated: {} of {} bytes of pixels at byte {}", got, *bytes, *start);
-            return {};
-        }
-    }
-    return pixels;
+    return parts;
 }
 
-std::optional<FrameRead> TiffStack::plain(const TiffPage& page, const std::string& strips) const {
-    if (number(page, tag::compression).value_or(1) != 1 || page.entries.contains(tag::tile_offsets))
-        return std::nullopt;
-    const auto channels = number(page, tag::samples).value_or(1);
-    const auto photometric = number(page, tag::photometric).value_or(1);
-    if (channels < 1 || channels > 4 || photometric > 2 || (channels > 1 && number(page, tag::planar).value_or(1) != 1))
-        return std::nullopt;
-    const PictureSize size{static_cast<long>(number(page, tag::width).value_or(0)),
-                           static_cast<long>(number(page, tag::height).value_or(0))};
-    const auto bits = number(page, tag::bits).value_or(1);
-    const auto type = sample_type(bits, number(page, tag::sample_format).value_or(1));
-    if (!type) return std::nullopt;
-    auto pixels =
-        pixels_in(strips, {.type = *type, .big_endian = big_endian_, .size = size}, static_cast<int>(channels));
-    if (!pixels)
-        return FrameRead{{},
-                         fmt::format("truncated: {} of {} bytes of pixels", strips.size(),
-                                     static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-                                         channels * bits / 8)};
-    FrameRead frame{std::move(*pixels), {}};
-    if (photometric == 0) frame.pixels = frame.pixels.maxCoeff() - frame.pixels;  // white is 0
-    return frame;
+/// Grey levels of pixels of at most 8 bits, whatever their colours.
+FrameRead TiffStack::colours(const bytes::TiffPieces& pieces) const {
+    const auto words = bytes::tiff_colours(source(), "TIFF", pieces, memory_for(pieces, file_.size()));
+    FramePixels pixels(static_cast<long>(pieces.ny), static_cast<long>(pieces.nx));
+    for (std::size_t i = 0; i < words.size(); ++i)
+        pixels.data()[i] = luminance_of(words[i] & 255, (words[i] >> 8) & 255, (words[i] >> 16) & 255);
+    return {std::move(pixels), {}};
 }
 
-/// The page as a TIFF of its own, for the decoder; its strips follow the directory.
-std::string TiffStack::single_page(const TiffPage& page, const std::string& strips) const {
-    const bool tiled = page.entries.contains(tag::tile_offsets);
-    const int offsets = tiled ? tag::tile_offsets : tag::strip_offsets,
-              counts = tiled ? tag::tile_bytes : tag::strip_bytes;
-    std::string file = big_endian_ ? std::string("MM\0*", 4) : std::string("II*\0", 4), directory, values;
-    const auto put = [&](std::string& text, std::uint64_t value, std::size_t bytes) {
-        for (std::size_t i = 0; i < bytes; ++i)
-            text += static_cast<char>((value >> (8 * (big_endian_ ? bytes - 1 - i : i))) & 0xFF);
-    };
-    put(file, 8, 4);
-    std::map<int, TiffEntry> kept;
-    for (const auto& [tag, entry] : page.entries)
-        if (tag < 32768 && entry.type < 13) kept.emplace(tag, entry);
-    const auto parts = page.entries.at(offsets).count;
-    kept[counts] = {4, parts, {}};
-    kept[offsets] = {4, parts, std::string(4 * parts, '\0')};
-    for (std::uint64_t i = 0; i < parts; ++i) put(kept[counts].value, number(page, counts, i).value_or(0), 4);
-    const auto values_at = 8 + 2 + 12 * kept.size() + 4;
-    std::uint64_t length = 0;
-    for (const auto& [tag, entry] : kept)
-        length += entry.value.size() > 4 ? entry.value.size() + entry.value.size() % 2 : 0;
-    auto strip_at = values_at + length;
-    kept[offsets].value.clear();
-    for (std::uint64_t i = 0; i < parts; ++i) {
-        put(kept[offsets].value, strip_at, 4);
-        strip_at += number(page, counts, i).value_or(0);
-    }
-    put(directory, kept.size(), 2);
-    for (const auto& [tag, entry] : kept) {
-        put(directory, static_cast<std::uint64_t>(tag), 2);
-        put(directory, static_cast<std::uint64_t>(entry.type), 2);
-        put(directory, entry.count, 4);
-        if (entry.value.size() <= 4) {
-            directory += entry.value + std::string(4 - entry.value.size(), '\0');
-            continue;
-        }
-        put(directory, values_at + values.size(), 4);
-        values += entry.value + std::string(entry.value.size() % 2, '\0');
-    }
-    put(directory, 0, 4);
-    return file + directory + values + strips;
+bytes::Source TiffStack::source() const {
+    return {file_.path(), file_.size(), file_.path(), [this](std::uint64_t offset, std::uint64_t count, char* target) {
+                if (file_.read_into(target, offset, count) < count)
+                    throw FileError(file_.path() + ": the file was cut while it was read");
+            }};
 }
 
 FrameRead TiffStack::read(std::size_t index) const {
     const auto& page = pages_[index];
     if (!page.fault.empty()) return {{}, page.fault};
-    if (const auto size = size_of(index); size.width <= 0 || size.height <= 0)
-        return {{}, "damaged: its directory states no size"};
+    const auto size = size_of(index);
+    if (size.width <= 0 || size.height <= 0) return {{}, "damaged: its directory states no size"};
     std::string fault;
-    const auto pixels = strips(page, fault);
+    const auto places = parts(page, fault);
     if (!fault.empty()) return {{}, fault};
-    if (auto frame = plain(page, pixels)) return std::move(*frame);
-    const auto tile = number(page, tag::tile_width).value_or(1),
-               tile_height = number(page, tag::tile_height).value_or(1);
-    if (tile > most_tile_pixels || tile_height > most_tile_pixels / std::max<std::uint64_t>(1, tile))
-        return {{}, fmt::format("damaged: tiles of {} × {} pixels", tile, tile_height)};
-    return decoded_picture(single_page(page, pixels));
+    const auto channels = number(page, tag::samples).value_or(1), bits = number(page, tag::bits).value_or(1),
+               photometric = number(page, tag::photometric).value_or(1);
+    const bool tiled = page.entries.contains(tag::tile_offsets),
+               raw = number(page, tag::compression).value_or(1) == 1 && !tiled;
+    const auto type = sample_type(bits, number(page, tag::sample_format).value_or(1));
+    const bool interleaved =
+        channels >= 1 && channels <= 4 && (channels == 1 || number(page, tag::planar).value_or(1) == 1);
+    RawPixels layout{.big_endian = big_endian_, .size = size};
+    std::string values;
+    if (raw && type && interleaved && photometric <= 2) {
+        for (const auto& part : places) values += file_.read(part.offset, part.bytes);
+        layout.type = *type;
+    } else {
+        bytes::TiffPieces pieces{.directory = page.directory,
+                                 .nx = static_cast<std::uint64_t>(size.width),
+                                 .ny = static_cast<std::uint64_t>(size.height),
+                                 .tiled = tiled};
+        pieces.piece_nx = tiled ? number(page, tag::tile_width).value_or(0) : pieces.nx;
+        pieces.piece_ny = tiled ? number(page, tag::tile_height).value_or(0)
+                                : std::min(number(page, tag::rows_a_strip).value_or(pieces.ny), pieces.ny);
+        if (pieces.piece_nx == 0 || pieces.piece_ny == 0 ||
+            (tiled && (pieces.piece_nx > most_tile_pixels || pieces.piece_ny > most_tile_pixels / pieces.piece_nx)))
+            return {{}, fmt::format("damaged: tiles of {} × {} pixels", pieces.piece_nx, pieces.piece_ny)};
+        if (bits <= 8) return colours(pieces);
+        if (!type || !interleaved)
+            return {{}, fmt::format("{} numbers of {} bits a pixel, which no picture has", channels, bits)};
+        pieces.pixel_bytes = channels * bytes_of(*type);
+        values = bytes::expanded_tiff(source(), "TIFF", pieces, memory_for(pieces, file_.size()));
+        layout.type = *type;
+        layout.big_endian = std::endian::native == std::endian::big;
+    }
+    auto pixels = pixels_in(values, layout, static_cast<int>(channels));
+    if (!pixels)
+        return {{},
+                fmt::format("truncated: {} of {} bytes of pixels", values.size(),
+                            static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                                channels * bits / 8)};
+    FrameRead frame{std::move(*pixels), {}};
+    if (photometric == 0) frame.pixels = frame.pixels.maxCoeff() - frame.pixels;  // white is 0
+    return frame;
 }
 
 }  // namespace setae::imaging

@@ -8,6 +8,7 @@
 
 #include "picture.hpp"
 #include "random_access.hpp"
+#include "setae/bytes/tiff_decoder.hpp"
 
 namespace setae::imaging {
 
@@ -38,6 +39,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return pages_.size(); }
     [[nodiscard]] PictureSize size_of(std::size_t page) const;  ///< 0 × 0 where the directory is damaged
+    /// @throws FormatError where libtiff cannot expand the pixels.
     [[nodiscard]] FrameRead read(std::size_t page) const;
 
     /// Pixel size [m] that the first page states; @throws InvalidArgument for pixels that are not square.
@@ -58,9 +60,13 @@ public:
 
 private:
     [[nodiscard]] std::optional<double> ratio(const TiffPage& page, int tag) const;
-    [[nodiscard]] std::string strips(const TiffPage& page, std::string& fault) const;
-    [[nodiscard]] std::string single_page(const TiffPage& page, const std::string& strips) const;
-    [[nodiscard]] std::optional<FrameRead> plain(const TiffPage& page, const std::string& strips) const;
+    struct Part {
+        std::uint64_t offset = 0, bytes = 0;
+    };
+    /// Strips or tiles, all of which lie within the file; none where there is a fault.
+    [[nodiscard]] std::vector<Part> parts(const TiffPage& page, std::string& fault) const;
+    [[nodiscard]] FrameRead colours(const bytes::TiffPieces& pieces) const;
+    [[nodiscard]] bytes::Source source() const;
     void read_directories();
     void add_pages_without_directory();
 

@@ -24,7 +24,7 @@ Region region_of(const cv::Rect& box, const cv::Mat1f& levels) {
 std::vector<FoundBar> found_bars(const cv::Mat1f& levels) {
     auto drawn = drawn_bars(levels);
     if (drawn.size() > most_bars) drawn.resize(most_bars);
-    TextReader reader;
+    LabelRecogniser reader;
     std::vector<FoundBar> found;
     for (const auto& bar : drawn) {
         const auto label = read_label(levels, bar, reader);

@@ -155,7 +155,7 @@ std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
 
 }  // namespace
 
-BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader) {
+BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecogniser& reader) {
     const int pad_x = std::max(100, levels.cols / 5), pad_y = std::max(40, levels.rows / 14);
     const cv::Rect patch =
         cv::Rect(bar.box.x - pad_x, bar.box.y - pad_y, bar.box.width + 2 * pad_x, bar.box.height + 2 * pad_y) &

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "drawn_bars.hpp"
-#include "text_reader.hpp"
+#include "label_recogniser.hpp"
 
 namespace setae::imaging {
 
@@ -24,6 +24,6 @@ struct BarLabel {
 /// A length is given where three readings agree, in two masks and at two magnifications, no other contradicts them, the
 /// first letter of the unit has the shape read (µ, n, p and m differ by what is open and closed) and a point, where
 /// there is one, is a dot on the baseline and the only speck there.
-[[nodiscard]] BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, TextReader& reader);
+[[nodiscard]] BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecogniser& reader);
 
 }  // namespace setae::imaging

@@ -1,33 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <opencv2/imgcodecs.hpp>
 
 #include "electron_files.hpp"
 #include "emd_files.hpp"
 #include "files/png_chunks.hpp"
 #include "micrograph_files.hpp"
+#include "picture_codecs.hpp"
 
 namespace setae::imaging::tests {
 
 /// A file's content; its name begins with the identifier of its format.
 using Sample = std::pair<std::string, std::string>;
 
-/// A smooth picture as OpenCV writes it.
-inline std::string encoded_picture(const std::string& ending, int side_x = 24, int side_y = 16, int type = CV_8U,
-                                   const std::vector<int>& parameters = {}) {
-    cv::Mat image(side_y, side_x, type == CV_8UC3 ? CV_8UC3 : CV_8U);
-    for (int i = 0; i < side_y; ++i)
-        for (int j = 0; j < side_x * image.channels(); ++j)
+/// A smooth picture.
+inline cv::Mat smooth_picture(int type = CV_8U) {
+    cv::Mat image(16, 24, type == CV_8UC3 ? CV_8UC3 : CV_8U);
+    for (int i = 0; i < image.rows; ++i)
+        for (int j = 0; j < image.cols * image.channels(); ++j)
             image.ptr(i)[j] = static_cast<unsigned char>(40 + 5 * i + 3 * j);
-    if (type == CV_16U || type == CV_32F) image.convertTo(image, type, 7.0);
-    std::vector<unsigned char> bytes;
-    cv::imencode(ending, image, bytes, parameters);
-    return {bytes.begin(), bytes.end()};
+    if (type == CV_16U) image.convertTo(image, type, 7.0);
+    return image;
+}
+
+inline std::string encoded_picture(const std::string& ending, int type = CV_8U) {
+    return picture_bytes(smooth_picture(type), ending);
+}
+
+inline std::string tiff_picture(int compression) {
+    const auto path =
+        (std::filesystem::temp_directory_path() / ("setae_tiff_picture_" + std::to_string(::getpid()))).string();
+    write_tiff(path, {smooth_picture(CV_16U)}, compression);
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(std::istreambuf_iterator<char>(file), {});
+    std::filesystem::remove(path);
+    return bytes;
 }
 
 inline std::string png_picture() { return encoded_picture(".png"); }
@@ -59,15 +72,14 @@ inline std::vector<Sample> micrograph_samples() {
         {"emd packed", EmdFile{.packed = true}.bytes()},
         {"emd Velox", EmdFile{.velox = true, .unit_x = "m"}.bytes()},
         {"png", png_picture()},
-        {"png colour 16 bit", encoded_picture(".png", 24, 16, CV_16U)},
+        {"png colour 16 bit", encoded_picture(".png", CV_16U)},
         {"png of a known scale", with_pixels_a_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
         {"jpeg", encoded_picture(".jpg")},
-        {"jpeg colour", encoded_picture(".jpg", 24, 16, CV_8UC3)},
+        {"jpeg colour", encoded_picture(".jpg", CV_8UC3)},
         {"bmp", encoded_picture(".bmp")}};
     // 1 none, 5 LZW, 8 deflate, 32773 PackBits
     for (const int compression : {5, 8, 32773})
-        samples.emplace_back("tiff compression " + std::to_string(compression),
-                             encoded_picture(".tif", 24, 16, CV_16U, {cv::IMWRITE_TIFF_COMPRESSION, compression}));
+        samples.emplace_back("tiff compression " + std::to_string(compression), tiff_picture(compression));
     return samples;
 }
 

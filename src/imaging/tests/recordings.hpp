@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include "picture_codecs.hpp"
 #include "setae/imaging/frames.hpp"
 
 namespace setae::imaging::tests {
@@ -136,9 +136,7 @@ inline std::string grey_palette() {
 }
 
 inline std::string encoded(const FramePixels& pixels, const std::string& ending) {
-    std::vector<unsigned char> bytes;
-    cv::imencode(ending, as_bytes(pixels), bytes);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    return picture_bytes(as_bytes(pixels), ending);
 }
 
 }  // namespace setae::imaging::tests

@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "drawn_letters.hpp"
+#include "files/picture.hpp"
+#include "picture_codecs.hpp"
 #include "setae/imaging/frames.hpp"
 
 namespace setae::imaging::tests {
@@ -110,11 +111,7 @@ inline FramePixels eight_bits(const cv::Mat1f& picture) {
 inline FramePixels through_jpeg(const cv::Mat1f& picture, int quality) {
     cv::Mat bytes;
     picture.convertTo(bytes, CV_8U);
-    std::vector<unsigned char> file;
-    cv::imencode(".jpg", bytes, file, {cv::IMWRITE_JPEG_QUALITY, quality});
-    cv::Mat1f decoded;
-    cv::imdecode(file, cv::IMREAD_GRAYSCALE).convertTo(decoded, CV_32F);
-    return eight_bits(decoded);
+    return decoded_picture(jpeg_bytes(bytes, quality)).pixels;
 }
 
 /// A ground with a bar on it.

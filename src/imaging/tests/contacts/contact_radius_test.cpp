@@ -159,15 +159,15 @@ TEST(Overlay, DrawsWhatWasFoundInColour) {
     const FrameSource source(folder / "stack.tif", options());
     const auto radii = measure_contact_radii(source);
     write_overlay(folder / "frame.png", source, 4, radii.frames[4]);
-    const auto picture = cv::imread(folder / "frame.png");
+    const auto picture = png_pixels(folder / "frame.png");
     ASSERT_EQ(picture.cols, 8 * 90);
     const auto& ellipse = radii.frames[4].contact.ellipse;
     int coloured = 0;
     for (int k = 0; k < 90; ++k) {
         const double angle = 0.0698 * k;
         const auto place = [](double x) { return static_cast<int>(std::lround(8 * (x + 0.5) - 0.5)); };
-        const auto at = picture.at<cv::Vec3b>(place(ellipse.centre_y + ellipse.semi_major * std::sin(angle)),
-                                              place(ellipse.centre_x + ellipse.semi_major * std::cos(angle)));
+        const auto at = picture(place(ellipse.centre_y + ellipse.semi_major * std::sin(angle)),
+                                place(ellipse.centre_x + ellipse.semi_major * std::cos(angle)));
         coloured += at[2] > at[0] + 60 ? 1 : 0;
     }
     EXPECT_GT(coloured, 80);

@@ -65,7 +65,7 @@ TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
             cv::Mat(static_cast<int>(frame.rows()), static_cast<int>(frame.cols()), CV_32F, frame.data())
                 .convertTo(pages.emplace_back(), type);
         }
-        cv::imwritemulti(folder / "stack.tif", pages);  // LZW
+        write_tiff(folder / "stack.tif", pages);  // LZW
         expect_frames(FrameSource(folder / "stack.tif", at_20_a_second()), frames);
     }
 }
@@ -188,7 +188,7 @@ TEST(FrameSource, FlagsACutDirectoryAndCutPictures) {
     const Folder folder;
     std::vector<cv::Mat> pages;
     for (const auto& frame : patterns(3)) pages.push_back(as_bytes(frame));
-    cv::imwritemulti(folder / "lzw.tif", pages);  // directories after pixels
+    write_tiff(folder / "lzw.tif", pages);  // directories after pixels
     std::filesystem::resize_file(folder / "lzw.tif", std::filesystem::file_size(folder / "lzw.tif") - 40);
     const FrameSource stack(folder / "lzw.tif", at_20_a_second());
     EXPECT_EQ(stack.read(0).fault, "");
@@ -235,7 +235,7 @@ TEST(FrameSource, SurvivesDamagedFiles) {
     const Folder folder;
     std::vector<cv::Mat> pages;
     for (const auto& frame : patterns(2)) pages.push_back(as_bytes(frame));
-    cv::imwritemulti(folder / "lzw.tif", pages);
+    write_tiff(folder / "lzw.tif", pages);
     std::ifstream lzw(folder / "lzw.tif", std::ios::binary);
     const std::vector<std::string> files{
         PlainTiff{.description = "ImageJ=1.53\nimages=2\n", .resolution = 3}.bytes(patterns(2)),

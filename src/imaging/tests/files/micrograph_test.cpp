@@ -83,9 +83,7 @@ TEST(PlainPicture, RefusesPngWithAWrongChecksum) {
 
 TEST(PlainPicture, ReadsLuminanceOfColours) {
     cv::Mat colours(2, 3, CV_8UC3, cv::Scalar(10, 100, 200));  // blue, green, red
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", colours, bytes);
-    EXPECT_NEAR(read_bytes({bytes.begin(), bytes.end()}).pixels(1, 2), 0.299 * 200 + 0.587 * 100 + 0.114 * 10, 1e-4);
+    EXPECT_NEAR(read_bytes(png_bytes(colours)).pixels(1, 2), 0.299 * 200 + 0.587 * 100 + 0.114 * 10, 1e-4);
 }
 
 }  // namespace
