@@ -6,6 +6,7 @@
 
 #include "domain.hpp"
 #include "mapped.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::contact::jkr {
@@ -140,9 +141,7 @@ double contact_radius_at(double force, double displacement, const SphereOnFlat& 
 double energy_release_rate_at_force(double contact_radius, double force, const SphereOnFlat& contact) {
     require_sphere(contact.radius, contact.contact_modulus);
     require_positive(contact_radius, "contact radius");
-    const double a3 = cube(contact_radius);
-    const double missing = 4.0 / 3.0 * contact.contact_modulus * a3 / contact.radius - force;
-    return missing * missing / (8.0 * pi * contact.contact_modulus * a3);
+    return energy_release_slopes(contact_radius, force, contact).value;
 }
 
 double energy_release_rate_at_displacement(double contact_radius, double displacement, const SphereOnFlat& contact) {

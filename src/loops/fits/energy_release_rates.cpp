@@ -2,38 +2,11 @@
 #include <cmath>
 
 #include "setae/contact/jkr.hpp"
-#include "setae/core/constants.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
 namespace setae::loops {
 namespace {
-
-/// G = u²/(8πE*a³), u = 4E*a³/(3R) − F, and its slopes.
-struct Slopes {
-    double value, by_radius, by_force, by_modulus;
-};
-
-Slopes slopes_at(double a, double force, double radius, double modulus) {
-    const double cubed = a * a * a, excess = 4.0 * modulus * cubed / (3.0 * radius) - force,
-                 area = 8.0 * pi * modulus * cubed;
-    const double value = excess * excess / area, by_excess = 2.0 * excess / area;
-    return {.value = value,
-            .by_radius = by_excess * 4.0 * modulus * a * a / radius - 3.0 * value / a,
-            .by_force = -by_excess,
-            .by_modulus = by_excess * 4.0 * cubed / (3.0 * radius) - value / modulus};
-}
-
-/// The implied radius' slopes, from a³ − 3Rδa + 3RF/(2E*) = 0.
-struct Implied {
-    double by_force, by_depth, by_modulus;
-};
-
-Implied implied_slopes(double a, double force, double depth, double radius, double modulus) {
-    const double by_radius = 3.0 * (a * a - radius * depth);
-    return {.by_force = -1.5 * radius / modulus / by_radius,
-            .by_depth = 3.0 * radius * a / by_radius,
-            .by_modulus = 1.5 * radius * force / (modulus * modulus) / by_radius};
-}
 
 double known(double noise) { return noise > 0.0 ? noise * noise : undefined; }
 
@@ -46,8 +19,7 @@ EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, do
 
 EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, const Estimate& contact_modulus,
                                        const Estimate& contact_point) {
-    const double modulus = contact_modulus.value;
-    const contact::SphereOnFlat sphere{.radius = radius, .contact_modulus = modulus};
+    const contact::SphereOnFlat sphere{.radius = radius, .contact_modulus = contact_modulus.value};
     const Index n = data.force.size();
     EnergyReleaseRate result{.contact_radius = data.contact_radius,
                              .energy_release_rate = Array1D::Constant(n, undefined),
@@ -63,17 +35,17 @@ EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, co
         if (!result.radius_measured)
             a = contact::jkr::contact_radius_at(force, data.displacement[i] - contact_point.value, sphere);
         if (!(a > 0.0)) continue;
-        Slopes rate = slopes_at(a, force, radius, modulus);
+        contact::jkr::EnergyReleaseSlopes rate = contact::jkr::energy_release_slopes(a, force, sphere);
         double variance = 0.0, by_contact_point = 0.0;
         if (result.radius_measured) {
             variance =
                 rate.by_force * rate.by_force * force_variance + rate.by_radius * rate.by_radius * radius_variance;
         } else {
-            const Implied implied =
-                implied_slopes(a, force, data.displacement[i] - contact_point.value, radius, modulus);
+            const auto implied =
+                contact::jkr::implied_radius_slopes(a, force, data.displacement[i] - contact_point.value, sphere);
             rate.by_force += rate.by_radius * implied.by_force;
             rate.by_modulus += rate.by_radius * implied.by_modulus;
-            const double by_depth = rate.by_radius * implied.by_depth;
+            const double by_depth = rate.by_radius * implied.by_displacement;
             by_contact_point = -by_depth;
             variance = rate.by_force * rate.by_force * force_variance + by_depth * by_depth * depth_variance +
                        2.0 * rate.by_force * by_depth * data.force_displacement_covariance;

@@ -47,6 +47,27 @@ double square_standard_error(double root, double root_standard_error, double fac
     return factor * std::sqrt(4.0 * root * root * variance + 2.0 * variance * variance);
 }
 
+WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::MatrixXd& covariance) {
+    const double modulus = modulus_and_root[0], root = modulus_and_root[1];
+    const double work = root * std::abs(root) / modulus;
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+    slopes(1, 0) = -work / modulus;
+    slopes(1, 1) = 2.0 * std::abs(root) / modulus;
+    WorkFromRoot result{.work_of_adhesion = work, .covariance = slopes * covariance * slopes.transpose()};
+    // the second-order term keeps the error finite at W = 0
+    const double second = covariance(1, 1) / modulus;
+    result.standard_error = std::sqrt(result.covariance(1, 1) + 2.0 * second * second);
+    return result;
+}
+
+Array1D shape_candidates() {
+    constexpr Index steps = 20;
+    Array1D candidates(steps + 1);
+    candidates[0] = 0.0;
+    candidates.tail(steps) = pow(10.0, Array1D::LinSpaced(steps, -1.5, 1.0));
+    return candidates;
+}
+
 Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies) {
     const contact::ElasticSolid counter = bodies.counter_body();
     const bool rigid = std::isinf(counter.youngs_modulus);

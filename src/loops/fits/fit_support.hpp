@@ -25,6 +25,19 @@ void require_modulus(double contact_modulus);
 /// Standard error of W ∝ p|p| from that of p: sqrt((2|p| σ)² + 2σ⁴) c, which stays finite at W = 0.
 [[nodiscard]] double square_standard_error(double root, double root_standard_error, double factor);
 
+/// W from E* and c = √(E*W), W = c|c|/E*, with the covariance of E*, W and what else was fitted.
+struct WorkFromRoot {
+    double work_of_adhesion = 0.0;
+    double standard_error = 0.0;
+    Eigen::MatrixXd covariance;
+};
+/// covariance: of E*, c and any others.
+[[nodiscard]] WorkFromRoot work_from_root(const Eigen::Vector2d& modulus_and_root, const Eigen::MatrixXd& covariance);
+
+/// Values of the shape parameter p of contact::jkr::radius_at that a search for the best one tries: 0 and logarithmic
+/// steps to 10, so that W from far below to a hundred times what the force scale stands for is met.
+[[nodiscard]] Array1D shape_candidates();
+
 /// Fills E, correlation, runs, rms and relative residual from covariance, residuals and E*, W.
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
 

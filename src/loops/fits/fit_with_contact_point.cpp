@@ -5,6 +5,7 @@
 
 #include "contact_points/held_contact_point.hpp"
 #include "fit_support.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "small_least_squares.hpp"
@@ -12,56 +13,8 @@
 namespace setae::loops {
 namespace {
 
-/// F/E* at a depth, with s = √a: s⁴/R − λs = δ − δ0, F/E* = 4s⁶/(3R) − 2λs³, λ = √(2πω) with the sign of ω = W/E*.
-struct Point {
-    double value = 0.0;     ///< F/E* [m²]
-    double by_shape = 0.0;  ///< its derivative in λ
-    double by_depth = 0.0;  ///< in δ
-};
-
-/// F/E* against depth for one shape.
-class Curve {
-public:
-    Curve(double shape, double radius)
-        : shape_(shape),
-          radius_(radius),
-          fold_(shape > 0.0 ? std::cbrt(0.25 * radius * shape) : 0.0),
-          by_shape_(shape > 0.0 ? std::cbrt(2.0 * radius * shape) : 0.0) {}
-
-    [[nodiscard]] Point at(double depth) const {
-        const double s = root(depth), cubed = s * s * s;
-        Point point{.value = cubed * (4.0 / 3.0 * cubed / radius_ - 2.0 * shape_), .by_shape = -2.0 * cubed};
-        const double slope =
-            4.0 * cubed / radius_ - shape_;  // 0 at the fold, where the contact parts and the force stays
-        constexpr double off_fold = 1e-9;
-        if (!(slope > off_fold * std::abs(shape_)) || slope == 0.0) return point;
-        const double by_root = s * s * (8.0 * cubed / radius_ - 6.0 * shape_);
-        point.by_shape += by_root * s / slope;
-        point.by_depth = by_root / slope;
-        return point;
-    }
-
-private:
-    double shape_, radius_;
-    double fold_;      ///< √a where the contact parts
-    double by_shape_;  ///< not below √a at depth 0
-
-    /// The stable root: the polynomial is convex, so that Newton's steps from above it never pass it.
-    [[nodiscard]] double root(double depth) const {
-        if (depth <= fold_ * (fold_ * fold_ * fold_ / radius_ - shape_)) return fold_;
-        const double by_depth = depth > 0.0 ? std::sqrt(std::sqrt(2.0 * radius_ * depth)) : 0.0;
-        double s = std::max(by_depth, by_shape_);
-        constexpr int most = 60;
-        constexpr double close = 1e-9;  // the next step, of the order of its square, would be lost in rounding
-        for (int i = 0; i < most; ++i) {
-            const double cubed = s * s * s / radius_;
-            const double step = (s * (cubed - shape_) - depth) / (4.0 * cubed - shape_);
-            s -= step;
-            if (!(step > close * s)) break;
-        }
-        return std::max(s, fold_);
-    }
-};
+using Curve = contact::jkr::DepthCurve;
+using Point = contact::jkr::CurveValue;
 
 struct HeldProblem {
     Array1D depth;  ///< δ − δ0 [m]
@@ -142,7 +95,7 @@ struct HeldProblem {
         const Curve curve(shape_of(at), radius);
         Array1D result(force.size());
         for (Index i = 0; i < result.size(); ++i) {
-            const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_depth;
+            const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_abscissa;
             result[i] = data.force_noise * data.force_noise +
                         slope * slope * data.displacement_noise * data.displacement_noise -
                         2.0 * slope * data.force_displacement_covariance;

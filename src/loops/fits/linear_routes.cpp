@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "fit_support.hpp"
-#include "jkr_force_terms.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::loops {

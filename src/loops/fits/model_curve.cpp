@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "setae/contact/jkr.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/contact/large_strain.hpp"
 #include "setae/contact/maugis_dugdale.hpp"
 #include "setae/core/constants.hpp"
@@ -27,15 +28,18 @@ struct EdgeTerms {
 };
 
 EdgeTerms half_space_terms(double a, double radius) {
-    const double edge = std::sqrt(8.0 * pi * a) * a, pull = std::sqrt(2.0 * pi * a);
-    return {.dry_force = 4.0 * a * a * a / (3.0 * radius),
-            .dry_force_slope = 4.0 * a * a / radius,
-            .edge_force = edge,
-            .edge_force_slope = 1.5 * edge / a,
-            .dry_displacement = a * a / radius,
+    // E* = 1 and W = 1: every term by itself
+    const contact::jkr::CurveAt<double> jkr(a);
+    const double e = contact::jkr::press_coefficient(1.0, radius), g = contact::jkr::pull_coefficient(1.0),
+                 p = 2.0 / 3.0 * g / e / radius;
+    return {.dry_force = e * jkr.cube,
+            .dry_force_slope = jkr.force_slope(e, 0.0),
+            .edge_force = g * jkr.three_halves,
+            .edge_force_slope = -jkr.force_slope(0.0, g),
+            .dry_displacement = jkr.square / radius,
             .dry_displacement_slope = 2.0 * a / radius,
-            .edge_displacement = pull,
-            .edge_displacement_slope = 0.5 * pull / a};
+            .edge_displacement = p * jkr.root,
+            .edge_displacement_slope = 0.5 * p * jkr.inverse_root()};
 }
 
 EdgeTerms layer_terms(double a, double radius, const contact::layer::Layer& layer) {

@@ -8,16 +8,17 @@
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
-#include "latent_routes.hpp"
+#include "errors_in_variables/routes.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
 namespace setae::loops {
 namespace {
 
-using latent::Held;
-using latent::Points;
-using latent::Solution;
+namespace eiv = errors_in_variables;
+using eiv::Held;
+using eiv::Points;
+using eiv::Solution;
 
 /// χ² against one parameter held, from one value to the next.
 class Profile {
@@ -25,13 +26,13 @@ public:
     /// straight: the samples fitted, with the offset of the curvature taken off. unit: variance the rise is counted in.
     Profile(Points straight, const Solution& best, Held held, double unit)
         : points_(std::move(straight)), best_(best), held_(held), unit_(unit) {
-        best_ = latent::solve_carefully(points_, best.parameters, best.x);
+        best_ = eiv::solve_carefully(points_, best.parameters, best.x);
     }
 
     /// Δχ² with the parameter at a value; NaN where no fit is found.
     [[nodiscard]] double rise(double value) {
         const Solution start = at(value);
-        const Solution found = latent::solve_carefully(points_, start.parameters, start.x, {.held = held_});
+        const Solution found = eiv::solve_carefully(points_, start.parameters, start.x, {.held = held_});
         if (!found.converged) return undefined;
         last_ = found;
         return std::max(0.0, (found.squares - best_.squares) / unit_);
@@ -48,11 +49,11 @@ private:
         double& root = moved.parameters[1];
         if (held_ == Held::modulus) {
             // W is kept
-            root *= std::sqrt(latent::reduced_parameters(points_, value, 0.0, 0.0)[0] / modulus);
-            modulus = latent::reduced_parameters(points_, value, 0.0, 0.0)[0];
+            root *= std::sqrt(eiv::reduced_parameters(points_, value, 0.0, 0.0)[0] / modulus);
+            modulus = eiv::reduced_parameters(points_, value, 0.0, 0.0)[0];
         } else {
-            root = latent::reduced_parameters(points_, modulus / latent::reduced_parameters(points_, 1.0, 0.0, 0.0)[0],
-                                              value, 0.0)[1];
+            root = eiv::reduced_parameters(points_, modulus / eiv::reduced_parameters(points_, 1.0, 0.0, 0.0)[0], value,
+                                           0.0)[1];
         }
         return moved;
     }
@@ -122,15 +123,15 @@ void require_valid(const ProfileOptions& options) {
 ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounterBody& bodies,
                                      const ProfileOptions& options) {
     require_valid(options);
-    const latent::Route route =
-        options.fit == ProfiledFit::effective_variance   ? latent::effective_variance_route(data, bodies)
-        : options.fit == ProfiledFit::force_displacement ? latent::force_displacement_route(data, bodies)
-                                                         : latent::joint_route(data, bodies);
-    const latent::Fitted& fitted = route.fitted;
+    const eiv::Route route =
+        options.fit == ProfiledFit::effective_variance   ? eiv::effective_variance_route(data, bodies)
+        : options.fit == ProfiledFit::force_displacement ? eiv::force_displacement_route(data, bodies)
+                                                         : eiv::joint_route(data, bodies);
+    const eiv::Fitted& fitted = route.fitted;
     if (!route.fit.covariance.allFinite())
         throw UndefinedDataError(fmt::format("{}: no profile likelihood, the fit has no covariance", route.fit.method));
-    const Points straight = latent::straightened(fitted.points, fitted.solution);
-    const Eigen::MatrixXd independent = latent::independent_covariance(fitted);
+    const Points straight = eiv::straightened(fitted.points, fitted.solution);
+    const Eigen::MatrixXd independent = eiv::independent_covariance(fitted);
     const auto of = [&](Held held, const Estimate& estimate, Index parameter) {
         const double unit = route.fit.covariance(parameter, parameter) / independent(parameter, parameter);
         return profiled(Profile(straight, fitted.solution, held, unit), estimate, options);

@@ -6,13 +6,15 @@
 #include <limits>
 
 #include "fit_support.hpp"
-#include "jkr_force_terms.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
 namespace setae::loops {
 namespace {
+
+using JkrArray = contact::jkr::CurveAt<Array1D>;
 
 /// The contact radii, measured or implied. @throws UndefinedDataError where force and displacement imply none.
 Array1D radii(const BranchData& points, double radius, double modulus, double contact_point) {
@@ -25,15 +27,17 @@ Array1D radii(const BranchData& points, double radius, double modulus, double co
 
 /// √(E*W) with E* given.
 LeastSquaresSolution solve_fixed(const BranchData& points, double radius, double modulus, double contact_point) {
-    const ForceTerms terms = force_terms(radii(points, radius, modulus, contact_point), radius);
-    return solve_linear(terms.adhesion.matrix(), modulus * terms.hertz - points.force);
+    const JkrArray jkr(radii(points, radius, modulus, contact_point));
+    const Array1D adhesion = contact::jkr::pull_coefficient(1.0) * jkr.three_halves;
+    return solve_linear(adhesion.matrix(), contact::jkr::press_coefficient(modulus, radius) * jkr.cube - points.force);
 }
 
 /// E* and √(E*W).
 LeastSquaresSolution solve_free(const BranchData& points, double radius) {
-    const ForceTerms terms = force_terms(points.contact_radius, radius);
+    const JkrArray jkr(points.contact_radius);
     Eigen::MatrixXd design(points.force.size(), 2);
-    design << terms.hertz, -terms.adhesion;
+    design << contact::jkr::press_coefficient(1.0, radius) * jkr.cube,
+        -contact::jkr::pull_coefficient(1.0) * jkr.three_halves;
     return solve_linear(design, points.force);
 }
 

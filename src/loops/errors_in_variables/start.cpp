@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latent_start.hpp"
+#include "start.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
 
-#include "fit_support.hpp"
+#include "fits/fit_support.hpp"
+#include "setae/contact/jkr_curve.hpp"
 
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 namespace {
+
 /// Round by round, the offset of the curvature held while a sum of squares is made least: where plain rounds do not
 /// settle.
 Solution solve_with_offsets_held(const Points& points, const Solution& near) {
@@ -63,8 +65,8 @@ double excess(const Fitted& fitted) {
 
 Parameters linear_start(const Points& all) {
     const Points points = averaged(all, neighbours_of_a_first_solution(all.force.size()));
-    const Array1D three_halves = points.contact_radius * points.contact_radius.sqrt(),
-                  cube = points.contact_radius.cube();
+    const contact::jkr::CurveAt<Array1D> curve(points.contact_radius);
+    const Array1D &cube = curve.cube, &three_halves = curve.three_halves;
     Eigen::Matrix2d normal;
     normal << cube.square().sum(), -(cube * three_halves).sum(), 0.0, cube.sum();
     normal(1, 0) = normal(0, 1);
@@ -72,9 +74,7 @@ Parameters linear_start(const Points& all) {
         normal.fullPivLu().solve(Eigen::Vector2d((cube * points.force).sum(), -(three_halves * points.force).sum()));
     Parameters start(found[0], found[1], 0.0);
     if (points.channels.displacement)
-        start[2] = (points.depth - points.contact_radius.square() +
-                    2.0 / 3.0 * start[1] / start[0] * points.contact_radius.sqrt())
-                       .mean();
+        start[2] = (points.depth - curve.square + 2.0 / 3.0 * start[1] / start[0] * curve.root).mean();
     return start;
 }
 
@@ -102,4 +102,4 @@ Fitted fit(const Points& points, const Parameters& start) {
     return all;
 }
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

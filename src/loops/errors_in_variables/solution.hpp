@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "correlated_residuals.hpp"
+#include "fits/correlated_residuals.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
 /// Fits of a JKR branch in which each sample has a true contact radius of its own.
@@ -19,7 +19,7 @@
 /// method, each x eliminated by hand (Britt, Luecke, Technometrics 15 (1973) 233). Noise along a curved line moves
 /// samples to its outer side by half the curvature on average: that is taken off (Amemiya, Fuller, Ann. Stat. 16 (1988)
 /// 147).
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 
 struct Channels {
     bool displacement = false;
@@ -107,4 +107,4 @@ struct Across {
 /// JᵀJ of all directions.
 [[nodiscard]] Eigen::MatrixXd across_information(const Across& noise);
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "latent_fit.hpp"
+#include "solution.hpp"
 
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 
 /// Parameters near enough to begin with where the contact radius was measured: F = E*·4a³/(3R) − √(E*W)·√(8πa³) by
 /// linear least squares in force, the contact point by the mean difference.
@@ -23,4 +23,4 @@ struct Fitted {
 /// were taken.
 [[nodiscard]] Fitted fit(const Points& points, const Parameters& start);
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

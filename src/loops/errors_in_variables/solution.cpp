@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latent_fit.hpp"
+#include "solution.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
 
-#include "latent_curve.hpp"
+#include "curve.hpp"
+#include "fits/small_least_squares.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/core/errors.hpp"
-#include "small_least_squares.hpp"
 
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 namespace {
 
 using Eigen::Matrix3d;
@@ -253,4 +252,4 @@ Solution projected(const Points& points, const Solution& solution) {
     return result;
 }
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

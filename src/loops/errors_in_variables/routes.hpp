@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "latent_start.hpp"
+#include "start.hpp"
 
 /// The fits in which each sample has a true contact radius, with what they were made to.
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 
 struct Route {
     JkrFit fit;
@@ -23,7 +23,4 @@ struct Route {
 /// Covariance of E*, W and the contact point if the residuals were independent and of the variance given.
 [[nodiscard]] Eigen::MatrixXd independent_covariance(const Fitted& fitted);
 
-/// A fit's numbers in SI units: everything but its residuals, and what `complete` adds. noise: of all samples.
-[[nodiscard]] JkrFit finished(const Fitted& fitted, const Across& noise, std::string method);
-
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

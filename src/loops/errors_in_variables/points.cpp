@@ -5,13 +5,12 @@
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
-#include "fit_support.hpp"
-#include "jkr_force_terms.hpp"
-#include "latent_curve.hpp"
+#include "curve.hpp"
+#include "fits/fit_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 namespace {
 
 void require_noise(double noise, const char* channel) {
@@ -195,4 +194,4 @@ Eigen::MatrixXd across_information(const Across& noise) {
     return sum;
 }
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables

@@ -3,9 +3,10 @@
 
 #include <array>
 
-#include "latent_fit.hpp"
+#include "setae/contact/jkr_curve.hpp"
+#include "solution.hpp"
 
-namespace setae::loops::latent {
+namespace setae::loops::errors_in_variables {
 
 /// The curve at true radii x beside the samples from `first` on, in units of the noise: one entry a channel.
 template <std::size_t channels, std::size_t parameters, class Lane>
@@ -40,35 +41,33 @@ template <bool depth, bool radius, class Lane, bool with_mixed = false>
     constexpr Index width = Lane::SizeAtCompileTime;
     constexpr std::size_t depth_channel = 1, radius_channel = depth ? 2 : 1;
     Curve<1 + depth + radius, depth ? 3 : 2, Lane> curve;
-    const double modulus = at[0], root = at[1];
-    const Lane square_root = x.sqrt(), inverse_root = square_root / x;
-    const Lane square = x * x, cube = square * x, three_halves = x * square_root;
+    const double e = at[0], g = at[1];
+    const contact::jkr::CurveAt<Lane> jkr(x);
     const double wf = points.force_weight;
-    curve.residual[0] = wf * (points.force.segment<width>(first) - (modulus * cube - root * three_halves));
-    curve.tangent[0] = wf * (3.0 * modulus * square - 1.5 * root * square_root);
-    curve.second[0] = wf * (6.0 * modulus * x - 0.75 * root * inverse_root);
-    curve.by_parameter[0][0] = wf * cube;
-    curve.by_parameter[1][0] = -wf * three_halves;
+    curve.residual[0] = wf * (points.force.segment<width>(first) - jkr.force(e, g));
+    curve.tangent[0] = wf * jkr.force_slope(e, g);
+    curve.second[0] = wf * jkr.force_bend(e, g);
+    curve.by_parameter[0][0] = wf * jkr.cube;
+    curve.by_parameter[1][0] = -wf * jkr.three_halves;
     if constexpr (with_mixed) {
-        curve.mixed[0][0] = 3.0 * wf * square;
-        curve.mixed[1][0] = -1.5 * wf * square_root;
+        curve.mixed[0][0] = 3.0 * wf * jkr.square;
+        curve.mixed[1][0] = -1.5 * wf * jkr.root;
     }
     if constexpr (depth) {
-        const double wd = points.depth_weight, pull = 2.0 / 3.0 * root / modulus;
+        const double wd = points.depth_weight, pull = 2.0 / 3.0 * g / e;
         const double shared = points.shared * wd / wf;  // of the force in units of its noise
+        const Lane inverse_root = jkr.inverse_root();
         curve.by_parameter[2][0].setZero();
         curve.residual[depth_channel] =
-            wd * (points.depth.segment<width>(first) - (square - pull * square_root + at[2])) -
-            shared * curve.residual[0];
-        curve.tangent[depth_channel] = wd * (2.0 * x - 0.5 * pull * inverse_root) - shared * curve.tangent[0];
-        curve.second[depth_channel] = wd * (2.0 + 0.25 * pull * inverse_root / x) - shared * curve.second[0];
-        curve.by_parameter[0][depth_channel] = wd * pull / modulus * square_root - shared * curve.by_parameter[0][0];
-        curve.by_parameter[1][depth_channel] =
-            -wd * (2.0 / 3.0) / modulus * square_root - shared * curve.by_parameter[1][0];
+            wd * (points.depth.segment<width>(first) - (jkr.depth(pull) + at[2])) - shared * curve.residual[0];
+        curve.tangent[depth_channel] = wd * jkr.depth_slope(pull) - shared * curve.tangent[0];
+        curve.second[depth_channel] = wd * jkr.depth_bend(pull) - shared * curve.second[0];
+        curve.by_parameter[0][depth_channel] = wd * pull / e * jkr.root - shared * curve.by_parameter[0][0];
+        curve.by_parameter[1][depth_channel] = -wd * (2.0 / 3.0) / e * jkr.root - shared * curve.by_parameter[1][0];
         curve.by_parameter[2][depth_channel].setConstant(wd);
         if constexpr (with_mixed) {
-            curve.mixed[0][depth_channel] = 0.5 * wd * pull / modulus * inverse_root - shared * curve.mixed[0][0];
-            curve.mixed[1][depth_channel] = -wd / (3.0 * modulus) * inverse_root - shared * curve.mixed[1][0];
+            curve.mixed[0][depth_channel] = 0.5 * wd * pull / e * inverse_root - shared * curve.mixed[0][0];
+            curve.mixed[1][depth_channel] = -wd / (3.0 * e) * inverse_root - shared * curve.mixed[1][0];
             for (Lane& part : curve.mixed[2]) part.setZero();
         }
     }
@@ -84,4 +83,4 @@ template <bool depth, bool radius, class Lane, bool with_mixed = false>
     return curve;
 }
 
-}  // namespace setae::loops::latent
+}  // namespace setae::loops::errors_in_variables
