@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     add_contour(program, action);
     add_check(program, action);
     add_profile(program, action);
+    add_tip(program, action);
     add_psd(program, action);
     add_sdrp(program, action);
     add_acf(program, action);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "plain_sum.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"

@@ -143,15 +143,6 @@ Measurement detrended(Measurement measurement, Trend trend, parallel::Threads th
     return detrended(std::get<Profile>(std::move(measurement)), trend);
 }
 
-HeightMap flattened_lines(HeightMap map, int order) {
-    if (order < 0 || order > 3)
-        throw InvalidArgument(fmt::format("polynomial order {} for flattening lines; expected 0, 1, 2 or 3", order));
-    for (Index j = 0; j < map.heights.cols(); ++j)
-        if (!remove_polynomial(map.heights.col(j), order))
-            map.heights.col(j).setConstant(std::numeric_limits<double>::quiet_NaN());
-    return map;
-}
-
 Trend trend_from_name(const std::string& name) {
     for (const auto& [trend, known] : trend_names)
         if (name == known) return trend;

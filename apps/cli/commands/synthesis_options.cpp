@@ -90,7 +90,8 @@ synthesis::ExpectedRoughness SynthesisPlan::expected() const {
 
 topography::Measurement SynthesisPlan::make() const {
     if (line) return synthesis::random_line(density, {grid.nx, grid.size_x}, options);
-    auto map = synthesis::random_surface(density, grid, options);
+    auto map = heights ? synthesis::non_gaussian_surface(density, grid, heights, options).map
+                       : synthesis::random_surface(density, grid, options);
     return window ? synthesis::cut(map, 0, 0, (*window)[0], (*window)[1]) : std::move(map);
 }
 
@@ -114,6 +115,8 @@ void SynthesisOptions::add_to(CLI::App& verb) {
     verb.add_option("--amplitudes", amplitudes, "gaussian, or exact: every mode as the spectrum says")
         ->check(CLI::IsMember({"gaussian", "exact"}));
     verb.add_option("--stretch", stretch, "features this many times longer along --angle")->capture_default_str();
+    verb.add_option("--skewness", skewness, "of the heights of a surface, which keeps its spectrum; default 0");
+    verb.add_option("--kurtosis", kurtosis, "of the heights of a surface; default 3, Gaussian");
     verb.add_option("--angle", angle, "of the long direction against x, degrees")->capture_default_str();
 }
 
@@ -145,6 +148,10 @@ SynthesisPlan SynthesisOptions::plan(parallel::Threads threads) const {
         .amplitudes = amplitudes == "exact" ? synthesis::Amplitudes::exact : synthesis::Amplitudes::gaussian,
         .anisotropy = {stretch, angle * pi / 180.0},
         .threads = threads};
+    if (skewness || kurtosis) {
+        if (line) throw InvalidArgument("--skewness and --kurtosis are for surfaces; leave them out with --line");
+        plan.heights = synthesis::johnson_heights({skewness.value_or(0.0), kurtosis.value_or(3.0)});
+    }
     plan.density = spectrum.empty() ? self_affine(plan.grid) : from_table(spectrum, line);
     if (exact_rms)
         plan.options.exact_rms_height =

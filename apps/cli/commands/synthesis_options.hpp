@@ -4,7 +4,7 @@
 #include <array>
 
 #include "session.hpp"
-#include "setae/synthesis/random_surface.hpp"
+#include "setae/synthesis/transformed_heights.hpp"
 
 namespace setae::cli {
 
@@ -14,6 +14,7 @@ struct SynthesisPlan {
     synthesis::SurfaceGrid grid;       ///< of a line: nx and size_x
     synthesis::SurfaceOptions options;
     bool line = false;
+    synthesis::HeightTransform heights;          ///< of their distribution; empty: Gaussian
     std::optional<std::array<Index, 2>> window;  ///< points of it, from the surface's first point on
 
     /// What the spectrum gives on the grid.
@@ -30,6 +31,7 @@ struct SynthesisOptions {
     bool line = false, exact_rms = false;
     std::string amplitudes = "gaussian";
     double stretch = 1.0, angle = 0.0;
+    std::optional<double> skewness, kurtosis;
 
     void add_to(CLI::App& verb);
     /// @throws InvalidArgument for options that are missing, malformed or contradict each other; as the reader of

@@ -21,6 +21,7 @@ constexpr const char* explanation =
     "h(x)       = sum_q c_q exp(iqx), <|c_q|^2> = C_iso/A; c_q complex normal, or random phases alone (--amplitudes exact)\n"
     "spectrum   h_rms^2 = sum_q C/A and h'^2 = sum_q q^2 C/A over the modes of the grid\n"
     "made       h_rms of the heights written; slopes from differences of neighbouring heights\n"
+    "--skewness, --kurtosis: heights a function of Gaussian ones (Johnson 1949) whose spectrum makes up for it\n"
     "The random number of a mode belongs to the seed and its mode numbers: more pixels over the same size show the same\n"
     "surface with more modes.\n";
 

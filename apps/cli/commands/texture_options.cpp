@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture_options.hpp"
 
-#include <cmath>
-
 #include "setae/core/errors.hpp"
-#include "setae/topography/line_scans.hpp"
 
 namespace setae::cli {
 
@@ -64,6 +61,7 @@ texture::Filters TextureOptions::filters() const {
 texture::ProfileOptions TextureOptions::profile() const {
     texture::ProfileOptions options;
     options.filters = filters();
+    options.default_filters = l_filter == "default";
     options.kind = kind == "primary"    ? ProfileKind::primary
                    : kind == "waviness" ? ProfileKind::waviness
                                         : ProfileKind::roughness;
@@ -74,45 +72,6 @@ texture::ProfileOptions TextureOptions::profile() const {
     options.material_ratio = material_ratio.value_or(0.5);
     options.between = between == "nothing" ? texture::Between::nothing : texture::Between::linear;
     return options;
-}
-
-namespace {
-
-/// Rows of many lines as one: means over the lines where each has a value, and the standard error of these means.
-std::vector<TextureParameter> mean_over_lines(const std::vector<std::vector<TextureParameter>>& lines) {
-    auto rows = lines.front();
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        auto& quantity = rows[r].quantity;
-        std::vector<double> values;
-        quantity.n = 0;
-        for (const auto& line : lines) {
-            *quantity.n += line[r].quantity.n.value_or(0);
-            if (std::isnan(line[r].quantity.estimate.value)) continue;
-            if (values.empty()) quantity.alerts = line[r].quantity.alerts;
-            values.push_back(line[r].quantity.estimate.value);
-        }
-        if (values.empty()) continue;
-        const auto count = static_cast<double>(values.size());
-        const Eigen::Map<const Array1D> all(values.data(), static_cast<Index>(values.size()));
-        quantity.estimate = {.value = all.mean()};
-        if (values.size() < 2) continue;
-        quantity.estimate.standard_error = std::sqrt((all - all.mean()).square().sum() / (count * (count - 1.0)));
-        quantity.estimate.method = "scan lines";
-    }
-    return rows;
-}
-
-}  // namespace
-
-std::vector<TextureParameter> TextureOptions::of_line(const texture::MeasurementView& line,
-                                                      texture::ProfileOptions options,
-                                                      parallel::Threads threads) const {
-    if (l_filter == "default") {
-        const auto setting = texture::default_setting(line, threads);
-        options.filters.l_filter = setting.section_length;
-        if (!options.filters.s_filter) options.filters.s_filter = setting.s_filter;
-    }
-    return texture::profile_parameters(line, options, threads);
 }
 
 std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Measurement& measurement,
@@ -126,13 +85,8 @@ std::vector<TextureParameter> TextureOptions::parameters_of(const topography::Me
                                           .material_ratio = of_lines.material_ratio},
                                          threads);
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    if (!map) return of_line(measurement, of_lines, threads);
-    std::vector<std::vector<TextureParameter>> lines;
-    for (const auto& line : topography::line_scans(*map))
-        if ((line.heights == line.heights).count() > 1) lines.push_back(of_line(line, of_lines, threads));
-    if (lines.empty())
-        throw UndefinedDataError(topography::label(map->metadata) + ": no scan line has two defined heights");
-    return mean_over_lines(lines);
+    return map ? texture::mean_profile_parameters(*map, of_lines, threads)
+               : texture::profile_parameters(measurement, of_lines, threads);
 }
 
 }  // namespace setae::cli

@@ -26,9 +26,6 @@ struct TextureOptions {
 private:
     [[nodiscard]] texture::Filters filters() const;
     [[nodiscard]] texture::ProfileOptions profile() const;
-    [[nodiscard]] std::vector<texture::TextureParameter> of_line(const texture::MeasurementView& line,
-                                                                 texture::ProfileOptions options,
-                                                                 parallel::Threads threads) const;
 };
 
 }  // namespace setae::cli

@@ -14,6 +14,7 @@ void add_level(CLI::App& program, Action& action);
 void add_contour(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_profile(CLI::App& program, Action& action);
+void add_tip(CLI::App& program, Action& action);
 void add_psd(CLI::App& program, Action& action);
 void add_sdrp(CLI::App& program, Action& action);
 void add_acf(CLI::App& program, Action& action);

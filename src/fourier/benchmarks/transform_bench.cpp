@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "plain_sum.hpp"
 #include "setae/fourier/buffer.hpp"
-#include "setae/fourier/nonuniform.hpp"
 #include "setae/fourier/transform.hpp"
 
 namespace {

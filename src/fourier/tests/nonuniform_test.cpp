@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/fourier/nonuniform.hpp"
+#include "plain_sum.hpp"
 
 #include <cmath>
 #include <complex>

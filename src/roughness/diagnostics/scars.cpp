@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "evidence.hpp"
+#include "patches.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/geometry/patches.hpp"
 
 namespace setae::diagnostics {
 namespace {
@@ -50,7 +50,7 @@ Found scars(const Evidence& evidence) {
     if (!evidence.scars) return {};
     const auto& mask = *evidence.scars;
     const Index points = mask.cast<Index>().sum();
-    const auto strokes = geometry::patches(mask).count;
+    const auto strokes = patches(mask).count;
     const double share = static_cast<double>(points) / static_cast<double>(mask.size());
     const Array2D rest = (mask > 0).select(undefined, evidence.level.heights);
     const double with = rms_height(evidence.level.heights), without = rms_height(rest);

@@ -42,14 +42,4 @@ FunctionOfScale autocorrelation_of_area(const topography::HeightMap& map, const 
     return result;
 }
 
-AutocorrelationMap autocorrelation_map(const topography::HeightMap& map, parallel::Threads threads) {
-    const auto lags = lags_of(map);
-    AutocorrelationMap result{Array2D(lags.x + 1, 2 * lags.y + 1), lags.y, map.pixel_size()};
-    for_each_lag_row(map, threads, [&](Index k, const double* values) {
-        std::copy_n(values, result.value.cols(), result.value.row(k).data());
-    });
-    result.value(0, lags.y) = 0.0;
-    return result;
-}
-
 }  // namespace setae::scales

@@ -226,35 +226,6 @@ void hand_over_rows(const Source& source, double distance, const DifferenceOptio
     }
 }
 
-template <class Kind>
-FunctionOfScale any_of(const Kind& measurement, const DifferenceOptions& options,
-                       const std::function<double(const ArrayView1D&)>& statistic) {
-    const auto source = source_of(measurement, options);
-    std::vector<double> distances, values, counts;
-    for (const double distance : distances_of(source, options)) {
-        std::vector<double> differences;
-        hand_over_rows(source, distance, options, [&](Index, Index, const ArrayView1D& row) {
-            std::copy_if(row.begin(), row.end(), std::back_inserter(differences),
-                         [](double value) { return value == value; });
-        });
-        if (static_cast<Index>(differences.size()) < std::max<Index>(1, options.fewest)) continue;
-        distances.push_back(distance);
-        values.push_back(
-            statistic(Eigen::Map<const Array1D>(differences.data(), static_cast<Index>(differences.size()))));
-        counts.push_back(static_cast<double>(differences.size()));
-    }
-    const auto n = static_cast<Index>(distances.size());
-    FunctionOfScale result;
-    result.distance = Eigen::Map<const Array1D>(distances.data(), n);
-    result.value = Eigen::Map<const Array1D>(values.data(), n);
-    result.count = Eigen::Map<const Array1D>(counts.data(), n);
-    result.standard_error = Array1D::Constant(n, undefined);
-    result.reliable_from =
-        0.5 * options.order * shortest_reliable_wavelength(measurement, options.reliability, options.threads);
-    result.metadata = measurement.metadata;
-    return result;
-}
-
 }  // namespace
 
 DifferenceStatistics difference_statistics(const topography::HeightMap& map, const DifferenceOptions& options) {
@@ -282,21 +253,6 @@ void for_each_row_of_differences(const topography::HeightMap& map, double distan
 void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options,
                                  const RowConsumer& consume) {
     hand_over_rows(source_of(scan, options), distance, options, consume);
-}
-
-FunctionOfScale any_statistic(const topography::Measurement& measurement, const DifferenceOptions& options,
-                              const std::string& name, const std::string& unit,
-                              const std::function<double(const ArrayView1D&)>& statistic) {
-    if (std::holds_alternative<topography::Profile>(measurement))
-        throw InvalidArgument(
-            topography::label(topography::metadata(measurement)) +
-            ": a polyline has no differences to list; take difference_statistics, or sample it at equal steps first");
-    const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    auto result = map ? any_of(*map, options, statistic)
-                      : any_of(std::get<topography::LineScan>(measurement), options, statistic);
-    result.quantity = name;
-    result.unit = unit;
-    return result;
 }
 
 }  // namespace setae::scales

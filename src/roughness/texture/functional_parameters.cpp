@@ -12,6 +12,12 @@
 namespace setae::texture {
 namespace {
 
+/// Volumes of material and void at ratios p [m³/m²].
+struct MaterialVolumes {
+    Array1D material;     ///< Vm(p)
+    Array1D void_volume;  ///< Vv(p)
+};
+
 constexpr double central_share = 0.4;
 
 /// Height differences below this share of the whole count as none.
@@ -124,11 +130,6 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     result.Sxp = heights[2] - heights[3];
     result.Sdc = heights[4] - heights[5];
     return result;
-}
-
-MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,
-                                 parallel::Threads threads) {
-    return volumes_beside(measurement, heights_at_ratio(measurement, ratios, between, threads), between, threads);
 }
 
 }  // namespace setae::texture

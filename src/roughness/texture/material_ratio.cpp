@@ -53,26 +53,6 @@ Array1D ratios_at_infinity(const ArrayView1D& heights) {
     return heights.unaryExpr([](double h) { return std::isinf(h) ? (h < 0.0 ? 1.0 : 0.0) : undefined; });
 }
 
-/// Weights of elements by the number of heights below their lowest and their highest corner.
-struct ReachingWeights {
-    explicit ReachingWeights(std::size_t heights)
-        : whole(Array1D::Zero(static_cast<Index>(heights) + 1)), reaching(whole) {}
-    void operator()(const Triangle& t) {
-        whole[t.below_a] += 1.0;
-        reaching[t.below_c] += 1.0;
-    }
-    void operator()(const Segment& s) {
-        whole[s.below_a] += s.weight;
-        reaching[s.below_c] += s.weight;
-    }
-    Array1D whole, reaching;
-};
-
-void require_share(double share) {
-    if (!(share > 0.0 && share < 1.0))
-        throw InvalidArgument(fmt::format("share of the area is {}, expected 0 < share < 1", share));
-}
-
 }  // namespace
 
 Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
@@ -101,31 +81,6 @@ MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, cons
             heights[0] + sums.moment / sums.weight,
             sums.lowest,
             sums.highest};
-}
-
-BearingBounds bearing_area_bounds(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
-                                  parallel::Threads threads) {
-    const auto order = increasing_order(heights);
-    BearingBounds bounds{ratios_at_infinity(heights), ratios_at_infinity(heights)};
-    if (order.empty()) return bounds;
-    const Elements elements(measurement, between);
-    const HeightLocator locate(heights(order));
-    std::vector<ReachingWeights> blocks(elements.blocks(), ReachingWeights(order.size()));
-    parallel::for_each_index(elements.blocks(), threads, [&](std::size_t b) { elements.visit(b, locate, blocks[b]); });
-    const auto n = static_cast<Index>(order.size());
-    Array1D whole = Array1D::Zero(n + 1), reaching = whole;
-    for (const auto& block : blocks) {
-        whole += block.whole;
-        reaching += block.reaching;
-    }
-    for (Index k = n - 1; k >= 0; --k) {
-        whole[k] += whole[k + 1];
-        reaching[k] += reaching[k + 1];
-    }
-    elements.require_weight(whole[0]);
-    bounds.lower(order) = whole.tail(n) / whole[0];
-    bounds.upper(order) = reaching.tail(n) / whole[0];
-    return bounds;
 }
 
 Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,

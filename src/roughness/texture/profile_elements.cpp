@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "profile_lines.hpp"
+#include "profile_parts.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/texture/profile_parameters.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/texture/profile_parameters.hpp"
+#include "profile_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,10 @@
 #include "parameter_rows.hpp"
 #include "profile_lines.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/texture/spatial_parameters.hpp"
+#include "setae/topography/line_scans.hpp"
 
 namespace setae::texture {
 namespace {
@@ -100,11 +103,41 @@ void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOp
     rows.add("Rvvv", {curve.Vvv});
 }
 
+ProfileOptions with_default_filters(ProfileOptions options, const MeasurementView& line, parallel::Threads threads) {
+    const auto setting = default_setting(line, threads);
+    options.filters.l_filter = options.filters.l_filter.value_or(setting.section_length);
+    options.filters.s_filter = options.filters.s_filter.value_or(setting.s_filter);
+    return options;
+}
+
+/// Mean of one row of all lines.
+Quantity mean_of_row(const std::vector<std::vector<TextureParameter>>& lines, std::size_t row) {
+    auto quantity = lines.front()[row].quantity;
+    std::vector<double> values;
+    quantity.n = 0;
+    for (const auto& line : lines) {
+        const auto& own = line[row].quantity;
+        *quantity.n += own.n.value_or(0);
+        if (std::isnan(own.estimate.value)) continue;
+        if (values.empty()) quantity.alerts = own.alerts;
+        values.push_back(own.estimate.value);
+    }
+    if (values.empty()) return quantity;
+    const auto count = static_cast<double>(values.size());
+    const Eigen::Map<const Array1D> all(values.data(), std::ssize(values));
+    quantity.estimate = {.value = all.mean()};
+    if (values.size() < 2) return quantity;
+    quantity.estimate.standard_error = std::sqrt((all - all.mean()).square().sum() / (count * (count - 1.0)));
+    quantity.estimate.method = "scan lines";
+    return quantity;
+}
+
 }  // namespace
 
-std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& options,
+std::vector<TextureParameter> profile_parameters(const MeasurementView& line, const ProfileOptions& given,
                                                  parallel::Threads threads) {
     require_line(line);
+    const auto options = given.default_filters ? with_default_filters(given, line, threads) : given;
     const auto own = filtered(line, options.filters, options.kind, threads);
     const MeasurementView view = own ? MeasurementView(*own) : line;
     const double size = line_size(view);
@@ -147,6 +180,18 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
     add_autocorrelation_length(rows, view, whole.heights.Sq);
     add_curve(rows, view, options, mean_line, threads);
     return rows.take();
+}
+
+std::vector<TextureParameter> mean_profile_parameters(const topography::HeightMap& map, const ProfileOptions& options,
+                                                      parallel::Threads threads) {
+    std::vector<std::vector<TextureParameter>> lines;
+    for (const auto& line : topography::line_scans(map))
+        if ((line.heights == line.heights).count() > 1) lines.push_back(profile_parameters(line, options, threads));
+    if (lines.empty())
+        throw UndefinedDataError(topography::label(map.metadata) + ": no scan line has two defined heights");
+    auto rows = lines.front();
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].quantity = mean_of_row(lines, row);
+    return rows;
 }
 
 }  // namespace setae::texture

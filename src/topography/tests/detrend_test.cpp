@@ -76,17 +76,6 @@ TEST(Detrend, RefusesTooFewDefinedHeights) {
     EXPECT_THROW((void)detrended(scan, Trend::tilt), UndefinedDataError);
 }
 
-TEST(FlattenLines, RemovesEachLinesOwnPolynomial) {
-    HeightMap map{Array2D(50, 3), {1.0, 1.0}};
-    for (Index i = 0; i < 50; ++i)
-        for (Index j = 0; j < 3; ++j)
-            map.heights(i, j) = std::pow(0.1 * static_cast<double>(i), static_cast<double>(j));
-    EXPECT_LT(flattened_lines(map, 2).heights.abs().maxCoeff(), 1e-12);
-    EXPECT_LT(flattened_lines(map, 1).heights.leftCols(2).abs().maxCoeff(), 1e-12);
-    EXPECT_GT(flattened_lines(map, 1).heights.col(2).abs().maxCoeff(), 1.0);
-    EXPECT_THROW((void)flattened_lines(map, 4), InvalidArgument);
-}
-
 TEST(TrendNames, GoBothWays) {
     for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola})
         EXPECT_EQ(trend_from_name(name(trend)), trend);

@@ -10,7 +10,6 @@
 #include "sampled_polyline.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/scales/autocorrelation.hpp"
-#include "setae/scales/half_derivative.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
 
@@ -49,28 +48,6 @@ TEST_F(AnalysisCases, AutocorrelationsOfLinesOfMapsAgree) {
     expect_function(autocorrelation_of_lines(masked_map()), cases["map_masked"]["acf_profile_raw"]);
 }
 
-TEST_F(AnalysisCases, AutocorrelationMapsAgreeInTheQuadrantTheyGive) {
-    const auto expect_quadrant = [](const HeightMap& map, const json& rows) {
-        const Array2D expected = matrix(rows);
-        const auto found = autocorrelation_map(map);
-        Index compared = 0;
-        for (Index k = 0; k < found.value.rows(); ++k)
-            for (Index l = 0; l <= found.y_lags; ++l) {
-                const double value = found.value(k, found.y_lags + l);
-                if (expected(k, l) != expected(k, l)) {
-                    EXPECT_NE(value, value) << k << ", " << l;
-                } else {
-                    EXPECT_NEAR(value, expected(k, l), 1e-10 * expected(k, l) + 1e-16) << k << ", " << l;
-                }
-                ++compared;
-            }
-        EXPECT_GT(compared, 100);
-    };
-    for (const char* name : {"map_nonperiodic", "map_periodic"})
-        expect_quadrant(height_map(name), cases[name]["acf_area_map"]);
-    expect_quadrant(masked_map(), cases["map_masked"]["acf_area_map"]);
-}
-
 TEST_F(AnalysisCases, AutocorrelationsOfPolylinesAgree) {
     const auto& expected = cases["nonuniform"]["acf_brute"];
     expect_function(autocorrelation(polyline(), series(expected[0])), expected);
@@ -80,7 +57,7 @@ TEST_F(AnalysisCases, VariableBandwidthsAgree) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"})
         expect_function(variable_bandwidth(line_scan(name)), cases[name]["vbw"]);
     for (const char* name : {"map_nonperiodic", "map_periodic"}) {
-        expect_function(variable_bandwidth_of_lines(height_map(name)), cases[name]["vbw_profile"]);
+        expect_function(variable_bandwidth_along_lines(height_map(name)), cases[name]["vbw_profile"]);
         expect_function(variable_bandwidth_of_area(height_map(name)), cases[name]["vbw_area"]);
     }
     expect_function(variable_bandwidth_of_area(masked_map()), cases["map_masked"]["vbw_area"]);
@@ -203,11 +180,6 @@ TEST_F(AnalysisCases, DifferencesOfPolylinesAgreeAtThePlacesThePackageSamples) {
         EXPECT_NEAR(found.variance[0] / values[k], 1.0, 1e-10);
         EXPECT_NEAR(exact.variance[k] / values[k], 1.0, 0.12);  // the exact integral against some forty samples
     }
-}
-
-TEST_F(AnalysisCases, HalfDerivativeAgrees) {
-    const double expected = cases["map_periodic"]["variance_half_derivative"];
-    EXPECT_NEAR(half_derivative_variance(height_map("map_periodic")).variance / expected, 1.0, 1e-10);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(SelfAffineSurfaces, HaveTheirExponentsInEveryFunctionOfScale) {
             const auto map = surface(hurst, seed);
             lines.push_back(autocorrelation_of_lines(map));
             area.push_back(autocorrelation_of_area(map));
-            bandwidth.push_back(variable_bandwidth_of_lines(map));
+            bandwidth.push_back(variable_bandwidth_along_lines(map));
             bandwidth_area.push_back(variable_bandwidth_of_area(map));
             slope.push_back(function_of(difference_statistics(map), Statistic::rms));
             curvature.push_back(

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis_cases.hpp"
+#include "profile_parts.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/texture/hybrid_parameters.hpp"

@@ -48,7 +48,7 @@ void bandwidth_area(benchmark::State& state) {
 void bandwidth_lines(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
     for (auto _ : state)
-        benchmark::DoNotOptimize(variable_bandwidth_of_lines(map, {.threads = {static_cast<int>(state.range(1))}}));
+        benchmark::DoNotOptimize(variable_bandwidth_along_lines(map, {.threads = {static_cast<int>(state.range(1))}}));
 }
 void slopes(benchmark::State& state, Along along) {
     const auto& map = map_of(state.range(0));

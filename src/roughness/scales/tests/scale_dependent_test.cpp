@@ -298,18 +298,6 @@ TEST(Differences, HandedOverRowByRowAreThoseCounted) {
     EXPECT_NEAR(found.rms[0], std::sqrt(squares / count), 1e-13);
 }
 
-TEST(Differences, AnyStatisticSeesAllDefinedDifferences) {
-    const HeightMap map = with_holes({random_map(12, 15), {1.2, 1.5}, false, {}});
-    const auto largest = any_statistic(map, {.distances = list({0.1, 0.3})}, "largest_slope", "1",
-                                       [](const ArrayView1D& d) { return d.maxCoeff(); });
-    const auto found = difference_statistics(map, {.distances = list({0.1, 0.3})});
-    EXPECT_EQ(largest.quantity, "largest_slope");
-    EXPECT_TRUE((largest.value == found.maximum).all());
-    EXPECT_TRUE((largest.count == found.count).all());
-    EXPECT_THROW((void)any_statistic(random_profile(9), {}, "", "1", [](const ArrayView1D&) { return 0.0; }),
-                 InvalidArgument);
-}
-
 TEST(Differences, OfPolylinesAreExactIntegrals) {
     const auto profile = random_profile(40);
     for (const int order : {1, 2, 3}) {

@@ -77,7 +77,7 @@ TEST(VariableBandwidth, OfAMapIsTheRmsOfAllResidualsOfPlanes) {
 
 TEST(VariableBandwidth, OfLinesIsTheRmsOverAllLines) {
     const HeightMap map = with_holes({random_map(40, 37), {4.0, 3.7}, false, {}});
-    const auto result = variable_bandwidth_of_lines(map);
+    const auto result = variable_bandwidth_along_lines(map);
     double sum = 0.0, count = 0.0;
     for (Index j = 0; j < 37; ++j) {
         const HeightMap line{map.heights.col(j), {4.0, 1.0}, false, {}};
@@ -164,9 +164,10 @@ TEST(VariableBandwidth, OfPlanesIsZeroAndOffsetsCostNothing) {
     EXPECT_LT(
         (variable_bandwidth_of_area(map).value / variable_bandwidth_of_area(centred).value - 1.0).abs().maxCoeff(),
         1e-9);
-    EXPECT_LT(
-        (variable_bandwidth_of_lines(map).value / variable_bandwidth_of_lines(centred).value - 1.0).abs().maxCoeff(),
-        1e-9);
+    EXPECT_LT((variable_bandwidth_along_lines(map).value / variable_bandwidth_along_lines(centred).value - 1.0)
+                  .abs()
+                  .maxCoeff(),
+              1e-9);
 }
 
 TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
@@ -205,8 +206,8 @@ TEST(VariableBandwidth, IsTheSameToTheByteForAnyNumberOfThreads) {
     EXPECT_TRUE((variable_bandwidth_of_area(map, {.threads = {1}}).value ==
                  variable_bandwidth_of_area(map, {.threads = {3}}).value)
                     .all());
-    EXPECT_TRUE((variable_bandwidth_of_lines(map, {.threads = {1}}).value ==
-                 variable_bandwidth_of_lines(map, {.threads = {3}}).value)
+    EXPECT_TRUE((variable_bandwidth_along_lines(map, {.threads = {1}}).value ==
+                 variable_bandwidth_along_lines(map, {.threads = {3}}).value)
                     .all());
 }
 

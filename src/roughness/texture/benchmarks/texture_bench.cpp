@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 
 #include "setae/texture/areal_parameters.hpp"
-#include "setae/texture/distributions.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/texture/hybrid_parameters.hpp"
 #include "setae/texture/spatial_parameters.hpp"
@@ -86,10 +85,6 @@ void all_areal_parameters(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(areal_parameters(rough_map(), {}, threads_of(state)));
 }
 
-void distribution_of_heights(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(distribution(rough_map(), Counted::height));
-}
-
 BENCHMARK(read_once)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bearing_area_of_a_rough_map)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bearing_area_of_white_noise)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -99,7 +94,6 @@ BENCHMARK(slopes_and_area)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRe
 BENCHMARK(core_and_volumes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(autocorrelation_and_direction)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(all_areal_parameters)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(distribution_of_heights)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace setae::texture

@@ -133,15 +133,5 @@ TEST(FunctionalParameters, OfAConstantSurfaceVanish) {
                  InvalidArgument);
 }
 
-TEST(MaterialVolumes, AgreeWithTheParametersMadeOfThem) {
-    const HeightMap map{tests::random_map(70, 64), {1.0, 1.0}};
-    const auto result = functional_parameters(map);
-    const auto volumes = material_volumes(map, (Array1D(2) << 0.1, 0.8).finished());
-    EXPECT_NEAR(volumes.material[0], result.Vmp, 1e-8);
-    EXPECT_NEAR(volumes.material[1] - volumes.material[0], result.Vmc, 1e-8);
-    EXPECT_NEAR(volumes.void_volume[1], result.Vvv, 1e-8);
-    EXPECT_NEAR(volumes.void_volume[0] - volumes.void_volume[1], result.Vvc, 1e-8);
-}
-
 }  // namespace
 }  // namespace setae::texture

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/texture/profile_parameters.hpp"
+#include "profile_parts.hpp"
 
 #include <cmath>
 #include <map>

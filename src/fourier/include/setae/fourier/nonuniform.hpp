@@ -20,9 +20,4 @@ namespace setae::fourier {
 [[nodiscard]] Eigen::ArrayXcd nonuniform_transform(const ArrayView1D& positions, const ArrayView1D& coefficients,
                                                    const ArrayView1D& wavevectors, parallel::Threads threads = {});
 
-/// The same by the plain sum, O(n_x n_q).
-[[nodiscard]] Eigen::ArrayXcd nonuniform_transform_by_sum(const ArrayView1D& positions, const ArrayView1D& coefficients,
-                                                          const ArrayView1D& wavevectors,
-                                                          parallel::Threads threads = {});
-
 }  // namespace setae::fourier

@@ -29,11 +29,6 @@ enum class Trend {
 /// Equal to detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
 [[nodiscard]] TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads = {});
 
-/// A map with the best polynomial of the given order (0 mean … 3) removed from every line along x by itself.
-/// Lines with too few defined points become undefined.
-/// @throws InvalidArgument for an order outside 0 … 3.
-[[nodiscard]] HeightMap flattened_lines(HeightMap map, int order);
-
 /// "none", "mean", "tilt", "parabola". @throws InvalidArgument that lists them.
 [[nodiscard]] Trend trend_from_name(const std::string& name);
 [[nodiscard]] std::string name(Trend trend);

@@ -53,17 +53,6 @@ struct AutocorrelationOptions {
                                                       std::size_t band_bytes = std::size_t{1} << 28,
                                                       const AutocorrelationOptions& options = {});
 
-/// A(d) of every vector of a half plane; A(−d) = A(d) is the other half.
-struct AutocorrelationMap {
-    Array2D value;  ///< (k, ny_lags + l) of d = (k Δx, l Δy), k = 0 … , l = −ny_lags … ny_lags [m²]; NaN without a pair
-    Index y_lags = 0;                    ///< column of l = 0
-    std::array<double, 2> pixel_size{};  ///< Δx, Δy [m]
-};
-
-/// Non-periodic: k < nx, |l| < ny. Periodic: k <= nx/2, |l| <= ny/2.
-/// Memory beside the map: that of autocorrelation_of_area and the result, twice a map.
-[[nodiscard]] AutocorrelationMap autocorrelation_map(const topography::HeightMap& map, parallel::Threads threads = {});
-
 /// Of a polyline, its straight segments integrated exactly.
 ///
 ///   A(d) = 1/(2(L − d)) ∫ [h(x + d) − h(x)]² dx,  x = x_first … x_last − d

@@ -95,14 +95,6 @@ void for_each_row_of_differences(const topography::HeightMap& map, double distan
 void for_each_row_of_differences(const topography::LineScan& scan, double distance, const DifferenceOptions& options,
                                  const RowConsumer& consume);
 
-/// A statistic of the differences as an array of their own (undefined ones left out), at each distance.
-///
-/// statistic: a function of all differences along options.along (x or y). unit: of what it returns.
-[[nodiscard]] FunctionOfScale any_statistic(const topography::Measurement& measurement,
-                                            const DifferenceOptions& options, const std::string& name,
-                                            const std::string& unit,
-                                            const std::function<double(const ArrayView1D& differences)>& statistic);
-
 /// "rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum". @throws InvalidArgument that lists them.
 [[nodiscard]] Statistic statistic_from_name(const std::string& name);
 /// "x", "y", "both". @throws InvalidArgument that lists them.

@@ -27,9 +27,6 @@ struct VariableBandwidthOptions {
 /// @throws UndefinedDataError where no height is defined, InvalidArgument where even one cell has too few points.
 [[nodiscard]] FunctionOfScale variable_bandwidth(const topography::LineScan& scan,
                                                  const VariableBandwidthOptions& options = {});
-/// Every scan line by itself; the rms over all lines.
-[[nodiscard]] FunctionOfScale variable_bandwidth_of_lines(const topography::HeightMap& map,
-                                                          const VariableBandwidthOptions& options = {});
 /// Planes in rectangles.
 [[nodiscard]] FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map,
                                                          const VariableBandwidthOptions& options = {});

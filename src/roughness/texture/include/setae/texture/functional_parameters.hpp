@@ -48,12 +48,4 @@ struct FunctionalParameters {
                                                          Between between = Between::linear,
                                                          parallel::Threads threads = {});
 
-/// Volumes of material and void at ratios p [m³/m²].
-struct MaterialVolumes {
-    Array1D material;     ///< Vm(p)
-    Array1D void_volume;  ///< Vv(p)
-};
-[[nodiscard]] MaterialVolumes material_volumes(const MeasurementView& measurement, const ArrayView1D& ratios,
-                                               Between between = Between::linear, parallel::Threads threads = {});
-
 }  // namespace setae::texture

@@ -42,16 +42,6 @@ struct MaterialRatioCurve {
                                                       Between between = Between::linear,
                                                       parallel::Threads threads = {});
 
-/// What counting whole triangles tells of the bearing area: lower <= P <= upper.
-struct BearingBounds {
-    Array1D lower;  ///< share of triangles or segments that lie at or above the height
-    Array1D upper;  ///< share of those that reach it
-};
-
-/// One pass, cheaper than bearing_area.
-[[nodiscard]] BearingBounds bearing_area_bounds(const MeasurementView& measurement, const ArrayView1D& heights,
-                                                Between between = Between::linear, parallel::Threads threads = {});
-
 /// The greatest heights that have at least the given ratios: H(p) = sup {h : P(h) >= p}; H(0) is the highest point.
 ///
 /// Two passes for any number of ratios: one finds the brackets on 1024 intervals, one collects what has a corner inside

@@ -33,6 +33,7 @@ struct Discrimination {
 struct ProfileOptions {
     ProfileKind kind = ProfileKind::roughness;
     Filters filters;
+    bool default_filters = false;  ///< those not given by default_setting() of the line
     std::optional<double>
         section_length;  ///< l_sc [m]; absent: the L-filter's nesting index, or all of the profile without it
     Averages averages = Averages::evaluation_length;
@@ -44,41 +45,10 @@ struct ProfileOptions {
     double material_ratio = 0.5;   ///< p of Rmc(p)
 };
 
-/// Elements of a profile, each a hill and the dale behind it, found by crossing the mean line.
-///
-/// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to what lies
-/// around it. Elements begin at the first crossing; what lies before it and behind the last is left out. Source: ISO
-/// 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
-struct ProfileElements {
-    double RSm = 0.0;   ///< mean length [m]; NaN without a whole element
-    double RSmq = 0.0;  ///< its rms deviation [m]
-    double Rc = 0.0;    ///< mean height, hill plus dale [m]
-    double Rcq = 0.0;   ///< its rms deviation [m]
-    Index elements = 0;
-};
-
-/// height, length: thresholds [m]; mean_line: [m]. Straight between the points.
-/// @throws InvalidArgument for a map; UndefinedDataError for undefined heights.
-[[nodiscard]] ProfileElements profile_elements(const MeasurementView& line, double height, double length,
-                                               double mean_line);
-
 /// Sections of equal length from the start of a line, as many as fit to 1 % of their length; polylines are cut between
 /// points.
 /// @throws InvalidArgument for a map, or where not one section fits.
 [[nodiscard]] std::vector<topography::Measurement> sections(const MeasurementView& line, double section_length);
-
-/// Slopes of a line: uniform ones by the seven-point formula of the standard, polylines by segments.
-struct ProfileSlopes {
-    double Rdq = 0.0;    ///< rms [1]; NaN for fewer than seven points
-    double Rda = 0.0;    ///< mean of the absolute value [1]
-    double Rdt = 0.0;    ///< largest absolute value [1]
-    double Rdr = 0.0;    ///< length of the straight segments between points over their length along x, minus 1 [1]
-    double Rdq_2 = 0.0;  ///< rms by differences of neighbours, as spectra have it [1]
-};
-/// @throws InvalidArgument for a map or a re-entrant profile.
-/// Seven points: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx). Source: ISO 21920-2:2021, 4.4; ISO
-/// 4287:1997, local slope.
-[[nodiscard]] ProfileSlopes profile_slopes(const MeasurementView& line);
 
 /// Filters and section length that a roughness asks for.
 struct ProfileSetting {
@@ -104,5 +74,12 @@ struct ProfileSetting {
 [[nodiscard]] std::vector<TextureParameter> profile_parameters(const MeasurementView& line,
                                                                const ProfileOptions& options = {},
                                                                parallel::Threads threads = {});
+
+/// Of the scan lines of a map: means over the lines where a parameter has a value, with the standard errors of these
+/// means from the scatter of the lines.
+/// @throws as profile_parameters; UndefinedDataError where no scan line has two defined heights.
+[[nodiscard]] std::vector<TextureParameter> mean_profile_parameters(const topography::HeightMap& map,
+                                                                    const ProfileOptions& options = {},
+                                                                    parallel::Threads threads = {});
 
 }  // namespace setae::texture
