@@ -131,6 +131,19 @@ CASES = [
     ("one hole of 10⁵ pixels filled in 1024²", "fill", one_hole, "one_hole", "copy"),
     ("2000 holes of 4 × 4 pixels filled in 1024²", "fill", small_holes, "small_holes", "copy"),
 ]
+# beside Gwyddion: name in the table, task, input, file, points a side
+GWYDDION = [
+    ("C1D of the lines of 4096²", "psd_lines", map_of(4096), "map4096", 4096),
+    ("radial spectrum of 4096²", "psd_area", map_of(4096), "map4096", 4096),
+    ("autocorrelation of the lines of 4096²", "acf_lines", map_of(4096), "map4096", 4096),
+    ("autocorrelation of the area, 4096²", "acf_area", map_of(4096), "map4096", 4096),
+    ("mean, rms, skewness of 4096² heights", "moments", map_of(4096), "map4096", 4096),
+    ("area of the surface, 4096²", "true_area", map_of(4096), "map4096", 4096),
+    ("cubic background of 4096² subtracted", "background", map_of(4096), "map4096", 4096),
+    ("Gaussian filter of 20 pixels, 4096²", "gaussian", map_of(4096), "map4096", 4096),
+    ("one hole of 10⁵ pixels filled in 1024²", "fill", one_hole, "one_hole", 1024),
+    ("dilation of 1024² by a tip of 41²", "dilation", map_of(1024), "map1024", 1024),
+]
 SWEPT = ["psd_area", "psd_lines", "acf_area", "acf_lines", "variable_bandwidth", "slope_of_lines", "differences_of_map", "tip_cutoff", "bearing_area", "rms"]
 
 
@@ -173,9 +186,7 @@ def peer_process(task, path):
 
 def measured(program, folder, case):
     title, task, make, kept, yardstick = case
-    path = os.path.join(folder, kept + ".npy")
-    if not os.path.exists(path):
-        np.save(path, make())
+    path = kept_input(folder, make, kept)
     option = "--polyline" if kept == "polyline" else "--input"
     row = {"title": title}
     for cores in CORES:
@@ -183,6 +194,24 @@ def measured(program, folder, case):
         row[f"peer{cores}"] = run_json([sys.executable, __file__, "--peer", task, "--input", path], cores)
     if yardstick:
         row["yardstick"] = run_json([program, yardstick, option, path, "--repeat", "7"], 1)
+    print(title, {key: value["seconds"] for key, value in row.items() if key != "title"}, flush=True)
+    return row
+
+
+def kept_input(folder, make, kept):
+    path = os.path.join(folder, kept + ".npy")
+    if not os.path.exists(path):
+        np.save(path, make())
+    return path
+
+
+def beside_gwyddion(program, gwyddion, folder, case):
+    title, task, make, kept, points = case
+    path = kept_input(folder, make, kept)
+    row = {"title": title}
+    for cores in CORES:
+        row[f"ours{cores}"] = run_json([program, task, "--input", path, "--threads", str(cores), "--repeat", "7"], cores)
+        row[f"peer{cores}"] = run_json([gwyddion, task, path, str(points), "7"], cores)
     print(title, {key: value["seconds"] for key, value in row.items() if key != "title"}, flush=True)
     return row
 
@@ -214,6 +243,15 @@ def comparison_table(rows):
                  seconds(row["peer1"]["seconds"]), seconds(row["peer2"]["seconds"]), megabytes(row["peer2"]["memory"]), f"{ratio:.2g}" if ratio < 100 else f"{ratio:.0f}",
                  difference(row), yardstick]
         lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def gwyddion_table(rows):
+    lines = ["| task | setae, 1 core | 2 cores | Gwyddion, 1 core | 2 cores | times faster on 1 core | on 2 cores |", "|---|---|---|---|---|---|---|"]
+    for row in rows:
+        times = [row[key]["seconds"] for key in ("ours1", "ours2", "peer1", "peer2")]
+        ratios = [f"{times[2] / times[0]:.2g}", f"{times[3] / times[1]:.2g}"]
+        lines.append("| " + " | ".join([row["title"], *map(seconds, times), *ratios]) + " |")
     return lines
 
 
@@ -255,6 +293,8 @@ def write(path, sections):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default="build-bench/bin/peer_tasks")
+    parser.add_argument("--gwyddion", help="program made of gwyddion.c; its table is written too")
+    parser.add_argument("--only-gwyddion", action="store_true", help="no other table")
     parser.add_argument("--write", help="page whose tables are replaced")
     parser.add_argument("--only", help="tasks, separated by commas; nothing is written then")
     parser.add_argument("--sweep", type=int, default=16384, help="largest map of the sweep over sizes, 0 for none")
@@ -267,11 +307,22 @@ def main():
     wanted = arguments.only.split(",") if arguments.only else None
     if len(os.sched_getaffinity(0)) < 2:
         sys.exit("two cores are needed")
+    sections = {}
+    if arguments.gwyddion:
+        with tempfile.TemporaryDirectory() as folder:
+            rows = [beside_gwyddion(arguments.program, arguments.gwyddion, folder, case) for case in GWYDDION if not wanted or case[1] in wanted]
+        version = subprocess.run(["pkg-config", "--modversion", "gwyddion"], capture_output=True, text=True).stdout.strip()
+        sections["gwyddion"] = [f"Measured on {datetime.date.today()} with `./setup peers` on two cores ({processor()}), Gwyddion {version}.", "", *gwyddion_table(rows)]
+        print("\n".join(sections["gwyddion"]))
+        if arguments.only_gwyddion:
+            if arguments.write and not wanted:
+                write(arguments.write, sections)
+            return
     with tempfile.TemporaryDirectory() as folder:
         rows = [measured(arguments.program, folder, case) for case in CASES if not wanted or case[1] in wanted]
     stamp = (f"Measured on {datetime.date.today()} with `./setup peers` on two cores ({processor()}), NumPy {np.__version__}, "
              f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}.")
-    sections = {"peers": [stamp, "", *comparison_table(rows)]}
+    sections["peers"] = [stamp, "", *comparison_table(rows)]
     print("\n".join(sections["peers"]))
     if arguments.sweep and not wanted:
         sections["sweep"] = sweep_table(arguments.program, arguments.sweep)

@@ -5,14 +5,19 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/processing/fill.hpp"
+#include "setae/processing/iso_filter.hpp"
+#include "setae/processing/level.hpp"
 #include "setae/roughness/real_space.hpp"
+#include "setae/roughness/true_area.hpp"
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
 #include "setae/spectra/isotropic.hpp"
 #include "setae/spectra/polyline.hpp"
 #include "setae/spectra/power_spectrum.hpp"
+#include "setae/texture/height_parameters.hpp"
 #include "setae/texture/material_ratio.hpp"
+#include "setae/topography/dilation.hpp"
 
 namespace setae::benchmarks {
 namespace {
@@ -82,6 +87,42 @@ Array1D fill(const TaskInput& input) {
     return filled.heights.row(filled.heights.rows() / 2).transpose();
 }
 
+Array1D moments(const TaskInput& input) {
+    const auto found = texture::height_parameters(input.map(), input.threads);
+    return Array1D{{found.Sa, found.Sq, found.Ssk}};
+}
+
+Array1D true_area(const TaskInput& input) {
+    (void)roughness::triangulated_area(input.map(), input.threads);
+    return {};
+}
+
+Array1D background(const TaskInput& input) {
+    (void)processing::apply(processing::LevelPolynomial{.degree = 6, .degree_x = 3, .degree_y = 3}, input.map(),
+                            input.threads);
+    return {};
+}
+
+/// Of 20 pixels standard deviation, which is 0.187 of the nesting index.
+Array1D gaussian(const TaskInput& input) {
+    const double alpha = std::sqrt(std::log(2.0) / pi), deviation = 20.0 * input.map().pixel_size()[0];
+    (void)processing::apply(processing::GaussianFilter{.cutoff = deviation * std::sqrt(2.0 * pi) / alpha}, input.map(),
+                            input.threads);
+    return {};
+}
+
+/// By a paraboloid of 41 x 41 pixels, as high as the rms height 20 pixels from its apex.
+Array1D dilation(const TaskInput& input) {
+    const auto& map = input.map();
+    const double height = std::sqrt((map.heights - map.heights.mean()).square().mean());
+    const auto square = [](Index i) { return std::pow(static_cast<double>(i - 20), 2); };
+    const topography::ArrayTip tip{
+        Array2D::NullaryExpr(41, 41, [&](Index i, Index j) { return height * (square(i) + square(j)) / 400.0; }),
+        map.pixel_size(), 20, 20};
+    (void)topography::dilated(map, tip, {.threads = input.threads});
+    return {};
+}
+
 }  // namespace
 
 const std::vector<Task>& tasks() {
@@ -98,6 +139,11 @@ const std::vector<Task>& tasks() {
         {"rms", "rms height, gradient and curvature", rms},
         {"polyline_psd", "exact spectrum of a polyline of 3000 random points at 2000 wavevectors", polyline_psd},
         {"fill", "undefined points filled", fill},
+        {"moments", "mean, rms, skewness of heights", moments},
+        {"true_area", "area of the triangles", true_area},
+        {"background", "cubic background", background},
+        {"gaussian", "Gaussian filter of 20 pixels", gaussian},
+        {"dilation", "dilation by a tip of 41 x 41 pixels", dilation},
     };
     return list;
 }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
 #include <Eigen/SparseCore>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/beta.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -50,7 +50,8 @@ LocalFits local_fits(const Array1D& x, const Array1D& relative_error, double hal
             weight[k] = half_width > 0.0 ? std::pow(1.0 - t * t * t, 3) / std::pow(relative_error[first + k], 2) : 1.0;
         }
         const Eigen::MatrixXd weighted = weight.asDiagonal() * design;
-        const Eigen::MatrixXd solution = (design.transpose() * weighted).ldlt().solve(weighted.transpose());
+        const Eigen::MatrixXd solution = numerics::solved_symmetric(numerics::transposed_product(design, weighted),
+                                                                    Eigen::MatrixXd(weighted.transpose()));
         for (Index k = 0; k < count; ++k) {
             if (half_width > 0.0) values.emplace_back(i, first + k, solution(0, k));
             slopes.emplace_back(i, first + k, solution(1, k));

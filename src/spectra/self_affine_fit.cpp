@@ -7,11 +7,12 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -166,7 +167,7 @@ Optimum minimised(const Problem& problem, Parameters start, const std::vector<In
         while (damping < 1e8) {
             MatrixXd damped = information;
             damped.diagonal() += damping * information.diagonal() + VectorXd::Constant(information.rows(), 1e-9);
-            const VectorXd step = damped.ldlt().solve(score);
+            const VectorXd step = numerics::solved_symmetric(damped, score);
             Parameters next = best.at;
             for (std::size_t c = 0; c < free.size(); ++c)
                 next[free[c]] += std::clamp(step[static_cast<Index>(c)], -1.0, 1.0);
@@ -356,7 +357,9 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
 
     const MatrixXd J = jacobian(problem, best.at, known);
     const MatrixXd information = J.transpose() * nu.matrix().asDiagonal() * J;
-    fit.covariance = dispersion * information.ldlt().solve(MatrixXd::Identity(information.rows(), information.cols()));
+    fit.covariance =
+        dispersion *
+        numerics::solved_symmetric(information, MatrixXd(MatrixXd::Identity(information.rows(), information.cols())));
     const VectorXd errors = fit.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     fit.correlation = errors.cwiseInverse().asDiagonal() * fit.covariance * errors.cwiseInverse().asDiagonal();
     for (const Index place : known) fit.parameters.emplace_back(names[place]);

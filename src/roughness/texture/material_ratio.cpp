@@ -53,6 +53,11 @@ Array1D ratios_at_infinity(const ArrayView1D& heights) {
     return heights.unaryExpr([](double h) { return std::isinf(h) ? (h < 0.0 ? 1.0 : 0.0) : undefined; });
 }
 
+void require_share(double share) {
+    if (!(share > 0.0 && share < 1.0))
+        throw InvalidArgument(fmt::format("share of the area is {}, expected 0 < share < 1", share));
+}
+
 }  // namespace
 
 Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heights, Between between,

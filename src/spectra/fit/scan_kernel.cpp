@@ -8,7 +8,6 @@
 #include <mutex>
 
 #include <fmt/format.h>
-#include <Eigen/QR>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -16,6 +15,7 @@
 #include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/map_transform.hpp"
 #include "setae/fourier/transform.hpp"
+#include "setae/numerics/dense.hpp"
 #include "setae/spectra/window.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 
@@ -36,8 +36,7 @@ Eigen::MatrixXd trend_basis(const ScanShape& shape) {
     Eigen::MatrixXd powers(shape.points, shape.trend_degree + 1);
     const Array1D x = Array1D::LinSpaced(shape.points, -1.0, 1.0);
     for (Index d = 0; d <= shape.trend_degree; ++d) powers.col(d) = x.pow(static_cast<double>(d)).matrix();
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(powers);
-    return qr.householderQ() * Eigen::MatrixXd::Identity(shape.points, shape.trend_degree + 1);
+    return numerics::orthonormal(powers);
 }
 
 /// What all nodes of one shape share.
@@ -82,7 +81,7 @@ private:
         Eigen::MatrixXd applied(n, count);
         for (Index l = 0; l < count; ++l)
             applied.col(l) = times_toeplitz(toeplitz, padded_trends_[static_cast<std::size_t>(l)]);
-        const Eigen::MatrixXd between = basis_.transpose() * applied;
+        const Eigen::MatrixXd between = numerics::transposed_product(basis_, applied);
         for (Index l = 0; l < count; ++l) {
             const auto moved = spectrum(window_ * applied.col(l).array());
             const auto& u = trend_spectra_[static_cast<std::size_t>(l)];

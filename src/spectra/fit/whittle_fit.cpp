@@ -6,13 +6,12 @@
 #include <map>
 #include <string>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SparseCore>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::spectral_fit {
 namespace {
@@ -122,8 +121,11 @@ public:
     [[nodiscard]] bool better(const State& next, const State& now) const {
         constexpr double rounding = 1e-13;
         if (!responds_) return next.objective > now.objective - rounding * std::abs(now.objective);
-        const Eigen::LDLT<Eigen::MatrixXd> metric(now.information + precision_);
-        return next.score.dot(metric.solve(next.score)) < now.score.dot(metric.solve(now.score));
+        const Eigen::MatrixXd metric = now.information + precision_;
+        const auto length = [&](const Eigen::VectorXd& score) {
+            return score.dot(numerics::solved_symmetric(metric, score));
+        };
+        return length(next.score) < length(now.score);
     }
 
     /// A quadratic through ln(P/response) against ln q, by least squares with the freedoms as weights.
@@ -217,8 +219,8 @@ private:
             if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
         const Eigen::MatrixXd weighted = c.freedom.matrix().asDiagonal() * derivative;
         s.score += weighted.transpose() * (ratio - 1.0).matrix();
-        s.information += weighted.transpose() * derivative;
-        s.with_response += weighted.transpose() * total;
+        s.information += numerics::transposed_product(weighted, derivative);
+        s.with_response += numerics::transposed_product(weighted, total);
         s.jacobian.push_back(derivative.leftCols(spline_.coefficients()));
         s.expected.push_back(expected);
     }
@@ -250,7 +252,7 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
         ++fit.iterations;
         Eigen::MatrixXd matrix = state.with_response + problem.precision();
         matrix.diagonal() += damping * (state.information + problem.precision()).diagonal();
-        Eigen::VectorXd step = matrix.partialPivLu().solve(state.score);
+        Eigen::VectorXd step = numerics::solved(matrix, state.score);
         const double largest = step.cwiseAbs().maxCoeff();
         if (largest > longest_step) step *= longest_step / largest;
         auto next = problem.state(x + step);
@@ -264,9 +266,11 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
             if (damping > 1e8) break;
         }
     }
-    const Eigen::MatrixXd gain = (state.with_response + problem.precision()).inverse();
+    const Eigen::MatrixXd gain = numerics::inverse(state.with_response + problem.precision());
     const Index n = spline.coefficients();
-    fit.covariance = (gain * (state.information + problem.precision()) * gain.transpose()).topLeftCorner(n, n);
+    fit.covariance =
+        numerics::product(numerics::product(gain, state.information + problem.precision()), gain.transpose())
+            .topLeftCorner(n, n);
     fit.gain = gain.topLeftCorner(n, n);
     fit.theta = x.head(n);
     fit.log_noise = Array1D::Constant(static_cast<Index>(classes.size()), undefined);

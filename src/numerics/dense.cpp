@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/numerics/dense.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace setae::numerics {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd solved_symmetric(const MatrixXd& matrix, const MatrixXd& right) { return matrix.ldlt().solve(right); }
+VectorXd solved_symmetric(const MatrixXd& matrix, const VectorXd& right) { return matrix.ldlt().solve(right); }
+
+VectorXd solved(const MatrixXd& matrix, const VectorXd& right) { return matrix.partialPivLu().solve(right); }
+MatrixXd inverse(const MatrixXd& matrix) { return matrix.inverse(); }
+
+MatrixXd orthonormal(const MatrixXd& columns) {
+    const Eigen::HouseholderQR<MatrixXd> qr(columns);
+    return qr.householderQ() * MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+MatrixXd product(const MatrixXd& a, const MatrixXd& b) { return a * b; }
+MatrixXd transposed_product(const MatrixXd& a, const MatrixXd& b) { return a.transpose() * b; }
+
+}  // namespace setae::numerics

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace setae::numerics {
+
+// Dense linear algebra of sizes known at run time. It is compiled once: in every file that does it by itself it takes
+// the compiler seconds.
+
+/// matrix⁻¹ right of a symmetric matrix, by LDLᵀ.
+[[nodiscard]] Eigen::MatrixXd solved_symmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+[[nodiscard]] Eigen::VectorXd solved_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+
+/// matrix⁻¹ right, by LU with pivots.
+[[nodiscard]] Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+[[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
+
+/// Orthonormal basis of the space the columns span, as many as they are, by Householder's reflections.
+[[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
+
+/// a b and aᵀ b.
+[[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+[[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+}  // namespace setae::numerics
