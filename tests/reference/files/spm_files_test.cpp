@@ -202,7 +202,7 @@ TEST(NanosurfFile, RmsAfterFlatteningIsTheOnePublished) {
     const auto map = map_of(named(channels, "Z-Axis (Scan forward)"));
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{256, 256}));
     EXPECT_NEAR(map.size[0], 2.5e-6, 1e-18);
-    const Array2D heights = flattened_lines(map, 1).heights / units::nm;
+    const Array2D heights = tests::flattened_lines(map, 1).heights / units::nm;
     EXPECT_NEAR(std::sqrt(heights.square().mean()), 0.042123098751831574, 1e-9);
 }
 
@@ -211,8 +211,8 @@ TEST(NanosurfFile, ListsForwardAndBackwardChannels) {
     const auto channels = open(path.string());
     EXPECT_EQ(named(channels, "Phase (Scan backward)").info.unit, "deg");
     EXPECT_EQ(named(channels, "Amplitude (Scan forward)").info.unit, "V");
-    const auto forward = flattened_lines(map_of(named(channels, "Z-Axis (Scan forward)")), 1).heights,
-               backward = flattened_lines(map_of(named(channels, "Z-Axis (Scan backward)")), 1).heights;
+    const auto forward = tests::flattened_lines(map_of(named(channels, "Z-Axis (Scan forward)")), 1).heights,
+               backward = tests::flattened_lines(map_of(named(channels, "Z-Axis (Scan backward)")), 1).heights;
     EXPECT_GT(correlation(forward, backward), correlation(forward, backward.colwise().reverse()));
 }
 

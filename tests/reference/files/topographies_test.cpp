@@ -178,10 +178,10 @@ TEST(Nanoscope, FlatteningOfFirstOrderReproducesTheExport) {
     const auto map = std::get<HeightMap>(read(path.string()));
     const auto exported = tables::read_raw_table(bytes::file_source(export_path.string()));
     const double step = 438.6572 * 12.95302 / 65536.0;  // nm, from the file's header
-    EXPECT_LE(worst_difference(flattened_lines(map, 1), exported, step), 1.0);
+    EXPECT_LE(worst_difference(tests::flattened_lines(map, 1), exported, step), 1.0);
     for (const int other : {0, 2, 3})
-        EXPECT_GT(worst_difference(flattened_lines(map, other), exported, step), 50.0) << other;
-    const Array2D heights = flattened_lines(map, 1).heights / units::nm;
+        EXPECT_GT(worst_difference(tests::flattened_lines(map, other), exported, step), 50.0) << other;
+    const Array2D heights = tests::flattened_lines(map, 1).heights / units::nm;
     EXPECT_NEAR(std::sqrt(heights.square().mean()), 4.325, 5e-4);
     EXPECT_NEAR(heights.abs().mean(), 3.433, 5e-4);
 }
