@@ -60,7 +60,7 @@ void write_closure(const std::vector<validation::SummaryRow>& rows, const std::s
     std::filesystem::create_directories(folder, ignored);
     const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
     bytes::write_whole_file(path(".txt"), validation::summary_table(rows));
-    const auto figure = validation::closure_figure(rows);
+    const auto figure = validation::validation_figure(rows);
     figures::write_data(figure, path(".csv"));
     for (const char* ending : {".svg", ".png", ".pdf"}) figures::draw(figure, path(ending));
 }

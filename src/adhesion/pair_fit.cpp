@@ -246,6 +246,25 @@ LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     return fit;
 }
 
+LossFits fit_losses(const std::vector<PairPoint>& whole, const std::vector<PairPoint>& without_ideal_loss) {
+    const auto line = [](const std::vector<PairPoint>& points) -> std::optional<LineFit> {
+        std::vector<double> area, energy;
+        for (const auto& p : points) {
+            area.push_back(p.slope);
+            energy.push_back(p.measured.value);
+        }
+        if (points.size() < 3 ||
+            *std::max_element(area.begin(), area.end()) == *std::min_element(area.begin(), area.end()))
+            return std::nullopt;
+        return fit_line(area, energy);
+    };
+    LossFits fits{.through_origin = fit_work_of_adhesion(whole), .with_intercept = line(whole)};
+    if (without_ideal_loss.size() >= 2)
+        fits.through_origin_without_ideal_loss = fit_work_of_adhesion(without_ideal_loss);
+    fits.with_intercept_without_ideal_loss = line(without_ideal_loss);
+    return fits;
+}
+
 FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     if (pairs.size() < 2)
         throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));

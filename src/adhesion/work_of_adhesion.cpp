@@ -42,18 +42,6 @@ ApparentWork persson_tosatti_balance(double work_of_adhesion, double rms_slope, 
     return balance_without_area_change(work_of_adhesion, {1.0 + 0.5 * rms_slope * rms_slope, stored_energy});
 }
 
-SurfaceEnergyLaw SurfaceEnergyLaw::constant(double surface_energy) {
-    return {Array1D::Ones(1), Array1D::Constant(1, surface_energy)};
-}
-
-SurfaceEnergyLaw SurfaceEnergyLaw::surface_stress(double surface_energy, double surface_modulus, double up_to) {
-    if (!(up_to > 1.0)) return constant(surface_energy);
-    SurfaceEnergyLaw law{Array1D(2), Array1D(2)};
-    law.area_ratio << 1.0, up_to;
-    law.surface_energy << surface_energy, surface_energy + surface_modulus * (up_to - 1.0);
-    return law;
-}
-
 void SurfaceEnergyLaw::validate() const {
     const auto n = area_ratio.size();
     if (n < 1 || n != surface_energy.size() || area_ratio[0] != 1.0)

@@ -2,6 +2,7 @@
 #include "setae/bytes/toml_reader.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -125,6 +126,8 @@ std::vector<double> TomlReader::quantities(const char* key, const Dimension& dim
     return list<double>(key, [&](const toml::node& node) { return parse(key, node, dimension).value; });
 }
 
+bool TomlReader::contains(const char* key) const { return table_->contains(key); }
+
 bool TomlReader::is_number(const char* key) const {
     const auto* node = table_->get(key);
     return node && node->is_number();
@@ -166,6 +169,12 @@ void TomlReader::each_table(const char* key, const std::function<void(TomlReader
         if (!inner) fail(key, "expected a list of tables");
         body({*inner, path_, fmt::format("{}{}[{}]", where_.empty() ? "" : where_ + ".", key, ++index)});
     }
+}
+
+std::string TomlReader::beside(const std::string& path) const {
+    const std::filesystem::path given(path);
+    return given.is_absolute() ? path
+                               : (std::filesystem::path(path_).parent_path() / given).lexically_normal().string();
 }
 
 std::vector<std::string> TomlReader::keys() const {

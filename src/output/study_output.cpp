@@ -129,12 +129,12 @@ tables::TidyTable pairs_for_reading(const study::StudyResult& result) {
         "Work of adhesion on approach [mJ/m²]",
         {"surface", "elastomer", "method", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""},
         {}};
-    for (const auto* study : by_method(result))
-        for (const auto& p : study->pairs) {
-            const auto& surface = study->surface(p.surface);
-            if ((!p.modified && !p.approach) || (study != &result && !result.surface(p.surface).likelihood)) continue;
+    for (const auto* conclusions : by_method(result))
+        for (const auto& p : conclusions->pairs) {
+            const auto& surface = result.surface(p.surface);
+            if ((!p.modified && !p.approach) || (conclusions->of_averages && !surface.likelihood)) continue;
             const double measured = p.approach ? 1e3 * p.approach->value : undefined;
-            const auto predicted = [&](const std::optional<study::PredictedWork>& w) {
+            const auto predicted = [&](const std::optional<adhesion::PredictedWork>& w) {
                 return w ? 1e3 * w->work.floored : undefined;
             };
             const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;
@@ -142,7 +142,7 @@ tables::TidyTable pairs_for_reading(const study::StudyResult& result) {
             if (p.modified && !p.modified->work.conforms) note = "will not conform";
             else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
             table.rows.push_back(
-                {p.surface, p.elastomer, method_name(surface, surface.method),
+                {p.surface, p.elastomer, method_name(surface, conclusions->method_of(surface)),
                  fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
                  with_error(measured, p.approach ? 1e3 * p.approach->standard_error : 0.0, 2),
                  with_error(predicted(p.modified), p.modified ? 1e3 * p.modified->estimate.standard_error : 0.0, 2),
@@ -180,9 +180,9 @@ tables::TidyTable cutoffs_for_reading(const study::StudyResult& result) {
     tables::TidyTable table{"W_int against the short cutoff",
                             {"shortest wavelength", "method", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"},
                             {}};
-    for (const auto* study : by_method(result))
-        for (const auto& p : study->cutoff_scan)
-            table.rows.push_back({format_value(p.shortest_wavelength, "m"), method_name(*study),
+    for (const auto* conclusions : by_method(result))
+        for (const auto& p : conclusions->cutoff_scan)
+            table.rows.push_back({format_value(p.shortest_wavelength, "m"), method_name(result, *conclusions),
                                   with_error(p.modified.work_of_adhesion, 1e3, 2),
                                   with_error(p.modified.r_squared, 0.0, 3),
                                   with_error(p.persson_tosatti.work_of_adhesion, 1e3, 2),

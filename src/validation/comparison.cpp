@@ -62,7 +62,7 @@ Estimate between_percentiles(const SpectrumResult& spectrum, const SurfaceQuanti
 }
 
 void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted, const std::string& method,
-                          const StudyResult& study) {
+                          const study::Conclusions& study) {
     const Comparison row{run, "all", "work_of_adhesion", method, "J/m2", Deviation::absolute, planted, {}};
     const auto add_fit = [&](const char* quantity, const adhesion::WorkFit& fit) {
         auto found = row;
@@ -75,7 +75,7 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
 }
 
 void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
-                     const StudyResult& study) {
+                     const study::Conclusions& study) {
     for (const auto& loop : planted.loops) {
         const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) {
             return p.surface == loop.surface && p.elastomer == loop.elastomer;
@@ -157,8 +157,8 @@ std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, c
                              add_spectrum(rows, run, surface.name, method, *spectrum,
                                           truth_within(known, truth, *spectrum));
                      });
-    const bool likelihood = study.by_average != nullptr;
-    const auto add_related = [&](const std::string& method, const StudyResult& related) {
+    const bool likelihood = study.by_average.has_value();
+    const auto add_related = [&](const std::string& method, const study::Conclusions& related) {
         add_work_of_adhesion(rows, run, recipe.work_of_adhesion, method, related);
         add_predictions(rows, run, planted, method, related);
     };

@@ -137,7 +137,7 @@ std::string comparisons_csv(const std::vector<Comparison>& comparisons) {
     return text;
 }
 
-figures::Figure closure_figure(const std::vector<SummaryRow>& rows) {
+figures::Figure validation_figure(const std::vector<SummaryRow>& rows) {
     std::vector<SummaryRow> relative;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(relative),
                  [](const SummaryRow& row) { return row.measure == Deviation::relative; });

@@ -82,7 +82,8 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
     add_other_routes(list, result, map, threads);
-    const auto predicted = [&](const char* name, const std::optional<study::PredictedWork>& work, const char* source) {
+    const auto predicted = [&](const char* name, const std::optional<adhesion::PredictedWork>& work,
+                               const char* source) {
         auto raw = quantity(std::string("work_of_adhesion_") + name, "W_app", work->estimate, "J/m2");
         raw.source = source;
         list.push_back(raw);

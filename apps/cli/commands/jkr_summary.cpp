@@ -10,8 +10,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/output/replicate_report.hpp"
-#include "setae/statistics/forest_plot.hpp"
 #include "setae/study/replicate_reader.hpp"
+#include "setae/study_figures/forest_plot.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -79,7 +79,7 @@ ExitCode run(const Arguments& arguments) {
     const auto tables = study::read_replicates(arguments.files, columns, rules);
     const auto model = statistics::mixed_model(
         tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
-    const auto figure = statistics::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
+    const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
     auto json = output::to_json(tables.data, model);
     json["bad_rows"] = output::Json::array();
     for (const auto& bad : tables.bad_rows) {

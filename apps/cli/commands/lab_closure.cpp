@@ -10,8 +10,8 @@
 
 #include "closure_output.hpp"
 #include "setae/bytes/whole_file.hpp"
-#include "setae/validation/closure.hpp"
 #include "setae/validation/report.hpp"
+#include "setae/validation/validation.hpp"
 
 namespace setae::cli {
 namespace {
@@ -31,7 +31,7 @@ struct ClosureArguments : RepeatedRecipe {
     std::vector<std::string> without;
 };
 
-validation::ClosureOptions options_of(const ClosureArguments& arguments) {
+validation::ValidationOptions options_of(const ClosureArguments& arguments) {
     const auto left_out = [&](const char* name) {
         return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end();
     };
@@ -48,7 +48,7 @@ validation::ClosureOptions options_of(const ClosureArguments& arguments) {
 
 ExitCode run(const ClosureArguments& arguments) {
     require_recipe(arguments);
-    const auto found = validation::run_closure(arguments.recipe, options_of(arguments));
+    const auto found = validation::run_validation(arguments.recipe, options_of(arguments));
     for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.comparisons.empty()) return ExitCode::nothing_done;
     const auto rows = validation::summary(found.comparisons);

@@ -59,8 +59,8 @@ study::SurfaceInput SurfaceOptions::surface() const {
     return surface;
 }
 
-study::AnalysisOptions SurfaceOptions::analysis() const {
-    study::AnalysisOptions options;
+study::SurfaceAnalysisOptions SurfaceOptions::analysis() const {
+    study::SurfaceAnalysisOptions options;
     options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
     if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
     if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);

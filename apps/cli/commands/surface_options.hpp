@@ -21,7 +21,7 @@ struct SurfaceOptions {
     void add_measurements_to(CLI::App& verb);
     /// @throws InvalidArgument for a malformed option.
     [[nodiscard]] study::SurfaceInput surface() const;
-    [[nodiscard]] study::AnalysisOptions analysis() const;
+    [[nodiscard]] study::SurfaceAnalysisOptions analysis() const;
 };
 
 /// Prints what failed; done, some failed or nothing done.

@@ -43,7 +43,7 @@ TEST(Balances, DifferByTheStretchingOfTheSoftSide) {
 
 TEST(GeneralBalance, EqualsTheModifiedOneForAConstantSurfaceEnergy) {
     const ConformalState state{1.688, 0.004};
-    EXPECT_NEAR(general_balance(0.037, SurfaceEnergyLaw::constant(0.025), state).raw,
+    EXPECT_NEAR(general_balance(0.037, {Array1D::Ones(1), Array1D::Constant(1, 0.025)}, state).raw,
                 modified_balance(0.037, 0.025, state).raw, 1e-16);
 }
 
@@ -51,9 +51,9 @@ TEST(GeneralBalance, OfASurfaceStressLawHasItsClosedForm) {
     // γ = γ1 + χ (x − 1): W*_int = W + χ (r − 1), integral γ1 (r − 1) + χ (r − 1)²/2
     const double r = 1.5, chi = 0.02, w = 0.037, gamma = 0.025;
     const double expected = (w + chi * (r - 1.0)) * r - gamma * (r - 1.0) - 0.5 * chi * (r - 1.0) * (r - 1.0) - 0.003;
-    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}).raw, expected, 1e-16);
-    EXPECT_NEAR(general_balance(w, SurfaceEnergyLaw::surface_stress(gamma, chi, 3.0), {r, 0.003}, 0.001).raw,
-                expected - 0.001 * r, 1e-16);
+    const SurfaceEnergyLaw law{Array1D{{1.0, 3.0}}, Array1D{{gamma, gamma + chi * 2.0}}};
+    EXPECT_NEAR(general_balance(w, law, {r, 0.003}).raw, expected, 1e-16);
+    EXPECT_NEAR(general_balance(w, law, {r, 0.003}, 0.001).raw, expected - 0.001 * r, 1e-16);
 }
 
 TEST(SurfaceEnergyLaw, IsLinearBetweenItsNodesAndConstantBeyond) {

@@ -47,7 +47,7 @@ std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface, co
                                          roughness::Conversion conversion) {
     const char* source = conversion == roughness::Conversion::exact ? exact_source : eq11_source;
     const auto make = [&](const char* name, const char* symbol, const char* unit, const char* from,
-                          const study::ParameterSpread::Function& f, double least = 0.0) {
+                          const roughness::ParameterSpread::Function& f, double least = 0.0) {
         auto q = quantity(name, symbol, spectrum.estimate(f, least), unit);
         q.source = from;
         q.band = spectrum.curve.band;

@@ -65,7 +65,7 @@ Json line_json(const std::optional<adhesion::LineFit>& fit) {
     return json;
 }
 
-Json loop_fits_json(const study::LoopFits& fits) {
+Json loop_fits_json(const adhesion::LossFits& fits) {
     auto json = fit_json(fits.through_origin, "E_loss = W_int A_true; [D19] (10)", "J");
     json["with_intercept"] = line_json(fits.with_intercept);
     json["without_ideal_loss"] = fits.through_origin_without_ideal_loss
@@ -88,7 +88,7 @@ Json free_json(const adhesion::FreeEnergyFit& fit) {
     return json;
 }
 
-Json fits_json(const study::StudyResult& result) {
+Json fits_json(const study::Conclusions& result) {
     Json json;
     add_outcome(json, "modified", result.modified,
                 [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (7), floored at 0", "J/m2"); });
@@ -120,7 +120,7 @@ Json measurement_json(const study::MeasurementResult& m) {
 }
 
 Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumResult& spectrum,
-                   const study::AnalysisOptions& options) {
+                   const study::SurfaceAnalysisOptions& options) {
     Json json;
     for (const auto& q : surface_quantities(surface, spectrum, options.conversion)) add(json, q);
     if (const auto decades = decade_quantities(surface, spectrum); !decades.empty()) {
@@ -144,7 +144,7 @@ Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumRes
     return json;
 }
 
-Json surface_json(const study::SurfaceResult& surface, const study::AnalysisOptions& options) {
+Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
     Json json;
     if (surface.failed()) {
         json["error"] = surface.error;
@@ -182,7 +182,7 @@ Json elastomer_json(const study::ElastomerResult& elastomer) {
     return json;
 }
 
-Json predicted_json(const study::PredictedWork& predicted, const char* source) {
+Json predicted_json(const adhesion::PredictedWork& predicted, const char* source) {
     auto q = quantity("work_of_adhesion", "W_app", predicted.estimate, "J/m2");
     q.source = source;
     Json json;
@@ -252,7 +252,7 @@ Json pair_json(const study::PairResult& pair) {
     return json;
 }
 
-Json pairs_json(const study::StudyResult& result) {
+Json pairs_json(const study::Conclusions& result) {
     Json pairs = Json::array();
     for (const auto& pair : result.pairs) pairs.push_back(pair_json(pair));
     return pairs;
@@ -298,14 +298,14 @@ Json cutoff_json(const study::CutoffPoint& point, const study::StudyResult& resu
     return json;
 }
 
-Json cutoffs_json(const study::StudyResult& result) {
+Json cutoffs_json(const study::StudyResult& result, const study::Conclusions& conclusions) {
     Json scan = Json::array();
-    for (const auto& point : result.cutoff_scan) scan.push_back(cutoff_json(point, result));
+    for (const auto& point : conclusions.cutoff_scan) scan.push_back(cutoff_json(point, result));
     return scan;
 }
 
 /// W_int of the predictions, or why there is none.
-void add_work(Json& json, const study::StudyResult& result) {
+void add_work(Json& json, const study::Conclusions& result) {
     json["work_of_adhesion"] = nullptr;
     if (!result.work_of_adhesion) {
         json["work_of_adhesion_reason"] = result.work_of_adhesion.reason;
@@ -328,7 +328,7 @@ Json replicates_json(const study::ElastomerReplicates& replicates) {
     return json;
 }
 
-Json prediction_json(const study::PredictionTest& test) {
+Json prediction_json(const adhesion::PredictionTest& test) {
     Json json{{"work_of_adhesion_fitted_to_them", test.work_fitted},
               {"pairs", Json::array()},
               {"left_out", test.left_out},
@@ -356,16 +356,17 @@ Json prediction_json(const study::PredictionTest& test) {
 
 /// What rests on surfaces, once more with their averages.
 Json by_average_json(const study::StudyResult& result) {
+    const auto& by_average = *result.by_average;
     Json json;
-    add_work(json, result);
-    json["fits"] = fits_json(result);
-    json["pairs"] = pairs_json(result);
-    add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
-    json["cutoff_scan"] = cutoffs_json(result);
+    add_work(json, by_average);
+    json["fits"] = fits_json(by_average);
+    json["pairs"] = pairs_json(by_average);
+    add_outcome(json, "prediction_test", by_average.prediction_test, prediction_json);
+    json["cutoff_scan"] = cutoffs_json(result, by_average);
     return json;
 }
 
-const adhesion::WorkFit* fit_of(const study::StudyResult& result, const std::string& fit) {
+const adhesion::WorkFit* fit_of(const study::Conclusions& result, const std::string& fit) {
     if (fit == "modified" && result.modified) return &*result.modified;
     if (fit == "persson_tosatti" && result.persson_tosatti) return &*result.persson_tosatti;
     if (fit == "loop" && result.loop) return &result.loop->through_origin;
@@ -411,7 +412,7 @@ Json to_json(const study::StudyResult& result) {
     add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
     json["replicates"] = Json::array();
     for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
-    if (result.by_average) json["by_average"] = by_average_json(*result.by_average);
+    if (result.by_average) json["by_average"] = by_average_json(result);
     json["experiments"] = Json::array();
     for (const auto& e : result.experiments) {
         Json entry{{"file", e.input.file},
@@ -430,7 +431,7 @@ Json to_json(const study::StudyResult& result) {
     for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
     json["reference_changes"] = Json::array();
     for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
-    json["cutoff_scan"] = cutoffs_json(result);
+    json["cutoff_scan"] = cutoffs_json(result, result);
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
     json["alerts"] = to_json(result.alerts);

@@ -6,29 +6,30 @@
 namespace setae::study_figures {
 
 /// A study and how its figures are wanted.
-struct Sitting {
+struct FigureRequest {
     const study::StudyResult& result;
     const GalleryOptions& options;
 };
 
 /// Each fills the figure and its caption, or the reason.
-void combined_spectra(const Sitting& sitting, StudyFigure& drawn);                                       // 1
-void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn);                               // 2
-void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn);                                    // 4
-void stylus_scans(const Sitting& sitting, StudyFigure& drawn);                                           // S1
-void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn);                                  // S2
-void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn);                                      // S3
-void contact_radius_of_all(const Sitting& sitting, StudyFigure& drawn);                                  // S5
-void contact_radius_of_references(const Sitting& sitting, StudyFigure& drawn);                           // S6
-void true_area(const Sitting& sitting, StudyFigure& drawn);                                              // S7
-void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn);                             // S8
-void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surface, StudyFigure& drawn);  // spectra:NAME
-void scales_of_cost(const Sitting& sitting, StudyFigure& drawn);                                         // scales
-void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn);                               // agreement
-void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn);                                    // replicates
-void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn);                             // prediction
+void combined_spectra(const FigureRequest& request, StudyFigure& drawn);              // 1
+void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn);      // 2
+void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn);           // 4
+void stylus_scans(const FigureRequest& request, StudyFigure& drawn);                  // S1
+void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn);         // S2
+void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn);             // S3
+void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn);         // S5
+void contact_radius_of_references(const FigureRequest& request, StudyFigure& drawn);  // S6
+void true_area(const FigureRequest& request, StudyFigure& drawn);                     // S7
+void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn);    // S8
+void measured_spectra(const FigureRequest& request, const study::SurfaceResult& surface,
+                      StudyFigure& drawn);                                          // spectra:NAME
+void scales_of_cost(const FigureRequest& request, StudyFigure& drawn);              // scales
+void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn);    // agreement
+void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn);         // replicates
+void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn);  // prediction
 
 void loop_of(const study::ExperimentResult& experiment, StudyFigure& drawn);  // loop:NAME
-void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn);             // ranges
+void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn);       // ranges
 
 }  // namespace setae::study_figures

@@ -167,7 +167,7 @@ Point point_of(const study::PairResult& pair, double raw, double error, const Es
 
 /// Pairs with a measured and a predicted work of adhesion.
 std::vector<Point> predicted_points(const StudyResult& result,
-                                    std::optional<study::PredictedWork> study::PairResult::*balance) {
+                                    std::optional<adhesion::PredictedWork> study::PairResult::*balance) {
     std::vector<Point> points;
     for (const auto& pair : result.pairs)
         if (pair.approach && pair.*balance)
@@ -193,7 +193,7 @@ std::string fit_in_words(const adhesion::WorkFit& fit) {
 }
 
 /// Panels of one or two comparisons, each above its residuals.
-figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& comparisons) {
+figures::Figure arranged(const FigureRequest& request, const std::vector<Comparison>& comparisons) {
     constexpr double upper = 0.68,
                      first =
                          0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
@@ -206,7 +206,7 @@ figures::Figure arranged(const Sitting& sitting, const std::vector<Comparison>& 
         figure.panels.back().place =
             figures::Place{place.left, place.top + upper * place.height, place.width, (1.0 - upper) * place.height};
     };
-    if (wide(sitting)) {
+    if (wide(request)) {
         figure.width_mm = two ? page_mm : 120.0;
         figure.height_mm = 100.0;
         add(comparisons[0], {.width = two ? first : 1.0});
@@ -259,8 +259,8 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
 
 }  // namespace
 
-void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     const auto points = predicted_points(result, &study::PairResult::modified);
     std::vector<Point> losses;
     auto lost = loss_comparison(result, losses);
@@ -294,11 +294,11 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
     auto& explained = comparisons.back().values;
     explain(explained, result, lost ? losses : points);
     explained.legend_beside = true;
-    if (comparisons.size() > 1 && !wide(sitting)) {
+    if (comparisons.size() > 1 && !wide(request)) {
         explain(comparisons.front().values, result, points);
         comparisons.front().values.legend_beside = true;
     }
-    drawn.figure = arranged(sitting, comparisons);
+    drawn.figure = arranged(request, comparisons);
     drawn.caption =
         text +
         fmt::format(
@@ -308,8 +308,8 @@ void prediction_and_loss(const Sitting& sitting, StudyFigure& drawn) {
             reconstruction_note(result) + floored_note(result));
 }
 
-void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     std::vector<Point> points;
     std::string source;
     if (result.persson_tosatti) {
@@ -335,7 +335,7 @@ void persson_tosatti_prediction(const Sitting& sitting, StudyFigure& drawn) {
     auto comparison = against_prediction(result, points);
     explain(comparison.values, result, points);
     comparison.values.legend_beside = true;
-    drawn.figure = arranged(sitting, {comparison});
+    drawn.figure = arranged(request, {comparison});
     drawn.caption = fmt::format(
         "Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
         "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "

@@ -221,11 +221,11 @@ std::string modulus_of(const study::ElastomerResult& elastomer) {
 }
 
 /// Panels of one elastomer each, filled by `fill`.
-figures::Figure panels_of_elastomers(const Sitting& sitting, const Wanted& wanted,
+figures::Figure panels_of_elastomers(const FigureRequest& request, const Wanted& wanted,
                                      const std::function<void(Panel&, const Loops&)>& fill) {
-    figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
-    for (const auto& elastomer : sitting.result.elastomers) {
-        const auto loops = loops_that(sitting.result, [&](const ExperimentResult& e) {
+    figures::Figure figure{.columns = wide(request) ? 2 : 1};
+    for (const auto& elastomer : request.result.elastomers) {
+        const auto loops = loops_that(request.result, [&](const ExperimentResult& e) {
             return wanted(e) && e.input.elastomer == elastomer.input.name;
         });
         if (loops.empty()) continue;
@@ -235,15 +235,15 @@ figures::Figure panels_of_elastomers(const Sitting& sitting, const Wanted& wante
     }
     const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = columns == 0 ? 0 : (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;
+    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
     figure.height_mm = 62.0 * static_cast<double>(rows);
     return figure;
 }
 
 }  // namespace
 
-void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     const auto rough = [](const ExperimentResult& e) { return !e.input.reference; };
     const auto* elastomer =
         elastomer_of_figure_2(result, [&](const ExperimentResult& e) { return rough(e) && has_radius(e); });
@@ -302,9 +302,9 @@ void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
         force.x.to = depth + 0.05 * (depth - lift);
     }
     drawn.figure = {
-        .panels = {radius}, .columns = wide(sitting) ? 2 : 1, .width_mm = wide(sitting) ? page_mm : column_mm};
+        .panels = {radius}, .columns = wide(request) ? 2 : 1, .width_mm = wide(request) ? page_mm : column_mm};
     if (!with_displacement.empty()) drawn.figure.panels.push_back(force);
-    drawn.figure.height_mm = wide(sitting) || drawn.figure.panels.size() == 1 ? 75.0 : 135.0;
+    drawn.figure.height_mm = wide(request) || drawn.figure.panels.size() == 1 ? 75.0 : 135.0;
     drawn.caption = fmt::format(
         "Contact on {} ({}). A: contact radius against force, loading hollow, unloading filled; dashed: JKR (1) fitted to loading.{}{} Each branch is thinned to about {} "
         "symbols, each loop to at most {} points, jumps kept. Compare Fig. 2 of Dalvi et al. 2019.",
@@ -318,11 +318,11 @@ void contact_of_one_elastomer(const Sitting& sitting, StudyFigure& drawn) {
         symbols_a_branch, points_a_loop);
 }
 
-void contact_radius_of_all(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     std::size_t n = 0, retractions = 0;
     drawn.figure = panels_of_elastomers(
-        sitting, [](const ExperimentResult& e) { return !e.input.reference && has_radius(e); },
+        request, [](const ExperimentResult& e) { return !e.input.reference && has_radius(e); },
         [&](Panel& panel, const Loops& loops) {
             for (const auto* e : loops)
                 add_fit(panel, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
@@ -346,8 +346,8 @@ void contact_radius_of_all(const Sitting& sitting, StudyFigure& drawn) {
         counted(n, "loop"), counted(retractions, "fit"));
 }
 
-void contact_radius_of_references(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void contact_radius_of_references(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     std::size_t n = 0;
     std::string works;
     const auto look = [](const ExperimentResult& e) {
@@ -355,7 +355,7 @@ void contact_radius_of_references(const Sitting& sitting, StudyFigure& drawn) {
                     colour_of_place(e.input.stage == "after" ? 1 : 0)};
     };
     drawn.figure = panels_of_elastomers(
-        sitting, [](const ExperimentResult& e) { return e.input.reference && has_radius(e); },
+        request, [](const ExperimentResult& e) { return e.input.reference && has_radius(e); },
         [&](Panel& panel, const Loops& loops) {
             std::vector<Look> looks;
             for (const auto* e : loops) {

@@ -16,7 +16,9 @@ inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, or
 
 inline constexpr double column_mm = 85.0, page_mm = 178.0;
 
-[[nodiscard]] inline bool wide(const Sitting& sitting) { return sitting.options.width == FigureWidth::double_column; }
+[[nodiscard]] inline bool wide(const FigureRequest& request) {
+    return request.options.width == FigureWidth::double_column;
+}
 
 [[nodiscard]] Array1D array_of(const std::vector<double>& values);
 

@@ -265,9 +265,9 @@ void loop_of(const study::ExperimentResult& experiment, StudyFigure& drawn) {
     draw_loop(loop, units_of(loop), drawn);
 }
 
-void ranges_of_loops(const Sitting& sitting, StudyFigure& drawn) {
+void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
     constexpr std::size_t most = 7;  // colours that can be told apart
-    const auto& experiments = sitting.result.experiments;
+    const auto& experiments = request.result.experiments;
     if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(),
                                                [](const auto& e) { return e.analysis.has_value(); })) > most) {
         drawn.reason = fmt::format("more than {} loops; `setae jkr fit --figures` draws those you choose", most);

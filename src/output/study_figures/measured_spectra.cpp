@@ -27,7 +27,7 @@ Curve part(const Curve& curve, double from, double to) {
 
 }  // namespace
 
-void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surface, StudyFigure& drawn) {
+void measured_spectra(const FigureRequest& request, const study::SurfaceResult& surface, StudyFigure& drawn) {
     const auto instruments = instrument_bands({&surface});
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true},
                          .y = {.quantity = "power spectral density *C*_{1D}", .unit = "m3", .logarithmic = true}};
@@ -113,7 +113,7 @@ void measured_spectra(const Sitting& sitting, const study::SurfaceResult& surfac
         panel.y.to = most * margin;
     }
     drawn.figure = {
-        .panels = {panel}, .width_mm = wide(sitting) ? 140.0 : column_mm, .height_mm = wide(sitting) ? 95.0 : 75.0};
+        .panels = {panel}, .width_mm = wide(request) ? 140.0 : column_mm, .height_mm = wide(request) ? 95.0 : 75.0};
     drawn.caption = fmt::format(
         "C1D of each of {} of {}, coloured by instrument: solid where the instrument is reliable, dotted and pale where it was cut "
         "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{} Curves of more than {} points are means "

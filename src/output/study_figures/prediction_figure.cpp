@@ -24,7 +24,7 @@ std::vector<const PairResult*> pairs_on(const StudyResult& result, const std::st
     return pairs;
 }
 
-const study::PredictionResidual* residual_of(const StudyResult& result, const PairResult& pair) {
+const adhesion::PredictionResidual* residual_of(const StudyResult& result, const PairResult& pair) {
     if (!result.prediction_test) return nullptr;
     for (const auto& residual : result.prediction_test->pairs)
         if (residual.surface == pair.surface && residual.elastomer == pair.elastomer) return &residual;
@@ -106,7 +106,7 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
 }
 
 /// χ² in the upper left corner, above all values.
-void add_test(Panel& panel, const study::PredictionTest& test) {
+void add_test(Panel& panel, const adhesion::PredictionTest& test) {
     const double step = 0.065 * (*panel.y.to - *panel.y.from);
     double height = *panel.y.to;
     const auto write = [&](const std::string& text) {
@@ -130,7 +130,7 @@ figures::Corner roomier_corner(const Panel& panel) {
     return left > right ? figures::Corner::bottom_left : figures::Corner::bottom_right;
 }
 
-std::string test_in_words(const study::PredictionTest& test) {
+std::string test_in_words(const adhesion::PredictionTest& test) {
     auto text = fmt::format(
         "χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account",
         test.chi_squared, test.degrees_of_freedom, test.probability, counted(static_cast<std::size_t>(test.n), "pair"));
@@ -144,8 +144,8 @@ std::string test_in_words(const study::PredictionTest& test) {
 
 }  // namespace
 
-void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     std::vector<const study::SurfaceResult*> surfaces;
     for (const auto& surface : result.surfaces)
         if (!surface.failed() && !pairs_on(result, surface.name).empty()) surfaces.push_back(&surface);
@@ -158,7 +158,7 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
     }
     const auto energy = surface_energy_of(result);
     const auto moduli = moduli_of(result);
-    figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
+    figures::Figure figure{.columns = wide(request) ? 2 : 1};
     double highest = 0.0, lowest = 0.0;
     for (const auto* surface : surfaces) {
         Panel panel{.title = label_of(*surface),
@@ -170,7 +170,9 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
                     .y = {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2"},
                     .horizontal_lines = {0.0},
                     .legend = figure.panels.empty()};
-        const auto curve = study::prediction_curve(*surface, energy.mean, *result.work_of_adhesion, moduli);
+        const auto curve =
+            adhesion::prediction_curve({surface->name, surface->used().parameters, surface->used().spread}, energy.mean,
+                                       *result.work_of_adhesion, moduli);
         panel.series.push_back({.label = "predicted by (7), 95 %",
                                 .x = MPa * curve.contact_modulus,
                                 .y = mJ * curve.work_of_adhesion,
@@ -208,7 +210,7 @@ void prediction_against_modulus(const Sitting& sitting, StudyFigure& drawn) {
     if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
     const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;
+    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
     figure.height_mm = 66.0 * static_cast<double>(rows);
     drawn.figure = figure;
     drawn.caption = fmt::format(

@@ -4,17 +4,17 @@
 #include <fmt/format.h>
 
 #include "drawing.hpp"
-#include "setae/statistics/forest_plot.hpp"
+#include "setae/study_figures/forest_plot.hpp"
 
 namespace setae::study_figures {
 
-void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     if (result.replicates.empty()) {
         drawn.reason = "no loop names a lens, a spot or an exclusion";
         return;
     }
-    figures::Figure figure{.columns = 1, .width_mm = wide(sitting) ? 140.0 : column_mm, .height_mm = 0.0};
+    figures::Figure figure{.columns = 1, .width_mm = wide(request) ? 140.0 : column_mm, .height_mm = 0.0};
     std::size_t loops = 0, excluded = 0;
     std::string why;
     std::vector<double> heights;
@@ -24,8 +24,8 @@ void replicates_of_pairs(const Sitting& sitting, StudyFigure& drawn) {
             why = replicates.model.reason;
             continue;
         }
-        auto plot = statistics::forest_plot(replicates.data, *replicates.model,
-                                            {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
+        auto plot = forest_plot(replicates.data, *replicates.model,
+                                {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
         auto& panel = plot.panels.front();
         panel.title = replicates.elastomer;
         // files stand in the data alone

@@ -32,8 +32,8 @@ const study::ElastomerResult* elastomer_with_scales(const StudyResult& result) {
 
 }  // namespace
 
-void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void scales_of_cost(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     const auto* elastomer = elastomer_with_scales(result);
     if (!elastomer) {
         const auto& why = result.work_of_adhesion.reason;
@@ -80,9 +80,9 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
             panel->x.to = 1.3 * highest;
         }
     drawn.figure = {.panels = {energy, area, work},
-                    .columns = wide(sitting) ? 3 : 1,
-                    .width_mm = wide(sitting) ? page_mm : column_mm,
-                    .height_mm = wide(sitting) ? 66.0 : 165.0};
+                    .columns = wide(request) ? 3 : 1,
+                    .width_mm = wide(request) ? page_mm : column_mm,
+                    .height_mm = wide(request) ? 66.0 : 165.0};
     drawn.caption = fmt::format(
         "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
         "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
@@ -91,8 +91,8 @@ void scales_of_cost(const Sitting& sitting, StudyFigure& drawn) {
         reconstruction_note(result) + floored_note(result));
 }
 
-void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
-    const auto& result = sitting.result;
+void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) {
+    const auto& result = request.result;
     std::vector<const study::SurfaceResult*> fitted;
     for (const auto& surface : result.surfaces)
         if (!surface.failed() && surface.fitted && !surface.fitted->agreement.empty()) fitted.push_back(&surface);
@@ -100,7 +100,7 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
         drawn.reason = "no surface's spectrum was fitted to its measurements by likelihood";
         return;
     }
-    figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
+    figures::Figure figure{.columns = wide(request) ? 2 : 1};
     double least = 0.8, most = 1.25;
     for (const auto* surface : fitted)
         for (const auto& a : surface->fitted->agreement) {
@@ -161,7 +161,7 @@ void agreement_of_instruments(const Sitting& sitting, StudyFigure& drawn) {
     }
     const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(sitting) ? 120.0 : column_mm;
+    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
     figure.height_mm = 55.0 * static_cast<double>(rows);
     drawn.figure = figure;
     drawn.caption =

@@ -47,23 +47,23 @@ Curve extremes(const Array1D& x, const Array1D& y, Index stretches) {
 
 }  // namespace
 
-void stylus_scans(const Sitting& sitting, StudyFigure& drawn) {
+void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
     std::string names;
     double highest = 0.0, longest = 0.0;
-    for (const auto& surface : sitting.result.surfaces)
+    for (const auto& surface : request.result.surfaces)
         if (const auto* scan = scan_of(surface)) {
             highest =
                 std::max(highest, scan->preview.heights.isFinite().select(scan->preview.heights.abs(), 0.0).maxCoeff());
             longest = std::max(longest, scan->preview.size[0]);
         }
     if (longest == 0.0) {
-        drawn.reason = sitting.result.surfaces.empty() ? "the study has no surface" : "no surface has a stylus scan";
+        drawn.reason = request.result.surfaces.empty() ? "the study has no surface" : "no surface has a stylus scan";
         return;
     }
     const bool millimetres = longest >= 1e-3, micrometres = highest >= 1e-6;
-    figures::Figure figure{.columns = wide(sitting) ? 2 : 1};
-    for (std::size_t i = 0; i < sitting.result.surfaces.size(); ++i) {
-        const auto& surface = sitting.result.surfaces[i];
+    figures::Figure figure{.columns = wide(request) ? 2 : 1};
+    for (std::size_t i = 0; i < request.result.surfaces.size(); ++i) {
+        const auto& surface = request.result.surfaces[i];
         const auto* scan = scan_of(surface);
         if (!scan) continue;
         const auto curve = extremes(scan->preview.positions - scan->preview.positions[0], scan->preview.heights, 200);
@@ -85,7 +85,7 @@ void stylus_scans(const Sitting& sitting, StudyFigure& drawn) {
     }
     const auto rows = static_cast<double>((figure.panels.size() + static_cast<std::size_t>(figure.columns) - 1) /
                                           static_cast<std::size_t>(figure.columns));
-    figure.width_mm = wide(sitting) ? page_mm : column_mm;
+    figure.width_mm = wide(request) ? page_mm : column_mm;
     figure.height_mm = 40.0 * rows;
     drawn.figure = figure;
     drawn.caption = fmt::format(

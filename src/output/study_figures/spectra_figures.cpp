@@ -203,9 +203,9 @@ std::string failed_surfaces(const StudyResult& result) {
     return names.empty() ? "" : " Not drawn, because they failed: " + names + ".";
 }
 
-bool nothing_to_show(const Sitting& sitting, StudyFigure& drawn) {
-    if (sitting.result.surfaces.empty()) drawn.reason = "the study has no surface";
-    else if (std::all_of(sitting.result.surfaces.begin(), sitting.result.surfaces.end(),
+bool nothing_to_show(const FigureRequest& request, StudyFigure& drawn) {
+    if (request.result.surfaces.empty()) drawn.reason = "the study has no surface";
+    else if (std::all_of(request.result.surfaces.begin(), request.result.surfaces.end(),
                          [](const SurfaceResult& s) { return s.failed(); }))
         drawn.reason = "every surface failed";
     return !drawn.drawable();
@@ -224,9 +224,9 @@ std::optional<SurfaceCurve> curve_of_instrument(const SurfaceResult& surface, co
 
 }  // namespace
 
-void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
-    if (nothing_to_show(sitting, drawn)) return;
-    const auto& result = sitting.result;
+void combined_spectra(const FigureRequest& request, StudyFigure& drawn) {
+    if (nothing_to_show(request, drawn)) return;
+    const auto& result = request.result;
     Panel panel{.x = wavevector_axis, .y = C1D_axis};
     Methods methods;
     bool bands = false;
@@ -247,12 +247,12 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
     const auto instruments = instrument_bands(surfaces_of(result));
     panel.legend_corner = figures::Corner::bottom_left;
     add_bars(panel, instruments);
-    const bool pictures = wide(sitting) && pictured_surface(result) != nullptr;
+    const bool pictures = wide(request) && pictured_surface(result) != nullptr;
     drawn.figure = {.panels = {panel},
-                    .width_mm = !wide(sitting) ? column_mm
+                    .width_mm = !wide(request) ? column_mm
                                 : pictures     ? page_mm
                                                : 120.0,
-                    .height_mm = !wide(sitting) ? 75.0
+                    .height_mm = !wide(request) ? 75.0
                                  : pictures     ? 95.0
                                                 : 85.0};
     const auto pictured = pictures ? add_pictures(drawn.figure, result) : std::string();
@@ -263,9 +263,9 @@ void combined_spectra(const Sitting& sitting, StudyFigure& drawn) {
         pictured, failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
-void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
-    if (nothing_to_show(sitting, drawn)) return;
-    const auto& result = sitting.result;
+void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
+    if (nothing_to_show(request, drawn)) return;
+    const auto& result = request.result;
     const auto conversion = result.study.analysis.conversion;
     Panel panel{.x = wavevector_axis,
                 .y = {.quantity = "isotropic power spectral density *C*_{iso}", .unit = "m4", .logarithmic = true}};
@@ -287,7 +287,7 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
     }
     panel.legend_corner = figures::Corner::bottom_left;
     drawn.figure = {
-        .panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 85.0 : 70.0};
+        .panels = {panel}, .width_mm = wide(request) ? 120.0 : column_mm, .height_mm = wide(request) ? 85.0 : 70.0};
     drawn.caption = fmt::format(
         "C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"),
         methods.text(),
@@ -297,9 +297,9 @@ void isotropic_spectra(const Sitting& sitting, StudyFigure& drawn) {
         bands ? " Shaded: 95 %." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
-void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {
-    if (nothing_to_show(sitting, drawn)) return;
-    const auto& result = sitting.result;
+void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
+    if (nothing_to_show(request, drawn)) return;
+    const auto& result = request.result;
     const auto instruments = instrument_bands(surfaces_of(result));
     if (instruments.empty()) {
         drawn.reason = "no surface has measurements: their spectra were published or given, not measured here";
@@ -336,7 +336,7 @@ void spectra_by_instrument(const Sitting& sitting, StudyFigure& drawn) {
                                 .legend_only = true});
     panel.legend_corner = figures::Corner::bottom_left;
     drawn.figure = {
-        .panels = {panel}, .width_mm = wide(sitting) ? 120.0 : column_mm, .height_mm = wide(sitting) ? 90.0 : 75.0};
+        .panels = {panel}, .width_mm = wide(request) ? 120.0 : column_mm, .height_mm = wide(request) ? 90.0 : 75.0};
     drawn.caption = fmt::format(
         "C1D of each surface (colour) by technique (line): the mean over the measurements of that technique, each within its own reliable band, "
         "in ten bins a decade. Where lines of one colour part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",

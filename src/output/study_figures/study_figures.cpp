@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/study_figures/study_figures.hpp"
 
+#include <cctype>
 #include <filesystem>
 #include <functional>
 
@@ -10,16 +11,15 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/study_figures/figure_kinds.hpp"
 
 namespace setae::study_figures {
 namespace {
 
-using Build = std::function<void(const Sitting&, StudyFigure&)>;
-
 /// A figure that a study may have.
 struct Entry {
     std::string identifier, name, title;
-    Build build;
+    std::function<void(const FigureRequest&, StudyFigure&)> build;
 };
 
 /// A stem no other figure has.
@@ -30,55 +30,129 @@ std::string free_stem(std::string stem, std::size_t place, const std::vector<Ent
     return stem;
 }
 
-/// "loop:NAME" of every loop that was analysed, and how all of them depend on the range of their fit.
-void add_loops(const study::StudyResult& result, std::vector<Entry>& entries) {
-    for (std::size_t i = 0; i < result.experiments.size(); ++i) {
-        if (!result.experiments[i].analysis) continue;
-        const auto name = std::filesystem::path(result.experiments[i].input.file).stem().string();
-        entries.push_back(
-            {"loop:" + name, free_stem("loop_" + output::as_file_name(name), i, entries),
-             "Force, contact radius and energy release rate of " + name,
-             [i](const Sitting& sitting, StudyFigure& drawn) { loop_of(sitting.result.experiments[i], drawn); }});
-    }
-    entries.push_back({"ranges", "ranges", "E* and W of loading against the range of the fit", ranges_of_loops});
+/// Adds the figure of one thing called `name` to those of its kind, "spectra:NAME".
+void add_named(const FigureKind& kind, const std::string& name, std::size_t place, std::vector<Entry>& entries,
+               std::function<void(const FigureRequest&, StudyFigure&)> build) {
+    const auto named = [&](std::string text) { return text.replace(text.find("NAME"), 4, name); };
+    const auto stem = kind.identifier.substr(0, kind.identifier.find(':')) + "_" + output::as_file_name(name);
+    entries.push_back({named(kind.identifier), free_stem(stem, place, entries), named(kind.title), std::move(build)});
+}
+
+/// "spectra:NAME" of every surface with measurements.
+void add_surfaces(const FigureKind& kind, const study::StudyResult& result, std::vector<Entry>& entries) {
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i)
+        if (!result.surfaces[i].measurements.empty())
+            add_named(kind, result.surfaces[i].name, i, entries, [i](const FigureRequest& request, StudyFigure& drawn) {
+                measured_spectra(request, request.result.surfaces[i], drawn);
+            });
+}
+
+/// "loop:NAME" of every loop that was analysed.
+void add_loops(const FigureKind& kind, const study::StudyResult& result, std::vector<Entry>& entries) {
+    for (std::size_t i = 0; i < result.experiments.size(); ++i)
+        if (result.experiments[i].analysis)
+            add_named(kind, std::filesystem::path(result.experiments[i].input.file).stem().string(), i, entries,
+                      [i](const FigureRequest& request, StudyFigure& drawn) {
+                          loop_of(request.result.experiments[i], drawn);
+                      });
+}
+
+/// A kind of figure and how it is made: one a study, or several.
+struct Kind {
+    FigureKind shown;
+    void (*build)(const FigureRequest&, StudyFigure&) = nullptr;
+    void (*add)(const FigureKind&, const study::StudyResult&, std::vector<Entry>&) = nullptr;
+};
+
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> list{
+        {{"1", "Power spectral density of every surface",
+          "C1D against q of all surfaces with 95 % bands, bars where each instrument is reliable; in two columns an AFM map "
+          "and a TEM contour beside it",
+          "the spectrum each surface's results rest on"},
+         combined_spectra},
+        {{"2", "Contact radius and displacement against force",
+          "A contact radius against force, loading hollow, unloading filled, (1) dashed; B force against displacement, the "
+          "loop that loses most shaded",
+          "loops on the elastomer nearest to 1.9 MPa"},
+         contact_of_one_elastomer},
+        {{"4", "Work of adhesion measured and predicted, and energy lost",
+          "A measured against predicted W_app (7), line y = x; B E_loss against A_true, line through the origin (10); "
+          "residuals below each",
+          "pairs with measured values"},
+         prediction_and_loss},
+        {{"S1", "A stylus scan of each surface", "the longest stylus scan of each surface, trend removed",
+          "measurements"},
+         stylus_scans},
+        {{"S2", "Power spectral density by technique",
+          "C1D of each surface by technique, each within its reliable band", "measurements"},
+         spectra_by_instrument},
+        {{"S3", "Isotropic power spectral density",
+          "C_iso against q; averages by the study's conversion, (11) or the inverse Abel integral", "as 1"},
+         isotropic_spectra},
+        {{"S5", "Contact radius against force on every elastomer",
+          "2A for every elastomer, (S2) through the last points before pull-off, solid", "loops"},
+         contact_radius_of_all},
+        {{"S6", "Contact radius against force on the smooth reference",
+          "contact radius against force on the smooth reference, (1) fitted to both branches", "reference loops"},
+         contact_radius_of_references},
+        {{"S7", "True area against slope", "A g(h') of (S12); B true area of self-affine maps against (9)",
+          "no data: the same in every study"},
+         true_area},
+        {{"S8", "Work of adhesion measured and predicted by Persson and Tosatti's balance",
+          "4A with (S13) at its own fitted W_int", "as 4"},
+         persson_tosatti_prediction},
+        {{"spectra:NAME", "Every measurement of NAME",
+          "every measurement of a surface: solid where reliable, pale and dotted where cut; their fit or average black",
+          "measurements; one a surface"},
+         nullptr,
+         add_surfaces},
+        {{"scales", "Which scales cost the energy", "shares of U_el, excess area and change of W_app below q",
+          "pairs on the stiffest elastomer"},
+         scales_of_cost},
+        {{"prediction", "Work of adhesion measured and predicted against the modulus",
+          "W_app by (7) against E* for each surface with its 95 % band; measured values with bars of W and E*, beside them "
+          "measured minus predicted in standard errors of both; χ² of all pairs",
+          "pairs with a prediction"},
+         prediction_against_modulus},
+        {{"replicates", "Every replicate and the means of its surface",
+          "every loop's work of adhesion of approach with the 95 % interval of its fit, by lens and spot; diamonds: means by "
+          "the mixed model; hollow: excluded, with the reason",
+          "loops that name a lens, a spot or an exclusion"},
+         replicates_of_pairs},
+        {{"agreement", "Measured over expected periodograms",
+          "measured over expected periodograms by instrument and decade, with the standard error of an instrument that agrees",
+          "surfaces fitted by likelihood"},
+         agreement_of_instruments},
+        {{"loop:NAME", "Force, contact radius and energy release rate of NAME",
+          "force against displacement with the closed loop shaded, contact radius against force, G against contact radius, "
+          "the fits dashed",
+          "loops; one a loop"},
+         nullptr,
+         add_loops},
+        {{"ranges", "E* and W of loading against the range of the fit",
+          "E* and W of loading against where the range of the fit begins and ends, and against each other",
+          "up to seven loops"},
+         ranges_of_loops}};
+    return list;
 }
 
 std::vector<Entry> entries_of(const study::StudyResult& result) {
-    std::vector<Entry> entries{
-        {"1", "figure_1", "Power spectral density of every surface", combined_spectra},
-        {"2", "figure_2", "Contact radius and displacement against force", contact_of_one_elastomer},
-        {"4", "figure_4", "Work of adhesion measured and predicted, and energy lost", prediction_and_loss},
-        {"S1", "figure_S1", "A stylus scan of each surface", stylus_scans},
-        {"S2", "figure_S2", "Power spectral density by technique", spectra_by_instrument},
-        {"S3", "figure_S3", "Isotropic power spectral density", isotropic_spectra},
-        {"S5", "figure_S5", "Contact radius against force on every elastomer", contact_radius_of_all},
-        {"S6", "figure_S6", "Contact radius against force on the smooth reference", contact_radius_of_references},
-        {"S7", "figure_S7", "True area against slope", true_area},
-        {"S8", "figure_S8", "Work of adhesion measured and predicted by Persson and Tosatti's balance",
-         persson_tosatti_prediction},
-    };
-    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
-        if (result.surfaces[i].measurements.empty()) continue;
-        const auto& name = result.surfaces[i].name;
-        entries.push_back({"spectra:" + name, free_stem("spectra_" + output::as_file_name(name), i, entries),
-                           "Every measurement of " + name, [i](const Sitting& sitting, StudyFigure& drawn) {
-                               measured_spectra(sitting, sitting.result.surfaces[i], drawn);
-                           }});
+    std::vector<Entry> entries;
+    for (const auto& [shown, build, add] : kinds()) {
+        if (add) add(shown, result, entries);
+        else
+            entries.push_back({shown.identifier,
+                               (std::islower(shown.identifier[0]) ? "" : "figure_") + shown.identifier, shown.title,
+                               build});
     }
-    entries.push_back({"scales", "scales", "Which scales cost the energy", scales_of_cost});
-    entries.push_back({"prediction", "prediction", "Work of adhesion measured and predicted against the modulus",
-                       prediction_against_modulus});
-    entries.push_back(
-        {"replicates", "replicates", "Every replicate and the means of its surface", replicates_of_pairs});
-    entries.push_back({"agreement", "agreement", "Measured over expected periodograms", agreement_of_instruments});
-    add_loops(result, entries);
     return entries;
 }
 
-StudyFigure built(const Entry& entry, const Sitting& sitting) {
+StudyFigure built(const Entry& entry, const FigureRequest& request) {
     StudyFigure drawn{.identifier = entry.identifier, .name = entry.name, .title = entry.title};
     try {
-        entry.build(sitting, drawn);
+        entry.build(request, drawn);
     } catch (const Error& error) {
         drawn.reason = error.what();
     }
@@ -88,11 +162,17 @@ StudyFigure built(const Entry& entry, const Sitting& sitting) {
 
 }  // namespace
 
+std::vector<FigureKind> figure_kinds() {
+    std::vector<FigureKind> list;
+    for (const auto& kind : kinds()) list.push_back(kind.shown);
+    return list;
+}
+
 std::vector<StudyFigure> study_figures(const study::StudyResult& result, const GalleryOptions& options) {
     const auto entries = entries_of(result);
-    const Sitting sitting{result, options};
+    const FigureRequest request{result, options};
     std::vector<StudyFigure> figures;
-    for (const auto& entry : entries) figures.push_back(built(entry, sitting));
+    for (const auto& entry : entries) figures.push_back(built(entry, request));
     return figures;
 }
 

@@ -41,12 +41,12 @@ std::vector<MeanArea> from_text(const std::string& text) {
     return areas;
 }
 
-std::vector<MeanArea> areas_of_maps(const Sitting& sitting) {
-    const Index map_points = sitting.options.area_map_points;
+std::vector<MeanArea> areas_of_maps(const FigureRequest& request) {
+    const Index map_points = request.options.area_map_points;
     const auto compute = [&] {
-        return means(true_area_of_maps({.points = map_points, .seed = map_seed, .threads = sitting.options.threads}));
+        return means(true_area_of_maps({.points = map_points, .seed = map_seed, .threads = request.options.threads}));
     };
-    const auto* store = sitting.options.store;
+    const auto* store = request.options.store;
     if (!store) return compute();
     const auto key = cache::KeyBuilder("true area of maps")
                          .add("points", fmt::format("{}", map_points))
@@ -61,7 +61,7 @@ std::vector<MeanArea> areas_of_maps(const Sitting& sitting) {
 
 }  // namespace
 
-void true_area(const Sitting& sitting, StudyFigure& drawn) {
+void true_area(const FigureRequest& request, StudyFigure& drawn) {
     Panel factor{.title = "A",
                  .x = {.quantity = "rms slope *h*'_{rms}", .from = 0.0, .to = 5.0},
                  .y = {.quantity = "*g*(*h*'_{rms})", .from = 0.0, .to = 1.05}};
@@ -76,7 +76,7 @@ void true_area(const Sitting& sitting, StudyFigure& drawn) {
                                         [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }));
     area.series.push_back(formula_curve("h'²/2", slopes, colour::black, 2,
                                         [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }));
-    const auto areas = areas_of_maps(sitting);
+    const auto areas = areas_of_maps(request);
     double largest = 0.0;
     for (const auto& a : areas) largest = std::max(largest, std::abs(a.deviation));
     for (const double hurst : {0.3, 0.8}) {
@@ -95,15 +95,15 @@ void true_area(const Sitting& sitting, StudyFigure& drawn) {
                                .hollow = hurst > 0.5});
     }
     drawn.figure = {.panels = {factor, area},
-                    .columns = wide(sitting) ? 2 : 1,
-                    .width_mm = wide(sitting) ? page_mm : column_mm,
-                    .height_mm = wide(sitting) ? 72.0 : 130.0};
+                    .columns = wide(request) ? 2 : 1,
+                    .width_mm = wide(request) ? page_mm : column_mm,
+                    .height_mm = wide(request) ? 72.0 : 130.0};
     drawn.caption = fmt::format(
         "A: g of (S12), the excess area of Gaussian slopes over its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
         "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
         "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {:.2g} % of (9). This figure does not depend on "
         "the study. Compare Fig. S7 of Dalvi et al. 2019.",
-        sitting.options.area_map_points, sitting.options.area_map_points, 100.0 * largest);
+        request.options.area_map_points, request.options.area_map_points, 100.0 * largest);
 }
 
 }  // namespace setae::study_figures

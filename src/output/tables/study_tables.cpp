@@ -25,8 +25,8 @@ const study::ReportedValue* reported(const study::StudyResult& result, const std
 /// Rows of the fit table.
 class FitRows {
 public:
-    FitRows(tables::TidyTable& table, const study::StudyResult& result)
-        : table_(table), result_(result), method_(method_name(result)) {}
+    FitRows(tables::TidyTable& table, const study::StudyResult& result, const study::Conclusions& conclusions)
+        : table_(table), result_(result), method_(method_name(result, conclusions)) {}
 
     void add(const std::string& fit, const std::string& variant, const Estimate& work, double r_squared,
              double chi_squared, double extra_scatter, int n) {
@@ -71,19 +71,21 @@ void add_alerts(tables::TidyTable& table, const std::vector<Alert>& alerts) {
 
 }  // namespace
 
-std::vector<const study::StudyResult*> by_method(const study::StudyResult& result) {
-    std::vector<const study::StudyResult*> found{&result};
-    if (result.by_average) found.push_back(result.by_average.get());
+std::vector<const study::Conclusions*> by_method(const study::StudyResult& result) {
+    std::vector<const study::Conclusions*> found{&result};
+    if (result.by_average) found.push_back(&*result.by_average);
     return found;
 }
 
-std::string method_name(const study::StudyResult& result) {
-    for (const auto& surface : result.surfaces)
-        if (!surface.failed() && surface.method == study::SpectrumMethod::likelihood)
-            return method_name(surface, surface.method);
-    for (const auto& surface : result.surfaces)
-        if (!surface.failed()) return method_name(surface, surface.method);
-    return "";
+std::string method_name(const study::StudyResult& result, const study::Conclusions& conclusions) {
+    const study::SurfaceResult* of_all = nullptr;
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        if (conclusions.method_of(surface) == study::SpectrumMethod::likelihood)
+            return method_name(surface, study::SpectrumMethod::likelihood);
+        if (!of_all) of_all = &surface;
+    }
+    return of_all ? method_name(*of_all, conclusions.method_of(*of_all)) : "";
 }
 
 std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
@@ -135,13 +137,14 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
     table.columns.emplace_back("E_loss (10) [J]");
     append(table.columns, uncertainty_columns("E_loss (10)", "J"));
     append(table.columns, {"contact area [m2]", "ideal smooth loss [J]"});
-    for (const auto* study : by_method(result))
-        for (const auto& p : study->pairs) {
-            const auto& surface = study->surface(p.surface);
-            if (study != &result && !result.surface(p.surface).likelihood) continue;  // the same spectrum once more
+    for (const auto* conclusions : by_method(result))
+        for (const auto& p : conclusions->pairs) {
+            const auto& surface = result.surface(p.surface);
+            if (conclusions->of_averages && !surface.likelihood) continue;  // the same spectrum once more
             const bool predicted = p.modified.has_value();
             Cells row;
-            add_cells(row, p.surface, p.elastomer, method_name(surface, surface.method), value_of(p.approach));
+            add_cells(row, p.surface, p.elastomer, method_name(surface, conclusions->method_of(surface)),
+                      value_of(p.approach));
             append(row, uncertainty_cells(p.approach));
             add_cells(row, predicted ? p.modified->work.floored : undefined,
                       predicted ? p.modified->work.raw : undefined);
@@ -165,21 +168,21 @@ tables::TidyTable fit_table(const study::StudyResult& result) {
     append(table.columns, uncertainty_columns("", "J/m2"));
     append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
                            "reported standard_error [J/m2]", "reported R2"});
-    for (const auto* study : by_method(result)) {
-        FitRows rows(table, *study);
-        if (study->modified) rows.add("modified", *study->modified);
-        if (study->persson_tosatti) rows.add("persson_tosatti", *study->persson_tosatti);
-        if (study->without_area_change) rows.add("without_area_change", *study->without_area_change);
-        if (study->free_energies)
+    for (const auto* conclusions : by_method(result)) {
+        FitRows rows(table, result, *conclusions);
+        if (conclusions->modified) rows.add("modified", *conclusions->modified);
+        if (conclusions->persson_tosatti) rows.add("persson_tosatti", *conclusions->persson_tosatti);
+        if (conclusions->without_area_change) rows.add("without_area_change", *conclusions->without_area_change);
+        if (conclusions->free_energies)
             rows.add("modified", "stored energy free for each surface",
-                     Estimate{.value = study->free_energies->work_of_adhesion}, study->free_energies->r_squared,
-                     undefined, undefined, study->modified->n);
-        if (study->loop) {
-            rows.add("loop", study->loop->through_origin);
-            rows.add("loop", study->loop->with_intercept, "with intercept");
-            if (const auto& reduced = study->loop->through_origin_without_ideal_loss)
+                     Estimate{.value = conclusions->free_energies->work_of_adhesion},
+                     conclusions->free_energies->r_squared, undefined, undefined, conclusions->modified->n);
+        if (conclusions->loop) {
+            rows.add("loop", conclusions->loop->through_origin);
+            rows.add("loop", conclusions->loop->with_intercept, "with intercept");
+            if (const auto& reduced = conclusions->loop->through_origin_without_ideal_loss)
                 rows.add("loop", *reduced, "without the smooth sphere's loss");
-            rows.add("loop", study->loop->with_intercept_without_ideal_loss,
+            rows.add("loop", conclusions->loop->with_intercept_without_ideal_loss,
                      "without the smooth sphere's loss, with intercept");
         }
     }
@@ -259,10 +262,10 @@ tables::TidyTable cutoff_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"shortest wavelength [m]", "method", "W_int (7) [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("(7)", "J/m2"));
     append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"});
-    for (const auto* study : by_method(result))
-        for (const auto& p : study->cutoff_scan) {
+    for (const auto* conclusions : by_method(result))
+        for (const auto& p : conclusions->cutoff_scan) {
             Cells row;
-            add_cells(row, p.shortest_wavelength, method_name(*study), p.modified.work_of_adhesion.value);
+            add_cells(row, p.shortest_wavelength, method_name(result, *conclusions), p.modified.work_of_adhesion.value);
             append(row, uncertainty_cells(p.modified.work_of_adhesion));
             add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
             table.rows.push_back(std::move(row));
@@ -314,15 +317,15 @@ tables::TidyTable prediction_test_table(const study::StudyResult& result) {
          "residual [standard errors]", "chi2", "degrees_of_freedom", "probability", "extra_scatter [J/m2]",
          "chi2 with scatter", "probability with scatter"},
         {}};
-    for (const auto* study : by_method(result)) {
-        if (!study->prediction_test) continue;
-        const auto& test = *study->prediction_test;
+    for (const auto* conclusions : by_method(result)) {
+        if (!conclusions->prediction_test) continue;
+        const auto& test = *conclusions->prediction_test;
         for (const auto& p : test.pairs)
-            table.rows.push_back({p.surface, p.elastomer, method_name(*study), p.measured.value,
+            table.rows.push_back({p.surface, p.elastomer, method_name(result, *conclusions), p.measured.value,
                                   p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
                                   p.standard_error, p.standardised(), undefined, undefined, undefined, undefined,
                                   undefined, undefined});
-        Cells row{std::string("all"), std::string("all"), method_name(*study)};
+        Cells row{std::string("all"), std::string("all"), method_name(result, *conclusions)};
         for (int i = 0; i < 7; ++i) row.emplace_back(undefined);
         add_cells(row, test.chi_squared, static_cast<double>(test.degrees_of_freedom), test.probability,
                   test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);

@@ -25,9 +25,9 @@ void add_cells(Cells& row, T&&... cells) {
 }
 
 /// A study and, where it rests on likelihoods, the same on averages.
-[[nodiscard]] std::vector<const study::StudyResult*> by_method(const study::StudyResult& result);
+[[nodiscard]] std::vector<const study::Conclusions*> by_method(const study::StudyResult& result);
 /// The method behind numbers that rest on all surfaces; those without measurements have no choice.
-[[nodiscard]] std::string method_name(const study::StudyResult& result);
+[[nodiscard]] std::string method_name(const study::StudyResult& result, const study::Conclusions& conclusions);
 
 /// Names of what uncertainty_cells() gives of a quantity.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit);

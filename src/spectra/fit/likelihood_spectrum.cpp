@@ -27,9 +27,6 @@ double shared_within(double size) {
     return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size));
 }
 
-/// Agreement below it is an alert: neighbouring groups share the window, so that chance goes further than χ² says.
-constexpr double improbable = 1e-6;
-
 /// τ² of each instrument.
 using Scatter = std::map<std::string, double>;
 
@@ -381,7 +378,7 @@ private:
             row.decade = key.second;
             row.standard_error = std::sqrt(row.standard_error) / weights[key];
             row.probability = chi_squared_exceedance(row.chi_squared, row.groups);
-            if (row.probability < improbable)
+            if (row.probability < improbable_agreement)
                 r.alerts.push_back(
                     {"INSTRUMENTS_DISAGREE", row.instrument,
                      fmt::format(

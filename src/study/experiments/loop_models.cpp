@@ -56,6 +56,10 @@ FitErrors fit_errors_named(const std::string& name) {
         fmt::format("errors '{}'; expected orthogonal_distance, effective_variance or force_only", name));
 }
 
+ContactModel LoopModelOptions::shared_model() const {
+    return models.size() == 1 && models.front() != "all" ? loops::model_named(models.front()) : ContactModel::jkr;
+}
+
 LoopModels loop_models(const loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies,
                        const loops::AnalysisOptions& analysis_options, const LoopModelOptions& options) {
     LoopModels models;
@@ -87,11 +91,9 @@ loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops, const
     if (loops.size() < 2)
         throw UndefinedDataError(
             fmt::format("{} of the loops can be fitted together, a shared fit needs at least 2", loops.size()));
-    const bool one = options.models.size() == 1 && options.models.front() != "all";
-    const auto model = one ? loops::model_named(options.models.front()) : ContactModel::jkr;
     return loops::fit_globally(loops, {.share_contact_modulus = options.share_contact_modulus,
                                        .share_work_of_adhesion = options.share_work_of_adhesion,
-                                       .fit = options_of(options, model)});
+                                       .fit = options_of(options, options.shared_model())});
 }
 
 }  // namespace setae::study

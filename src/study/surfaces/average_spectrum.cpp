@@ -65,7 +65,7 @@ bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
 }
 
 std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band,
-                                                     const AnalysisOptions& options, parallel::Threads threads) {
+                                                     const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     if (options.bootstrap_resamples == 0 || binned.C1D.rows() < 2) return {};
     spectra::BootstrapOptions bootstrap;
     bootstrap.resamples = options.bootstrap_resamples;
@@ -80,7 +80,8 @@ std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectr
 }
 
 std::vector<std::vector<SpectralParameters>> parameters_without_each(const spectra::BinnedSpectra& binned,
-                                                                     const Band& band, const AnalysisOptions& options) {
+                                                                     const Band& band,
+                                                                     const SurfaceAnalysisOptions& options) {
     const auto without = spectra::jackknife(binned, options.weighting);
     std::vector<std::vector<SpectralParameters>> strata;
     for (const auto& curves : without.C1D) {
@@ -106,8 +107,8 @@ Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum, parallel::Threads 
 }
 
 /// What other places of the surface would give, as far as one measurement can say.
-void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum,
-                          const AnalysisOptions& options, parallel::Threads threads) {
+void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum,
+                          const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     auto replica = spectrum;
     const Array2D drawn =
         spectra::parametric_noise(spectrum, own_freedom(spectrum, threads), options.bootstrap_resamples, options.seed);
@@ -120,7 +121,7 @@ void add_parametric_noise(ParameterSpread& spread, const spectra::PowerSpectrum1
 
 }  // namespace
 
-void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads) {
+void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     const auto found = spectra_of(surface.measurements);
     if (found.empty())
         throw UndefinedDataError(

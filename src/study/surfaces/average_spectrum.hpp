@@ -7,6 +7,6 @@ namespace setae::study {
 
 /// Fills `combined` and `average` of a surface from its measurements: mean over measurements, bootstrap, moved tips.
 /// @throws UndefinedDataError where no measurement could be analysed.
-void estimate_by_average(SurfaceResult& surface, const AnalysisOptions& options, parallel::Threads threads);
+void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& options, parallel::Threads threads);
 
 }  // namespace setae::study

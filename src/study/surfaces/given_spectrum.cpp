@@ -34,7 +34,7 @@ SpectrumCurve curve_of(const spectra::SelfAffine& model) {
 
 }  // namespace
 
-void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const AnalysisOptions& options) {
+void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
     const double height = moments.rms_height.value, slope = moments.rms_slope.value,
                  curvature = moments.rms_curvature.value;
     const auto reconstruct = [&](double h, double s, double c) {
@@ -66,7 +66,7 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
          "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
 }
 
-void take_power_spectrum(SurfaceResult& surface, const std::string& file, const AnalysisOptions& options) {
+void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options) {
     const auto table = tables::read_power_spectrum_table(file);
     const auto& q = table.at("wavevector");
     surface.average = spectrum_result({q, table.at("C1D"), {q[0], q[q.size() - 1]}, roughness::Density::C1D}, options);

@@ -9,10 +9,10 @@ namespace setae::study {
 
 /// The self-affine spectrum with three published moments as the spectrum of a surface; their ± as its spread.
 /// @throws InvalidArgument for moments no such spectrum has.
-void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const AnalysisOptions& options);
+void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options);
 
 /// A table q, C1D as the spectrum of a surface.
 /// @throws what reading it throws.
-void take_power_spectrum(SurfaceResult& surface, const std::string& file, const AnalysisOptions& options);
+void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options);
 
 }  // namespace setae::study

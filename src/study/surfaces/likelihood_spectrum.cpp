@@ -24,7 +24,7 @@ roughness::SpectrumCurve curve_of(const spectral_fit::LikelihoodSpectrum& spectr
 /// C1D of a fitted C_iso and of draws about it.
 class Lines {
 public:
-    Lines(const roughness::SpectrumCurve& C_iso, const AnalysisOptions& options)
+    Lines(const roughness::SpectrumCurve& C_iso, const SurfaceAnalysisOptions& options)
         : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.values)), limits_(options.limits) {}
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
@@ -81,7 +81,7 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
 }  // namespace
 
 void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
-                            const AnalysisOptions& options, parallel::Threads threads) {
+                            const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     std::vector<spectral_fit::ObservedSurface> observed;
     for (std::size_t i = 0; i < prepared.size(); ++i)
         if (!surface.measurements[i].failed())

@@ -12,6 +12,6 @@ namespace setae::study {
 /// prepared[i] belongs to surface.measurements[i], which has its trend and reliable band; of failed ones it is empty.
 /// @throws what spectral_fit::likelihood_spectrum throws; the surface is then as it was.
 void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
-                            const AnalysisOptions& options, parallel::Threads threads);
+                            const SurfaceAnalysisOptions& options, parallel::Threads threads);
 
 }  // namespace setae::study

@@ -43,7 +43,7 @@ void describe(MeasurementResult& result, const topography::Metadata& metadata, t
     result.alerts = alerts;
 }
 
-spectra::SpectrumOptions spectrum_options(const AnalysisOptions& options, parallel::Threads threads) {
+spectra::SpectrumOptions spectrum_options(const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     spectra::SpectrumOptions spectrum;
     spectrum.window = options.window;
     spectrum.contour = options.contours;
@@ -81,7 +81,7 @@ Alert large_map_alert(const topography::Metadata& metadata, const topography::Ti
 
 }  // namespace
 
-MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
+MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const SurfaceAnalysisOptions& options,
                                       parallel::Threads threads, const Wanted& wanted) {
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
@@ -109,21 +109,21 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     return result;
 }
 
-roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const AnalysisOptions& options,
+roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const SurfaceAnalysisOptions& options,
                                          parallel::Threads threads) {
     const auto iso = spectra::isotropic_power_spectrum(map, spectrum_options(options, threads));
     return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
 }
 
-bool too_large(const MeasurementSource& source, const AnalysisOptions& options) {
+bool too_large(const MeasurementSource& source, const SurfaceAnalysisOptions& options) {
     if (!source.by_bands) return false;
     const auto& map = source.by_bands->map;
     return static_cast<std::uint64_t>(map.nx) * static_cast<std::uint64_t>(map.ny) * sizeof(double) >
            options.largest_map;
 }
 
-MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options, parallel::Threads threads,
-                                    const Wanted& wanted) {
+MeasurementResult analyse_large_map(const LargeMap& large, const SurfaceAnalysisOptions& options,
+                                    parallel::Threads threads, const Wanted& wanted) {
     const auto& metadata = large.map.metadata;
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(options.largest_map));
     MeasurementResult result;

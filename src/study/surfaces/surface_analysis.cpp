@@ -22,7 +22,7 @@ struct Task {
     MeasurementSource source;
 };
 
-std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
+std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptions& options, const Run& run) {
     std::vector<Task> tasks;
     for (const auto& measurement : input.measurements) {
         try {
@@ -43,7 +43,7 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const AnalysisOptions& opt
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow or heights are
 /// wanted, in the same order, else nothing: maps need not all fit into memory at once for an average.
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input,
-                                                      const AnalysisOptions& options, Run& run,
+                                                      const SurfaceAnalysisOptions& options, Run& run,
                                                       parallel::Threads threads, const Wanted& wanted) {
     const auto tasks = tasks_of(input, options, run);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
@@ -84,8 +84,8 @@ std::optional<topography::HeightMap> only_map(std::vector<PreparedMeasurement> p
 }
 
 /// The likelihood's spectrum beside the average, where it is wanted and can be had.
-void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared, const AnalysisOptions& options,
-                    parallel::Threads threads) {
+void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
+                    const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
                                         [](const auto& m) { return !m.failed(); });
     if (!wants_likelihood(options, analysed)) return;
@@ -99,7 +99,7 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
 
 }  // namespace
 
-SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
                                parallel::Threads threads, const Wanted& wanted) {
     const double work = surface_work(options, input.measurements.size());
     const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
@@ -139,17 +139,19 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions&
     return {std::move(surface), std::move(heights)};
 }
 
-SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, parallel::Threads threads) {
+SurfaceResult analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
+                              parallel::Threads threads) {
     return analyse_surface(input, options, Wanted{}, threads).surface;
 }
 
-SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, const Wanted& wanted,
+SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, const Wanted& wanted,
                                parallel::Threads threads) {
     Run run;
     return analyse_surface(input, options, run, threads, wanted);
 }
 
-std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options, const Run& run) {
+std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
+                                       const Run& run) {
     const auto held = [&run](const std::string& key) { return !key.empty() && run.store() && run.store()->holds(key); };
     const bool whole = !input.measurements.empty() && held(surface_key(run, input, options));
     std::vector<PlannedStep> steps;
@@ -168,11 +170,11 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const Analysis
     return steps;
 }
 
-SpectralParameters parameters_of(const SpectrumCurve& whole, const AnalysisOptions& options) {
+SpectralParameters parameters_of(const SpectrumCurve& whole, const SurfaceAnalysisOptions& options) {
     return roughness::spectral_parameters(roughness::limited(whole, options.limits), options.conversion);
 }
 
-SpectrumResult spectrum_result(const SpectrumCurve& whole, const AnalysisOptions& options) {
+SpectrumResult spectrum_result(const SpectrumCurve& whole, const SurfaceAnalysisOptions& options) {
     SpectrumResult result;
     result.uncut_energy_per_modulus =
         roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "run.hpp"
+#include "running/run.hpp"
 
 namespace setae::study {
 
 /// Everything about one surface as a step of a run: what the store holds is not computed again.
 /// @throws Cancelled where the run is.
-[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options, Run& run,
+[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
                                              parallel::Threads threads, const Wanted& wanted = {});
 
 /// The steps analyse_surface() will take.
-[[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const AnalysisOptions& options,
+[[nodiscard]] std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
                                                      const Run& run);
 
 }  // namespace setae::study

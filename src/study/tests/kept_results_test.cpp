@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "serialization.hpp"
+#include "running/serialization.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/output/json.hpp"

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "pairs/pairs.hpp"
+#include "results/pairs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/replicate_report.hpp"

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <unistd.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/study/study.hpp"
+#include "setae/study/study_keys.hpp"
 
 namespace setae::study {
 namespace {
@@ -123,6 +125,39 @@ TEST_F(StudyFile, NamesWhatLoopsRepeatAndWhyOneIsLeftOut) {
               std::string::npos);
     EXPECT_NE(message_of(head + loop("1.csv", "lens = \"a\"\n") + loop("2.csv", "")).find("2.csv names no lens"),
               std::string::npos);
+}
+
+TEST_F(StudyFile, FitsToEachLoopWhatItAsksForAndElseWhatAllAskFor) {
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
+                             "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[loops]\nmodels = [\"jkr\"]\nprofile = "
+                             "true\nexponent = 0.5\nshare = [\"work\"]\n";
+    const auto loop = [](const std::string& file, const std::string& more) {
+        return "[[experiments]]\nfile = \"" + file + "\"\nrole = \"reference\"\nelastomer = \"soft\"\n" + more;
+    };
+    const auto study = read(head + loop("1.csv", "crack_speed = true\n") +
+                            loop("2.csv", "models = []\nprofile = false\nexponent = 0.3\nshare = []\n"));
+    const auto &as_all = study.experiments.at(0).models, &own = study.experiments.at(1).models;
+    EXPECT_EQ(as_all.models, std::vector<std::string>{"jkr"});
+    EXPECT_TRUE(as_all.profile && as_all.crack_speed && as_all.share_work_of_adhesion);
+    EXPECT_EQ(as_all.exponent, 0.5);
+    EXPECT_FALSE(own.any() || own.shared());
+    EXPECT_EQ(own.exponent, 0.3);
+    EXPECT_NE(message_of(head + loop("1.csv", "") + loop("2.csv", "share = [\"modulus\"]\n"))
+                  .find("share: expected what " + (folder_ / "1.csv").string() + " on the same elastomer says"),
+              std::string::npos);
+}
+
+TEST(StudyKeys, TellWhatTheProgramDoesWithoutThem) {
+    std::map<std::string, KeyDescription> keys;
+    for (const auto& table : study_keys())
+        for (const auto& key : table.keys)
+            EXPECT_TRUE(keys.emplace(table.name + " " + key.key, key).second) << table.name << " " << key.key;
+    EXPECT_EQ(keys.at("[loops] samples_dropped").standard, std::to_string(loops::AnalysisOptions{}.samples_dropped));
+    EXPECT_EQ(keys.at("[loops] fit_errors").standard, "`orthogonal_distance`");
+    EXPECT_EQ(keys.at("[analysis] conversion").standard, "`exact`");
+    EXPECT_EQ(keys.at("[elastomers.NAME] surface_energy").standard, "required");
+    EXPECT_EQ(keys.at("[elastomers.NAME] surface_energy").unit, "J/m2");
+    EXPECT_EQ(keys.at("[[experiments]] camera").type, "table");
 }
 
 }  // namespace

@@ -84,8 +84,8 @@ TEST(ComparisonsCsv, LeavesWhatIsUndefinedEmpty) {
               "3,A,rms_height,m,average,2e-09,2.2e-09,,,,0\n");
 }
 
-TEST(ClosureFigure, HasALineAQuantityAndASeriesAMethod) {
-    const auto figure = closure_figure(
+TEST(ValidationFigure, HasALineAQuantityAndASeriesAMethod) {
+    const auto figure = validation_figure(
         summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10), comparison(0, 1.0e-9, 1e-10, "paper")}));
     ASSERT_EQ(figure.panels.size(), 2u);
     EXPECT_EQ(figure.panels[0].y.tick_labels, std::vector<std::string>{"rms height"});

@@ -37,7 +37,7 @@ inline study::PairResult pair_of(const std::string& surface, const std::string& 
                                  double predicted) {
     study::PairResult pair{.surface = surface, .elastomer = elastomer};
     pair.approach = Estimate{measured, 0.002};
-    pair.modified = study::PredictedWork{{predicted, std::max(0.0, predicted), predicted > 0.0}, {predicted, 0.002}};
+    pair.modified = adhesion::PredictedWork{{predicted, std::max(0.0, predicted), predicted > 0.0}, {predicted, 0.002}};
     return pair;
 }
 

@@ -114,8 +114,8 @@ TEST(Figure4, ShowsLossAgainstTrueAreaOnALineThroughTheOrigin) {
         point.floored = false;
         points.push_back(point);
     }
-    result.loop =
-        loops::Outcome<study::LoopFits>(study::LoopFits{.through_origin = adhesion::fit_work_of_adhesion(points)});
+    result.loop = loops::Outcome<adhesion::LossFits>(
+        adhesion::LossFits{.through_origin = adhesion::fit_work_of_adhesion(points)});
     const auto drawn = study_figure(result, "4");
     ASSERT_EQ(drawn.figure.panels.size(), 4u);
     const auto& point = series_of(drawn.figure.panels[2], "rough on hard");
@@ -210,11 +210,11 @@ TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
 
 TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     auto result = study_of_pairs();
-    std::vector<study::PredictionResidual> residuals;
+    std::vector<adhesion::PredictionResidual> residuals;
     for (const auto& pair : result.pairs)
         residuals.push_back({pair.surface, pair.elastomer, *pair.approach, pair.modified->estimate});
     result.prediction_test =
-        study::prediction_test(residuals, Array2D((Eigen::MatrixXd::Identity(3, 3) * 4e-6).array()), std::nullopt);
+        adhesion::prediction_test(residuals, Array2D((Eigen::MatrixXd::Identity(3, 3) * 4e-6).array()), std::nullopt);
     const auto drawn = study_figure(result, "prediction");
     ASSERT_TRUE(drawn.drawable()) << drawn.reason;
     ASSERT_EQ(drawn.figure.panels.size(), 2u);

@@ -6,60 +6,11 @@
 #include <random>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
-#include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 
 namespace setae::study {
 namespace {
-
-std::vector<PredictionResidual> pairs_of(const Array1D& measured, const Array1D& predicted) {
-    std::vector<PredictionResidual> pairs;
-    for (Index i = 0; i < measured.size(); ++i) pairs.push_back({"S", "E", {measured[i]}, {predicted[i]}});
-    return pairs;
-}
-
-TEST(PredictionTest, OfIndependentErrorsIsTheSumOfSquares) {
-    const Array1D measured{{3.0, 5.0, 4.0}}, predicted{{2.0, 5.0, 6.0}};
-    Array2D covariance = Array2D::Zero(3, 3);
-    covariance(0, 0) = 1.0, covariance(1, 1) = 4.0, covariance(2, 2) = 4.0;
-    const auto test = prediction_test(pairs_of(measured, predicted), covariance, std::nullopt);
-    EXPECT_NEAR(test.chi_squared, 2.0, 1e-12);
-    EXPECT_EQ(test.degrees_of_freedom, 3);
-    EXPECT_EQ(test.extra_scatter, 0.0);
-    EXPECT_NEAR(test.pairs[2].standardised(), -1.0, 1e-12);
-}
-
-TEST(PredictionTest, OfAFittedWorkLeavesItsDirectionOut) {
-    // all residuals alike are what another W_int explains
-    const Array1D measured{{2.0, 3.0, 4.0}}, predicted{{1.0, 2.0, 3.0}}, slopes = Array1D::Ones(3);
-    const Array2D covariance = Eigen::MatrixXd::Identity(3, 3).array();
-    const auto test = prediction_test(pairs_of(measured, predicted), covariance, slopes);
-    EXPECT_NEAR(test.chi_squared, 0.0, 1e-12);
-    EXPECT_EQ(test.degrees_of_freedom, 2);
-    EXPECT_NEAR(prediction_test(pairs_of(measured, predicted), covariance, std::nullopt).chi_squared, 3.0, 1e-12);
-}
-
-TEST(PredictionTest, ExtraScatterBringsChiSquaredToItsFreedom) {
-    const Array1D measured{{4.0, -3.0, 5.0, -2.0}}, predicted = Array1D::Zero(4);
-    const Array2D covariance = Eigen::MatrixXd::Identity(4, 4).array();
-    const auto test = prediction_test(pairs_of(measured, predicted), covariance, std::nullopt);
-    EXPECT_NEAR(test.chi_squared, 54.0, 1e-12);
-    // 54/(1 + τ²) = 4
-    EXPECT_NEAR(test.extra_scatter, std::sqrt(12.5), 1e-9);
-    EXPECT_NEAR(test.chi_squared_with_scatter, 4.0, 1e-9);
-    EXPECT_LT(test.probability, 1e-9);
-    EXPECT_GT(test.probability_with_scatter, 0.3);
-}
-
-TEST(PredictionTest, RefusesWhatTestsNothing) {
-    const Array1D one = Array1D::Ones(1);
-    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(2, 2), std::nullopt), InvalidArgument);
-    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(1, 1), one), InvalidArgument);
-    EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Zero(1, 1), std::nullopt), UndefinedDataError);
-}
 
 /// Three surfaces by their moments and three elastomers, every input uncertain.
 Study study_of_nine_pairs() {
@@ -164,9 +115,10 @@ TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
     const auto result = run_study(study, {1});
     for (const auto& pair : result.pairs) {
         ASSERT_TRUE(pair.modified);
-        const auto curve =
-            prediction_curve(result.surface(pair.surface), study.elastomers[0].surface_energy, *study.work_of_adhesion,
-                             Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
+        const auto& surface = result.surface(pair.surface);
+        const auto curve = adhesion::prediction_curve(
+            {surface.name, surface.used().parameters, surface.used().spread}, study.elastomers[0].surface_energy,
+            *study.work_of_adhesion, Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
         EXPECT_NEAR(curve.work_of_adhesion[0], pair.modified->work.floored, 1e-15);
         // the pair's error without that of its modulus, normal
         const double error =

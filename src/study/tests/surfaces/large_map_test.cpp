@@ -31,7 +31,7 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder); }
 
     MeasurementResult analysed(std::uint64_t largest_map) const {
-        AnalysisOptions options;
+        SurfaceAnalysisOptions options;
         options.spectrum = SpectrumMethod::average;
         options.largest_map = largest_map;
         return analyse_surface({.name = "A", .measurements = {input}}, options, {2}).measurements.at(0);

@@ -29,7 +29,7 @@ double true_slope() {
 SurfaceResult alone(const topography::Measurement& measurement, topography::Trend trend) {
     SurfaceResult surface;
     surface.name = "A";
-    const AnalysisOptions options;
+    const SurfaceAnalysisOptions options;
     surface.measurements.push_back(analyse_measurement({measurement, trend, {}}, options, {1}));
     estimate_by_average(surface, options, {1});
     return surface;

@@ -74,6 +74,20 @@ struct LineFit {
 /// @throws InvalidArgument for fewer than three points or x all alike.
 [[nodiscard]] LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
+/// E_loss against A_true = r A, A the largest contact area, the four ways of THEORY §10.
+struct LossFits {
+    WorkFit through_origin;
+    std::optional<WorkFit> through_origin_without_ideal_loss;  ///< the smooth sphere's own loss subtracted
+    std::optional<LineFit> with_intercept;
+    std::optional<LineFit> with_intercept_without_ideal_loss;
+};
+
+/// pairs: measured E_loss [J] against A_true [m²] as slope; whole, and without the loss of an ideal smooth sphere where
+/// that is known. Lines need three points of different areas.
+/// @throws InvalidArgument for fewer than two whole pairs.
+[[nodiscard]] LossFits fit_losses(const std::vector<PairPoint>& whole,
+                                  const std::vector<PairPoint>& without_ideal_loss);
+
 /// A pair as the bound below sees it: prediction max(0, base_slope · W − base_offset − modulus · u).
 struct FreeEnergyPoint {
     std::string surface;

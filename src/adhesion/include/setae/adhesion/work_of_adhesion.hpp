@@ -39,11 +39,6 @@ struct SurfaceEnergyLaw {
     Array1D area_ratio;      ///< nodes x, increasing from 1
     Array1D surface_energy;  ///< γ1s(x) [J/m²], linear between nodes, constant beyond the last
 
-    /// γ1s(x) = γ1.
-    [[nodiscard]] static SurfaceEnergyLaw constant(double surface_energy);
-    /// γ1s(x) = γ1 + χ (x − 1) up to x = `up_to`, a surface-stress law of surface modulus χ [J/m²].
-    [[nodiscard]] static SurfaceEnergyLaw surface_stress(double surface_energy, double surface_modulus, double up_to);
-
     /// @throws InvalidArgument unless there are as many energies as ratios and the ratios increase from 1.
     void validate() const;
 

@@ -50,6 +50,7 @@ public:
     [[nodiscard]] std::vector<std::string> texts(const char* key);
     [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
     [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Dimension& dimension);
+    [[nodiscard]] bool contains(const char* key) const;
     [[nodiscard]] bool is_number(const char* key) const;
     [[nodiscard]] bool is_list(const char* key) const;
     [[nodiscard]] bool is_table(const char* key) const;
@@ -59,6 +60,9 @@ public:
     void named_tables(const char* key, const std::function<void(const std::string&, TomlReader)>& body);
     /// Calls body for each table of an array: [[key]].
     void each_table(const char* key, const std::function<void(TomlReader)>& body);
+
+    /// A path that the file says, which is relative to the file's folder where it is not absolute.
+    [[nodiscard]] std::string beside(const std::string& path) const;
 
     /// Keys of this table, in the order of the file.
     [[nodiscard]] std::vector<std::string> keys() const;

@@ -27,6 +27,8 @@ struct LoopModelOptions {
 
     [[nodiscard]] bool any() const { return !models.empty() || profile || crack_speed; }
     [[nodiscard]] bool shared() const { return share_contact_modulus || share_work_of_adhesion; }
+    /// Of the fit of several loops: the model named where there is one alone, else JKR.
+    [[nodiscard]] loops::ContactModel shared_model() const;
 };
 
 /// "orthogonal_distance", "effective_variance", "force_only". @throws InvalidArgument for another name.
@@ -52,7 +54,7 @@ struct LoopModels {
                                                   const loops::AnalysisOptions& analysis_options,
                                                   const LoopModelOptions& options);
 
-/// One fit of several loops: by the model named where there is one alone, else JKR.
+/// One fit of several loops, by shared_model().
 /// @throws UndefinedDataError for fewer than two loops; as loops::fit_globally.
 [[nodiscard]] loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops,
                                           const LoopModelOptions& options);

@@ -69,6 +69,7 @@ struct ElastomerInput {
 /// A loop on file.
 struct ExperimentInput : LoopSource {
     loops::AnalysisOptions options;  ///< how this loop is analysed
+    LoopModelOptions models;         ///< what is fitted to it beside JKR's own routes
     std::string surface;             ///< empty for a reference
     std::string elastomer;
     std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
@@ -106,7 +107,7 @@ enum class SpectrumMethod {
                  ///< beside it
 };
 
-struct AnalysisOptions {
+struct SurfaceAnalysisOptions {
     std::optional<SpectrumMethod>
         spectrum;  ///< absent: likelihood of surfaces with several measurements, average of one alone
     roughness::WavelengthLimits limits;
@@ -129,14 +130,13 @@ struct Study {
     std::string title;
     std::string description;
     std::string output;  ///< folder of the results
-    AnalysisOptions analysis;
+    SurfaceAnalysisOptions analysis;
     double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]
     double counter_poisson_ratio = 0.0;
     std::optional<Estimate> work_of_adhesion;  ///< W_int for predictions [J/m²]; else the fitted one
     std::vector<SurfaceInput> surfaces;
     std::vector<ElastomerInput> elastomers;
     std::vector<ExperimentInput> experiments;
-    LoopModelOptions loop_models;  ///< what is fitted to every loop beside JKR's own routes
     std::vector<PublishedPair> published;
     std::vector<ReportedValue> reported;
 

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/adhesion/pair_fit.hpp"
+#include "setae/adhesion/prediction.hpp"
+#include "setae/adhesion/prediction_test.hpp"
 #include "setae/adhesion/scale_balance.hpp"
-#include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/reference_loop.hpp"
 #include "setae/statistics/mixed_model.hpp"
-#include "setae/study/prediction_test.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/run_options.hpp"
 #include "setae/study/study.hpp"
@@ -39,19 +38,8 @@ struct ElastomerResult {
     bool modulus_from_loops = false;
     Estimate contact_modulus;                                    ///< E* against the rough solid [Pa]
     std::optional<double> network_modulus;                       ///< ρRT/M_c [Pa]
-    std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of all loops on it, where the study asks for one
+    std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of the loops on it that ask for one
     std::vector<Alert> alerts;
-};
-
-/// One balance evaluated for a pair.
-struct PredictedWork {
-    adhesion::ApparentWork work;
-    Estimate estimate;  ///< the raw value, all sources of its error together
-};
-
-/// What each uncertain input adds to the standard error of a pair's prediction by (7) [J/m²].
-struct PredictionBudget {
-    double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
 };
 
 /// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
@@ -75,13 +63,13 @@ struct PairResult {
     int experiments = 0;                 ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
-    Estimate stored_energy;                            ///< U_el/A_app [J/m²]
-    std::optional<PredictedWork> modified;             ///< (7)
-    std::optional<PredictedWork> persson_tosatti;      ///< (S13)
-    std::optional<PredictedWork> without_area_change;  ///< (2)
-    std::optional<Estimate> predicted_loss;            ///< (10) at W_int and the contact area [J]
+    Estimate stored_energy;                                      ///< U_el/A_app [J/m²]
+    std::optional<adhesion::PredictedWork> modified;             ///< (7)
+    std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
+    std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
+    std::optional<Estimate> predicted_loss;                      ///< (10) at W_int and the contact area [J]
     std::optional<adhesion::ApparentWork> general;     ///< (5)–(6), where the elastomer has a surface energy law
-    std::optional<PredictionBudget> budget;            ///< of `modified`
+    std::optional<adhesion::PredictionBudget> budget;  ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;
     std::vector<Alert> alerts;
 };
@@ -105,14 +93,6 @@ struct ReferenceDrift {
 template <class T>
 using Outcome = loops::Outcome<T>;
 
-/// E_loss against A_true = r π a_max², the four ways of THEORY §10.
-struct LoopFits {
-    adhesion::WorkFit through_origin;
-    std::optional<adhesion::WorkFit> through_origin_without_ideal_loss;  ///< the smooth sphere's own loss subtracted
-    std::optional<adhesion::LineFit> with_intercept;
-    std::optional<adhesion::LineFit> with_intercept_without_ideal_loss;
-};
-
 /// W_int with every spectrum cut at one shortest wavelength.
 struct CutoffPoint {
     double shortest_wavelength = 0.0;  ///< [m]
@@ -120,28 +100,39 @@ struct CutoffPoint {
     std::vector<roughness::SpectralParameters> surfaces;  ///< in the order of StudyResult::surfaces
 };
 
-struct StudyResult {
-    Study study;
-    std::vector<InputFile> inputs;  ///< every file the study names
-    std::vector<SurfaceResult> surfaces;
-    std::vector<ElastomerResult> elastomers;
-    std::vector<ExperimentResult> experiments;
+/// What surfaces, elastomers and loops say together, by one spectrum of each surface.
+struct Conclusions {
+    bool of_averages = false;  ///< the spectra are averages over measurements; else those used first
     std::vector<PairResult> pairs;
-    std::vector<ElastomerReplicates> replicates;  ///< of elastomers whose loops name a lens, a spot or an exclusion
-    std::vector<ReferenceResult> references;
-    std::vector<ReferenceDrift> reference_drifts;
     Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
     std::string work_of_adhesion_source;
     Outcome<adhesion::WorkFit> modified;
     Outcome<adhesion::WorkFit> persson_tosatti;
     Outcome<adhesion::WorkFit> without_area_change;
-    Outcome<LoopFits> loop;
+    Outcome<adhesion::LossFits> loop;
     Outcome<adhesion::FreeEnergyFit> free_energies;
     std::vector<CutoffPoint> cutoff_scan;
-    Outcome<PredictionTest> prediction_test;  ///< of (7) with both errors
+    Outcome<adhesion::PredictionTest> prediction_test;  ///< of (7) with both errors
+
+    [[nodiscard]] SpectrumMethod method_of(const SurfaceResult& surface) const {
+        return of_averages ? SpectrumMethod::average : surface.method;
+    }
+    [[nodiscard]] const SpectrumResult& spectrum_of(const SurfaceResult& surface) const {
+        return of_averages ? surface.average : surface.used();
+    }
+};
+
+struct StudyResult : Conclusions {
+    Study study;
+    std::vector<InputFile> inputs;  ///< every file the study names
+    std::vector<SurfaceResult> surfaces;
+    std::vector<ElastomerResult> elastomers;
+    std::vector<ExperimentResult> experiments;
+    std::vector<ElastomerReplicates> replicates;  ///< of elastomers whose loops name a lens, a spot or an exclusion
+    std::vector<ReferenceResult> references;
+    std::vector<ReferenceDrift> reference_drifts;
     std::vector<Alert> alerts;
-    /// Pairs, fits and predictions once more with the average over measurements, where likelihoods are used here.
-    std::shared_ptr<const StudyResult> by_average;
+    std::optional<Conclusions> by_average;  ///< once more with averages, where likelihoods are used first
 
     [[nodiscard]] int failures() const;   ///< measurements, surfaces and experiments that failed
     [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not

@@ -10,6 +10,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/processing/processed.hpp"
+#include "setae/roughness/parameter_spread.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
 #include "setae/roughness/spectral_moments.hpp"
@@ -17,7 +18,6 @@
 #include "setae/spectra/combination.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/study/height_preview.hpp"
-#include "setae/study/parameter_spread.hpp"
 #include "setae/study/study.hpp"
 
 namespace setae::study {
@@ -49,11 +49,11 @@ struct SpectrumResult {
     roughness::SpectralParameters parameters;                       ///< by the study's conversion
     std::optional<roughness::SpectralParameters> other_conversion;  ///< by the other one, where the curve is C1D
     double uncut_energy_per_modulus = 0.0;                          ///< U_el/(A E*) without the limits [m]
-    ParameterSpread spread;
+    roughness::ParameterSpread spread;
 
     [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
     /// A function of the parameters with its uncertainty; `least` as in ParameterSpread::estimate().
-    [[nodiscard]] Estimate estimate(const ParameterSpread::Function& function, double least = 0.0) const {
+    [[nodiscard]] Estimate estimate(const roughness::ParameterSpread::Function& function, double least = 0.0) const {
         return spread.estimate(function(parameters), function, least);
     }
 };
@@ -61,8 +61,9 @@ struct SpectrumResult {
 /// Parameters of a whole spectrum within the limits of a study and by its conversion.
 /// @throws as roughness::limited and roughness::spectral_parameters (both).
 [[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole,
-                                                          const AnalysisOptions& options);
-[[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole, const AnalysisOptions& options);
+                                                          const SurfaceAnalysisOptions& options);
+[[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole,
+                                             const SurfaceAnalysisOptions& options);
 
 /// The spectrum fitted to all measurements of a surface, as curves, and what the fit knows beside it.
 struct FittedSpectrum {
@@ -135,7 +136,7 @@ struct MeasurementSource {
 };
 
 /// Whether a map is to be read by bands: its heights take more than options.largest_map bytes.
-[[nodiscard]] bool too_large(const MeasurementSource& source, const AnalysisOptions& options);
+[[nodiscard]] bool too_large(const MeasurementSource& source, const SurfaceAnalysisOptions& options);
 [[nodiscard]] std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input);
 
 /// What is wanted of a surface beside its spectrum.
@@ -147,18 +148,19 @@ struct Wanted {
 };
 
 /// Spectrum and real-space parameters of a prepared measurement.
-[[nodiscard]] MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const AnalysisOptions& options,
-                                                    parallel::Threads threads, const Wanted& wanted = {});
+[[nodiscard]] MeasurementResult analyse_measurement(const PreparedMeasurement& prepared,
+                                                    const SurfaceAnalysisOptions& options, parallel::Threads threads,
+                                                    const Wanted& wanted = {});
 
 /// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What
 /// needs all heights at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area,
 /// arithmetic height.
-[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const AnalysisOptions& options,
+[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const SurfaceAnalysisOptions& options,
                                                   parallel::Threads threads, const Wanted& wanted = {});
 
 /// Everything about one surface. Never throws for bad data: the failure stands in the result, of the measurement or of
 /// the surface, and the rest is done.
-[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const AnalysisOptions& options,
+[[nodiscard]] SurfaceResult analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
                                             parallel::Threads threads);
 
 /// A surface and its heights, where it is one map held in memory.
@@ -167,12 +169,13 @@ struct SurfaceWithMap {
     std::optional<topography::HeightMap> map;
 };
 /// The same with no more than what is wanted.
-[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const AnalysisOptions& options,
+[[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
                                              const Wanted& wanted, parallel::Threads threads);
 
 /// C_iso of a map by transform.
 /// @throws as spectra::isotropic_power_spectrum.
-[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const AnalysisOptions& options,
+[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map,
+                                                       const SurfaceAnalysisOptions& options,
                                                        parallel::Threads threads);
 
 /// Parameters of a spectrum cut at other wavelengths.

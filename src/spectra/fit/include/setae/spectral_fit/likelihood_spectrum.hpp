@@ -57,6 +57,10 @@ struct TipFactor {
     Array1D transfer;         ///< T
 };
 
+/// INSTRUMENTS_DISAGREE below this probability of an agreement's χ²: neighbouring groups share the window, so that
+/// chance goes further than χ² says.
+inline constexpr double improbable_agreement = 1e-6;
+
 /// One C_iso fitted to all measurements at once.
 struct LikelihoodSpectrum {
     Array1D wavevector;      ///< forty a decade up to q_s [1/m]

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/pair_fit.hpp"
+#include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/roughness/parameter_spread.hpp"
+
+namespace setae::adhesion {
+
+/// A rough surface as the balances see it: parameters of its spectrum and how uncertain they are.
+struct RoughSide {
+    std::string name;
+    const roughness::SpectralParameters& parameters;
+    const roughness::ParameterSpread& spread;
+};
+
+/// The soft solid that conforms to it.
+struct SoftSide {
+    std::string name;
+    Estimate contact_modulus;  ///< E* [Pa]
+    Estimate surface_energy;   ///< γ1 [J/m²]
+};
+
+/// Balances of one pair as lines in W_int, with the variances that their uncertain inputs give them; nothing measured.
+[[nodiscard]] PairPoint modified_point(const RoughSide& rough, const SoftSide& soft);             ///< (7)
+[[nodiscard]] PairPoint persson_tosatti_point(const RoughSide& rough, const SoftSide& soft);      ///< (S13)
+[[nodiscard]] PairPoint point_without_area_change(const RoughSide& rough, const SoftSide& soft);  ///< (2)
+
+/// One balance evaluated for a pair.
+struct PredictedWork {
+    ApparentWork work;
+    Estimate estimate;  ///< the raw value, all sources of its error together
+};
+
+/// What each uncertain input adds to the standard error of a prediction by (7) [J/m²].
+struct PredictionBudget {
+    double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
+};
+
+/// What the balances say of a pair at one W_int.
+struct Prediction {
+    double area_ratio = 1.0;            ///< r
+    Estimate stored_energy;             ///< U_el/A_app [J/m²]
+    PredictedWork modified;             ///< (7)
+    PredictedWork persson_tosatti;      ///< (S13)
+    PredictedWork without_area_change;  ///< (2)
+    PredictionBudget budget;            ///< of `modified`
+};
+
+/// Errors by linear propagation, degrees of freedom by Welch and Satterthwaite.
+/// work_of_adhesion: W_int [J/m²], >= 0.
+/// @throws InvalidArgument as the balances do.
+[[nodiscard]] Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate& work_of_adhesion);
+
+/// E_loss = W_int r A [J] of a contact of area A [m²]. Source: [D19] (10).
+[[nodiscard]] Estimate predicted_loss(const RoughSide& rough, const Estimate& work_of_adhesion, double contact_area);
+
+/// (7) of one surface against the contact modulus.
+struct PredictionCurve {
+    Array1D contact_modulus;   ///< [Pa]
+    Array1D work_of_adhesion;  ///< max(0, (7)) [J/m²]
+    Array1D lower, upper;      ///< ends of the 95 % band: errors of spectrum, surface energy and W_int, floored at 0
+};
+
+/// surface_energy: γ1 [J/m²].  work_of_adhesion: W_int [J/m²].  contact_moduli: [Pa], > 0.
+/// Source: [D19] (7).
+[[nodiscard]] PredictionCurve prediction_curve(const RoughSide& rough, const Estimate& surface_energy,
+                                               const Estimate& work_of_adhesion, const Array1D& contact_moduli);
+
+}  // namespace setae::adhesion

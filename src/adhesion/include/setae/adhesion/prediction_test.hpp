@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/prediction.hpp"
+#include "setae/core/arrays.hpp"
+#include "setae/core/estimate.hpp"
+
+namespace setae::adhesion {
+
+/// A pair's measured work of adhesion against its prediction.
+struct PredictionResidual {
+    std::string surface, elastomer;
+    Estimate measured;            ///< W_app of loading [J/m²]
+    Estimate predicted;           ///< max(0, (7)) at W_int [J/m²]; its standard error without that of a fitted W_int
+    double residual = 0.0;        ///< measured − predicted [J/m²]
+    double standard_error = 0.0;  ///< of the residual, both errors [J/m²]
+
+    /// In standard errors.
+    [[nodiscard]] double standardised() const { return residual / standard_error; }
+};
+
+/// Whether predictions explain the measurements within both errors.
+///
+///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
+///
+/// r: residuals.  C: their covariance: measured variances on the diagonal, and what predictions share, the spectrum of
+/// a surface, the modulus and the surface energy of an elastomer, a given W_int.  s: ∂prediction/∂W_int, where W_int
+/// was fitted to the same values: the second term then takes the W_int that suits C best, to first order, at the cost
+/// of one degree of freedom.
+struct PredictionTest {
+    std::vector<PredictionResidual> pairs;
+    std::vector<std::string> left_out;  ///< "A × B: no standard error of the measured value"
+    bool work_fitted = false;           ///< W_int comes from these values
+    int n = 0;
+    int degrees_of_freedom = 0;
+    double chi_squared = 0.0;
+    double probability = 1.0;  ///< of a χ² at least as large where the predictions are right
+    double extra_scatter = 0.0;  ///< τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is its degrees of freedom or less
+    double chi_squared_with_scatter = 0.0;
+    double probability_with_scatter = 1.0;
+};
+
+/// The test of residuals with a covariance.
+/// slopes: s, where W_int was fitted; absent where it was given.
+/// @throws InvalidArgument where sizes differ or no degree of freedom is left; UndefinedDataError for a covariance that
+/// is not positive definite.
+[[nodiscard]] PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance,
+                                             const std::optional<Array1D>& slopes);
+
+/// A pair whose measured value and prediction by (7) are compared.
+struct MeasuredPair {
+    RoughSide rough;
+    SoftSide soft;
+    Estimate measured;       ///< W_app of loading with its error [J/m²]
+    ApparentWork predicted;  ///< by (7)
+};
+
+/// The test of pairs at one W_int. Predictions of one surface share the errors of its spectrum, those of one elastomer
+/// the errors of its modulus and surface energy, all of them that of a given W_int; below the floor at 0 a prediction
+/// carries the part of its error that reaches above it.
+/// work_fitted: W_int was fitted to the same values.
+/// @throws UndefinedDataError for fewer than one pair, or two where W_int was fitted; as prediction_test().
+[[nodiscard]] PredictionTest test_predictions(const std::vector<MeasuredPair>& pairs, const Estimate& work_of_adhesion,
+                                              bool work_fitted);
+
+}  // namespace setae::adhesion

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loop_keys.hpp"
+
+#include <limits>
+
+namespace setae::study {
+namespace {
+
+using bytes::TomlReader;
+
+constexpr std::int64_t most_samples = 1'000'000;
+
+/// A field of how a loop is analysed.
+template <class Field>
+auto analysis(Field field) {
+    return [field](auto& e) -> auto& { return std::invoke(field, e.options); };
+}
+
+/// A field of what is fitted to it.
+template <class Field>
+auto fitted(Field field) {
+    return [field](auto& e) -> auto& { return std::invoke(field, e.models); };
+}
+
+void read_machine_stiffness(TomlReader& reader, ExperimentInput& e) {
+    const auto stiffness = reader.uncertain("machine_stiffness", dimension::stiffness);
+    if (!stiffness) return;
+    e.options.machine_stiffness = stiffness->value;
+    e.options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
+}
+
+void read_models(TomlReader& reader, ExperimentInput& e) {
+    auto models = reader.texts("models");
+    for (const auto& name : models)
+        if (name != "all") parse_at(reader, "models", [&] { (void)loops::model_named(name); });
+    if (reader.is_list("models")) e.models.models = std::move(models);
+}
+
+void read_exponent(TomlReader& reader, ExperimentInput& e) {
+    const auto exponent = reader.number("exponent");
+    if (!exponent) return;
+    if (!(*exponent > 0.0)) reader.fail("exponent", "expected a number above 0");
+    e.models.exponent = exponent;
+}
+
+void read_share(TomlReader& reader, ExperimentInput& e) {
+    const auto shared = reader.texts("share");
+    if (reader.is_list("share")) e.models.share_contact_modulus = e.models.share_work_of_adhesion = false;
+    for (const auto& what : shared) {
+        if (what != "modulus" && what != "work") reader.fail("share", "'" + what + "', expected modulus or work");
+        (what == "modulus" ? e.models.share_contact_modulus : e.models.share_work_of_adhesion) = true;
+    }
+}
+
+Keys<ExperimentInput> keys_of_loops() {
+    using Analysis = loops::AnalysisOptions;
+    using Models = LoopModelOptions;
+    Keys<ExperimentInput> keys;
+    keys.whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, most_samples,
+               "samples left out after the jump-in")
+        .whole("retraction_points", analysis(&Analysis::retraction_points), 2, most_samples,
+               "samples before pull-off that (S2) rests on")
+        .add("effective_variance", analysis(&Analysis::effective_variance),
+             "fits allow for the errors of force too, where they are known")
+        .add("force_drift", analysis(&Analysis::force_drift),
+             "the zero of force runs from the free flight before to that after")
+        .add("extrapolate_force_drift", analysis(&Analysis::extrapolate_force_drift),
+             "or, where there is none after, on with the slope of that before")
+        .add("leave_pinned_out", analysis(&Analysis::leave_pinned_out),
+             "unloading fits begin where the contact edge lets go")
+        .add("retraction_modulus_free", analysis(&Analysis::retraction_modulus_free),
+             "E* of (S2) is fitted, not taken from loading")
+        .add("displacement_drift", analysis(&Analysis::displacement_drift_rate), dimension::length / dimension::time,
+             "rate of the displacement's drift, where a reference tells it")
+        .add("interaction_range", analysis(&Analysis::interaction_range), dimension::length,
+             "z0 of the Tabor parameter")
+        .add(
+            "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; }, dimension::none,
+            "share of the record taken as free flight")
+        .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), dimension::length,
+             "of a radius; where it is missing, from the radii's second differences")
+        .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",
+              "of a stage whose position stands for the displacement"},
+             read_machine_stiffness)
+        .parsed(
+            "contact_point", "`auto`, `fit`, a method's name or a length",
+            [](ExperimentInput& e, const std::string& text) {
+                e.options.contact_point = loops::parse_contact_point(text);
+            },
+            "where fits of force against displacement begin ([loops](../theory/loops.md))")
+        .by_default("`auto`")
+        .add(
+            {"models", "list of texts", "", "",
+             "models fitted beside JKR's own routes ([contact models](../theory/contact-models.md)), or `[\"all\"]`; in study.json under "
+             "`models`"},
+            read_models)
+        .add("profile", fitted(&Models::profile), "E* and W by profile likelihood")
+        .add("crack_speed", fitted(&Models::crack_speed), "G(v) of the receding edge")
+        .add({"exponent", "number", "", "", "n of G(v), held; where it is missing it is fitted"}, read_exponent)
+        .parsed(
+            "fit_errors", "`orthogonal_distance`, `effective_variance`, `force_only`",
+            [](ExperimentInput& e, const std::string& text) { e.models.errors = fit_errors_named(text); },
+            "errors of these fits")
+        .by_default("`" + to_string(Models{}.errors) + "`")
+        .add(
+            {"share", "list of texts", "", "",
+             "`modulus`, `work` or both: one fit of all loops on each elastomer that ask for it, alike in share, models and "
+             "fit_errors; in study.json under `shared_fit`"},
+            read_share);
+    return keys;
+}
+
+}  // namespace
+
+const Keys<ExperimentInput>& loop_keys() {
+    static const auto keys = keys_of_loops();
+    return keys;
+}
+
+}  // namespace setae::study

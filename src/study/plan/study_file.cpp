@@ -1,0 +1,531 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "keys.hpp"
+#include "loop_keys.hpp"
+#include "setae/bytes/toml_reader.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/study/pipeline_file.hpp"
+#include "setae/study/study.hpp"
+
+namespace setae::study {
+namespace {
+
+namespace fs = std::filesystem;
+using bytes::TomlReader;
+
+/// The steps of a pipeline, read with the study, so that what is wrong in them is said before anything is computed.
+void read_pipeline_of(TomlReader& reader, MeasurementInput& input) {
+    const auto file = reader.text("pipeline");
+    if (!file) return;
+    input.pipeline = reader.beside(*file);
+    input.steps = step_lines(read_pipeline(*input.pipeline));
+}
+
+const Keys<MeasurementInput>& measurement_keys() {
+    using Input = MeasurementInput;
+    static const auto keys =
+        Keys<Input>()
+            .file("file", &Input::file, "map, line scan or contour")
+            .required()
+            .whole(
+                "channel", &Input::channel, 0, Keys<Input>::unbounded,
+                "of the file; a container without it gives all its members, other files their first channel of heights")
+            .choice<std::string>("instrument", &Input::instrument,
+                                 {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
+                                 "its kind")
+            .add("tip_radius", &Input::tip_radius, dimension::length, "what the tip hides is cut from the spectrum")
+            .add("resolution", &Input::resolution, dimension::length, "what it hides is cut from the spectrum")
+            .parsed(
+                "trend", "`none`, `mean`, `tilt`, `parabola`",
+                [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
+                "what is removed from the heights; without it: none behind a pipeline that levels, else what a container "
+                "says, else parabola for stylus, tilt otherwise")
+            .file("references", &Input::references, "scans of a smooth standard; their average is subtracted")
+            .add("unit", &Input::unit, "of lengths and heights, where the file leaves it open")
+            .add("size", &Input::size, dimension::length, "where the file leaves it open")
+            .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"}, read_pipeline_of);
+    return keys;
+}
+
+const Keys<PublishedMoments>& moment_keys() {
+    using Moments = PublishedMoments;
+    static const auto keys =
+        Keys<Moments>()
+            .add("rms_height", &Moments::rms_height, dimension::length, "h_rms")
+            .required()
+            .add("rms_slope", &Moments::rms_slope, dimension::none, "h'_rms")
+            .required()
+            .add("rms_curvature", &Moments::rms_curvature, dimension::wavevector, "h''_rms")
+            .required()
+            .add("short_wavevector", &Moments::short_wavevector, dimension::wavevector, "where the spectrum ends")
+            .required();
+    return keys;
+}
+
+const Keys<SurfaceInput>& surface_keys() {
+    using Input = SurfaceInput;
+    static const auto keys =
+        Keys<Input>()
+            .add("description", &Input::description, "free text")
+            .add({"measurements", "list of tables", "", "", "files of the surface, keys below"},
+                 [](TomlReader& reader, Input& surface) {
+                     reader.each_table("measurements", [&](TomlReader inner) {
+                         surface.measurements.push_back(measurement_keys().from(std::move(inner)));
+                     });
+                 })
+            .file("power_spectrum", &Input::power_spectrum, "a table q, C1D in place of measurements")
+            .add({"pipeline", "file", "", "", "processing steps of all measurements that name none of their own"},
+                 [](TomlReader& reader, Input& surface) {
+                     MeasurementInput of_all;
+                     read_pipeline_of(reader, of_all);
+                     for (auto& measurement : surface.measurements)
+                         if (!measurement.pipeline)
+                             std::tie(measurement.pipeline, measurement.steps) =
+                                 std::tie(of_all.pipeline, of_all.steps);
+                 })
+            .table<PublishedMoments>(
+                "moments", moment_keys(), [](Input& surface, PublishedMoments moments) { surface.moments = moments; },
+                "published moments in place of measurements: a self-affine reconstruction");
+    return keys;
+}
+
+SurfaceInput read_surface(const std::string& name, TomlReader reader) {
+    auto surface = surface_keys().from(reader);
+    surface.name = name;
+    const int sources = static_cast<int>(!surface.measurements.empty()) +
+                        static_cast<int>(surface.power_spectrum.has_value()) +
+                        static_cast<int>(surface.moments.has_value());
+    if (sources != 1)
+        reader.fail(
+            "measurements",
+            fmt::format(
+                "surface '{}' has {} sources of roughness, expected exactly one of measurements, power_spectrum, moments",
+                name, sources));
+    return surface;
+}
+
+adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
+    const auto ratios = reader.quantities("area_ratio", dimension::none);
+    const auto energies = reader.quantities("surface_energy", dimension::surface_energy);
+    reader.finish();
+    const auto as_array = [](const std::vector<double>& values) -> Array1D {
+        return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
+    };
+    adhesion::SurfaceEnergyLaw law{as_array(ratios), as_array(energies)};
+    parse_at(reader, "area_ratio", [&] { law.validate(); });
+    return law;
+}
+
+const Keys<ElastomerInput>& elastomer_keys() {
+    using Input = ElastomerInput;
+    static const auto keys =
+        Keys<Input>()
+            .add("youngs_modulus", &Input::youngs_modulus, dimension::pressure,
+                 "without it the mean of the loops on this elastomer")
+            .add("poisson_ratio", &Input::poisson_ratio, dimension::none, "")
+            .add("surface_energy", &Input::surface_energy, dimension::surface_energy, "γ1")
+            .required()
+            .add({"surface_energy_law", "table", "", "",
+                  "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …] }`: γ1 against stretched area, for the "
+                  "general balance (5)–(6)"},
+                 [](TomlReader& reader, Input& elastomer) {
+                     reader.table("surface_energy_law", [&](TomlReader inner) {
+                         elastomer.surface_energy_law = read_surface_energy_law(std::move(inner));
+                     });
+                 })
+            .add("sphere_radius", &Input::sphere_radius, dimension::length, "of the lens")
+            .add("sphere_height", &Input::sphere_height, dimension::length, "of the lens")
+            .add("crosslink_molar_mass", &Input::crosslink_molar_mass, dimension::molar_mass,
+                 "M_c, for the plausibility of E against ρRT/M_c")
+            .add("density", &Input::density, {{-3, 1, 0, 0, 0, 0}}, "ρ of it")
+            .add("temperature", &Input::temperature, dimension::temperature, "T of it");
+    return keys;
+}
+
+const Keys<CameraInput>& camera_keys() {
+    using Input = CameraInput;
+    static const auto keys =
+        Keys<Input>()
+            .file("file", &Input::file,
+                  "contact radii on the camera's own clock, or its pictures: TIFF stack, AVI, folder")
+            .required()
+            .file("mapping", &Input::mapping, "names the columns of a foreign table")
+            .add("clock_offset", &Input::clock_offset, dimension::time,
+                 "added to the camera's times; without it, it is found")
+            .add("pixel_size", &Input::pixel_size, dimension::length, "of pictures that do not say it")
+            .add("frame_rate", &Input::frame_rate, dimension::none / dimension::time, "of pictures that do not say it")
+            .add("fringes", &Input::fringes, "pictures show Newton's rings around the contact");
+    return keys;
+}
+
+const Keys<ExperimentInput>& experiment_keys() {
+    using Input = ExperimentInput;
+    static const auto keys =
+        Keys<Input>()
+            .file("file", &Input::file, "a loop: table, workbook or force curve")
+            .required()
+            .file("mapping", &Input::mapping, "names the columns of a foreign table (examples/mappings/eoh.toml)")
+            .table<CameraInput>(
+                "camera", camera_keys(), [](Input& e, CameraInput camera) { e.camera = std::move(camera); },
+                "contact radii from elsewhere, keys below")
+            .add(
+                "spring_constant", [](auto& e) -> auto& { return e.force_curve.spring_constant; }, dimension::stiffness,
+                "of force curves whose file does not say it")
+            .parsed(
+                "sensitivity", "quantity",
+                [](Input& e, const std::string& text) { e.force_curve.sensitivity = tables::parse_sensitivity(text); },
+                "likewise, in m/V or m/A")
+            .add({"segments", "list of texts", "", "",
+                  "replace what was found in the record, such as `\"loading=120:900\"`, `\"ignore=30:35 (slip)\"` "
+                  "([loops](../theory/loops.md))"},
+                 [](TomlReader& reader, Input& e) {
+                     for (const auto& edit : reader.texts("segments"))
+                         parse_at(reader, "segments", [&] { loops::add_segment_edit(e.options.segments.edits, edit); });
+                 })
+            .choice<bool>("role", &Input::reference, {{"rough", false}, {"reference", true}},
+                          "a reference is made on a smooth standard and names no surface")
+            .add("surface", &Input::surface, "one of [surfaces]")
+            .add("elastomer", &Input::elastomer, "one of [elastomers]")
+            .required()
+            .add("sphere_radius", &Input::sphere_radius, dimension::length, "overrides the elastomer's")
+            .choice<std::string>("stage", &Input::stage, {{"before", "before"}, {"after", "after"}},
+                                 "of a reference: before or after the rough loops")
+            .add(
+                "lens", &Input::lens,
+                "label of what was repeated, for all loops on an elastomer or none: measured values are then means of a "
+                "mixed model ([replicates](../guides/replicates.md))")
+            .add("spot", &Input::spot, "likewise")
+            .add({"exclude", "text", "", "",
+                  "why the loop is left out of every mean; it is analysed and shown all the same"},
+                 [](TomlReader& reader, Input& e) {
+                     const auto reason = reader.text("exclude");
+                     if (reason && trimmed(*reason).empty())
+                         reader.fail("exclude", "an exclusion without a reason; write why the loop is left out");
+                     e.exclusion = reason.value_or("");
+                 });
+    return keys;
+}
+
+/// Loops on one elastomer that are fitted together share the same, by the same model and errors.
+void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& experiment, const Study& study) {
+    const auto asks = [](const ExperimentInput& e) { return e.models.shared() && !e.excluded(); };
+    const auto fit = [](const LoopModelOptions& m) {
+        return std::tuple(m.share_contact_modulus, m.share_work_of_adhesion, m.shared_model(), m.errors);
+    };
+    if (!asks(experiment)) return;
+    for (const auto& other : study.experiments)
+        if (other.elastomer == experiment.elastomer && asks(other) && fit(other.models) != fit(experiment.models))
+            reader.fail("share",
+                        fmt::format("expected what {} on the same elastomer says of share, models and fit_errors, as "
+                                    "both are in one fit; or share = [] to leave this loop out of it",
+                                    other.file));
+}
+
+/// An experiment of a study whose experiments before it are read; it comes with what [loops] says.
+ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment) {
+    loop_keys().read(reader, experiment);
+    experiment_keys().read(reader, experiment);
+    require_same_shared_fit(reader, experiment, study);
+    reader.finish();
+    if (experiment.surface.empty() != experiment.reference)
+        reader.fail("surface", experiment.reference ? "a reference is made on a smooth standard and names no surface"
+                                                    : "missing; expected a declared surface, or role = \"reference\"");
+    return experiment;
+}
+
+/// Rows of published values, one a surface, one entry an elastomer.
+class PublishedTables {
+public:
+    explicit PublishedTables(Study& study) : study_(study) {}
+
+    void read(TomlReader reader) {
+        elastomers_ = reader.texts("elastomers");
+        for (const auto& name : elastomers_)
+            if (!study_.elastomer(name)) reader.fail("elastomers", fmt::format("'{}' is not declared", name));
+        for (const auto& field : fields())
+            reader.table(field.key, [&](TomlReader rows) { read_rows(rows, field.dimension, field.member); });
+        reader.table("contact_radius", [&](TomlReader rows) {
+            for (const auto& surface : rows.keys())
+                assign(rows, surface, rows.uncertains(surface.c_str(), dimension::length),
+                       [](PublishedPair& pair, const Estimate& value) { pair.contact_radius = value.value; });
+        });
+        reader.table("reference", [&](TomlReader rows) {
+            for (const auto& field : fields())
+                assign_reference(rows, field.key, rows.uncertains(field.key, field.dimension), field.member);
+            rows.finish();
+        });
+        reader.finish();
+    }
+
+    [[nodiscard]] static std::vector<KeyDescription> descriptions() {
+        std::vector<KeyDescription> keys{
+            {"elastomers", "list of texts", "", "", "names, in the order of the rows' entries"}};
+        for (const auto& field : fields())
+            keys.push_back({field.key, "table", si_unit(field.dimension), "", field.meaning});
+        keys.push_back({"contact_radius", "table", si_unit(dimension::length), "", "at maximum preload"});
+        keys.push_back({"reference", "table", "", "",
+                        "`KEY = [one value an elastomer]` of the smooth standard, KEY one of "
+                        "approach, pull_off, retraction, loss"});
+        return keys;
+    }
+
+private:
+    struct Field {
+        const char* key;
+        Dimension dimension;
+        std::optional<Estimate> PublishedPair::*member;
+        const char* meaning;
+    };
+    static const std::vector<Field>& fields() {
+        static const std::vector<Field> list{
+            {"approach", dimension::surface_energy, &PublishedPair::approach, "W of loading"},
+            {"pull_off", dimension::surface_energy, &PublishedPair::pull_off, "W by (S1)"},
+            {"retraction", dimension::surface_energy, &PublishedPair::retraction,
+             "W by (S2) or of the retraction branch"},
+            {"loss", dimension::energy, &PublishedPair::loss, "E_loss"}};
+        return list;
+    }
+
+    template <class Field>
+    void read_rows(TomlReader& rows, const Dimension& dimension, Field field) {
+        for (const auto& surface : rows.keys())
+            assign(rows, surface, rows.uncertains(surface.c_str(), dimension),
+                   [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
+    }
+
+    template <class Assign>
+    void assign(TomlReader& rows, const std::string& surface, const std::vector<Estimate>& values, Assign set) {
+        if (!study_.surface(surface)) rows.fail(surface.c_str(), fmt::format("surface '{}' is not declared", surface));
+        require_length(rows, surface.c_str(), values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) set(pair(surface, elastomers_[i]), values[i]);
+    }
+
+    template <class Field>
+    void assign_reference(TomlReader& rows, const char* key, const std::vector<Estimate>& values, Field field) {
+        if (values.empty()) return;
+        require_length(rows, key, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) pair("", elastomers_[i]).*field = values[i];
+    }
+
+    void require_length(const TomlReader& rows, const char* key, std::size_t length) const {
+        if (length != elastomers_.size())
+            rows.fail(key, fmt::format("{} values, expected {}, one for each entry of published.elastomers", length,
+                                       elastomers_.size()));
+    }
+
+    PublishedPair& pair(const std::string& surface, const std::string& elastomer) {
+        for (auto& known : study_.published)
+            if (known.surface == surface && known.elastomer == elastomer) return known;
+        study_.published.push_back({surface, elastomer});
+        return study_.published.back();
+    }
+
+    Study& study_;
+    std::vector<std::string> elastomers_;
+};
+
+const Keys<SurfaceAnalysisOptions>& analysis_keys() {
+    using Options = SurfaceAnalysisOptions;
+    using roughness::Conversion, spectra::ContourTreatment, spectra::Weighting;
+    static const auto keys =
+        Keys<Options>()
+            .choice<SpectrumMethod>(
+                "spectrum", &Options::spectrum,
+                {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}},
+                "the mean of C1D over measurements, or C_iso fitted to all of them at once; without it "
+                "the likelihood of surfaces with several measurements")
+            .add(
+                "longest_wavelength", [](auto& o) -> auto& { return o.limits.longest; }, dimension::length,
+                "limit of all integrals")
+            .add(
+                "shortest_wavelength", [](auto& o) -> auto& { return o.limits.shortest; }, dimension::length,
+                "likewise")
+            .choice<Conversion>(
+                "conversion", &Options::conversion, {{"exact", Conversion::exact}, {"eq11", Conversion::eq11}},
+                "how C1D gives 2D parameters, with the other one beside it; of averages and given spectra")
+            .choice<ContourTreatment>(
+                "contours", &Options::contours,
+                {{"sinc_corrected", ContourTreatment::sinc_corrected}, {"segments", ContourTreatment::segments}},
+                "`segments` is the paper's way; of averages")
+            .choice<Weighting>("weighting", &Options::weighting,
+                               {{"equal", Weighting::equal},
+                                {"per_instrument", Weighting::per_instrument},
+                                {"inverse_variance", Weighting::inverse_variance}},
+                               "of measurements in averages")
+            .parsed(
+                "window", "`automatic`, `none`, `hann`, `blackman_harris`",
+                [](Options& options, const std::string& name) { options.window = spectra::window_from_name(name); },
+                "`automatic`: Hann for data that are not periodic; of averages")
+            .by_default("`automatic`")
+            .add("tip_percentile", &Options::tip_percentile, dimension::none,
+                 "share of positions that may be sharper than the tip; 0 is the strict criterion; of averages")
+            .whole(
+                "bootstrap_resamples", &Options::bootstrap_resamples, 0, 1'000'000,
+                "replicas over measurements, draws of fitted spectra (at least 40); 0 for neither standard errors nor "
+                "intervals of averages")
+            .whole("seed", &Options::seed, std::numeric_limits<std::int64_t>::min(), Keys<Options>::unbounded,
+                   "of the replicas")
+            .add("cutoff_scan", &Options::cutoff_scan, dimension::length,
+                 "shortest wavelengths at which W_int is fitted again");
+    return keys;
+}
+
+/// The rough, hard body.
+struct RoughSolid {
+    Estimate youngs_modulus, poisson_ratio;
+};
+
+const Keys<RoughSolid>& rough_solid_keys() {
+    static const auto keys = Keys<RoughSolid>()
+                                 .add("youngs_modulus", &RoughSolid::youngs_modulus, dimension::pressure, "")
+                                 .required()
+                                 .add("poisson_ratio", &RoughSolid::poisson_ratio, dimension::none, "")
+                                 .required();
+    return keys;
+}
+
+/// What others reported for one fit.
+struct Reported {
+    std::optional<Estimate> work_of_adhesion, r_squared;
+    std::string source;
+};
+
+const Keys<Reported>& reported_keys() {
+    static const auto keys =
+        Keys<Reported>()
+            .add("work_of_adhesion", &Reported::work_of_adhesion, dimension::surface_energy, "W_int")
+            .add("r_squared", &Reported::r_squared, dimension::none, "R²")
+            .add("source", &Reported::source, "where it stands");
+    return keys;
+}
+
+const Keys<Study>& top_keys() {
+    static const auto keys = Keys<Study>()
+                                 .add("title", &Study::title, "of the report")
+                                 .by_default("name of the file")
+                                 .add("description", &Study::description, "free text")
+                                 .file("output", &Study::output, "folder of the results")
+                                 .by_default("`NAME_results` beside `NAME.toml`")
+                                 .add("work_of_adhesion", &Study::work_of_adhesion, dimension::surface_energy,
+                                      "W_int for predictions; without it the fitted one");
+    return keys;
+}
+
+void require_declared_names(const Study& study) {
+    const auto complain = [&](const ExperimentInput& experiment, const char* kind, const std::string& name) {
+        throw FormatError(
+            study.path, {},
+            fmt::format("experiment {} names the {} '{}', which is not declared", experiment.file, kind, name));
+    };
+    for (const auto& experiment : study.experiments) {
+        if (!study.elastomer(experiment.elastomer)) complain(experiment, "elastomer", experiment.elastomer);
+        if (!experiment.reference && !study.surface(experiment.surface))
+            complain(experiment, "surface", experiment.surface);
+    }
+}
+
+/// Of the loops on one elastomer either all name their lens (spot) or none does.
+void require_complete_labels(const Study& study) {
+    const auto require = [&](const char* key, std::string ExperimentInput::*label) {
+        for (const auto& elastomer : study.elastomers) {
+            const ExperimentInput *with = nullptr, *without = nullptr;
+            for (const auto& e : study.experiments)
+                if (!e.reference && e.elastomer == elastomer.name) ((e.*label).empty() ? without : with) = &e;
+            if (with && without)
+                throw FormatError(
+                    study.path, {},
+                    fmt::format(
+                        "experiment {} names no {}, experiment {} with the same elastomer does; name it for all or for none",
+                        without->file, key, with->file));
+        }
+    };
+    require("lens", &ExperimentInput::lens);
+    require("spot", &ExperimentInput::spot);
+}
+
+}  // namespace
+
+const ElastomerInput* Study::elastomer(const std::string& name) const {
+    const auto found =
+        std::find_if(elastomers.begin(), elastomers.end(), [&](const auto& e) { return e.name == name; });
+    return found == elastomers.end() ? nullptr : &*found;
+}
+
+const SurfaceInput* Study::surface(const std::string& name) const {
+    const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const auto& s) { return s.name == name; });
+    return found == surfaces.end() ? nullptr : &*found;
+}
+
+Study read_study(const std::string& path) {
+    const auto document = bytes::parse_toml_file(path);
+    TomlReader reader(document, path, "");
+    Study study;
+    study.path = path;
+    study.title = fs::path(path).stem().string();
+    study.output = reader.beside(study.title + "_results");
+    top_keys().read(reader, study);
+    reader.table("analysis", [&](TomlReader inner) { study.analysis = analysis_keys().from(std::move(inner)); });
+    reader.table("rough_solid", [&](TomlReader inner) {
+        const auto solid = rough_solid_keys().from(std::move(inner));
+        study.counter_youngs_modulus = solid.youngs_modulus.value;
+        study.counter_poisson_ratio = solid.poisson_ratio.value;
+    });
+    reader.named_tables("surfaces", [&](const std::string& name, TomlReader inner) {
+        study.surfaces.push_back(read_surface(name, std::move(inner)));
+    });
+    reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
+        study.elastomers.push_back(elastomer_keys().from(std::move(inner)));
+        study.elastomers.back().name = name;
+    });
+    ExperimentInput of_all;
+    reader.table("loops", [&](TomlReader inner) { of_all = loop_keys().from(std::move(inner)); });
+    reader.each_table("experiments", [&](TomlReader inner) {
+        study.experiments.push_back(read_experiment(std::move(inner), study, of_all));
+    });
+    reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
+    reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {
+        const auto reported = reported_keys().from(std::move(inner));
+        if (const auto& work = reported.work_of_adhesion)
+            study.reported.push_back({fit, "work_of_adhesion", *work, reported.source});
+        if (const auto& r_squared = reported.r_squared)
+            study.reported.push_back({fit, "r_squared", *r_squared, reported.source});
+    });
+    reader.finish();
+    if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
+        throw FormatError(
+            path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");
+    require_declared_names(study);
+    require_complete_labels(study);
+    return study;
+}
+
+std::vector<KeyTable> study_keys() {
+    return {
+        {"", "At the top of the file.", top_keys().descriptions()},
+        {"[analysis]", "How measurements become a spectrum, and a spectrum numbers.", analysis_keys().descriptions()},
+        {"[rough_solid]", "The rough, hard body; needed as soon as there are elastomers.",
+         rough_solid_keys().descriptions()},
+        {"[surfaces.NAME]", "A rough surface: exactly one of measurements, power_spectrum, moments.",
+         surface_keys().descriptions()},
+        {"measurements of [surfaces.NAME]", "One file of a surface.", measurement_keys().descriptions()},
+        {"moments of [surfaces.NAME]", "", moment_keys().descriptions()},
+        {"[elastomers.NAME]", "A soft solid.", elastomer_keys().descriptions()},
+        {"[[experiments]]", "One loop; every key of [loops], too, for this loop alone.",
+         experiment_keys().descriptions()},
+        {"camera of [[experiments]]", "", camera_keys().descriptions()},
+        {"[loops]", "How every loop is analysed, and what is fitted to it; an experiment may say otherwise.",
+         loop_keys().descriptions()},
+        {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
+         PublishedTables::descriptions()},
+        {"[reported.FIT]", "What others found by `modified`, `persson_tosatti` or `loop`; printed beside ours.",
+         reported_keys().descriptions()}};
+}
+
+}  // namespace setae::study

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "setae/study/study_result.hpp"
+
+namespace setae::study {
+
+/// Names of the measured quantities of loops.
+inline constexpr const char* work_of_approach = "work_of_adhesion_approach";
+inline constexpr const char* work_of_pull_off = "work_of_adhesion_pull_off";
+inline constexpr const char* work_of_retraction = "work_of_adhesion_retraction";
+inline constexpr const char* energy_loss = "energy_loss";
+
+/// An elastomer with the modulus that the study or its loops give, which are analysed.
+[[nodiscard]] ElastomerResult elastomer_result(const ElastomerInput& input, const StudyResult& result);
+
+/// Mixed models of every quantity, for the elastomers whose loops name a lens, a spot or an exclusion.
+[[nodiscard]] std::vector<ElastomerReplicates> elastomer_replicates(const StudyResult& result);
+
+/// Every surface × elastomer pair with its measured values, from loops or published tables.
+[[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
+
+/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; nothing where radius or modulus is
+/// unknown.
+[[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
+
+/// Smooth references and their change between "before" and "after".
+void evaluate_references(StudyResult& result);
+
+/// Fits of W_int over all pairs of `conclusions`, predictions at the study's W_int, and their test.
+void conclude(const StudyResult& result, Conclusions& conclusions);
+
+}  // namespace setae::study

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "serialization.hpp"
+#include "setae/study/provenance.hpp"
+#include "setae/study/run_options.hpp"
+
+namespace setae::study {
+
+/// One run of a study: what its steps ask of the store, and what they say when they are done.
+class Run {
+public:
+    /// Without store and progress.
+    Run() = default;
+    Run(const RunOptions& options, const std::vector<InputFile>& inputs);
+
+    /// SHA-256 of an input's content; empty where it is not known.
+    [[nodiscard]] std::string digest(const std::string& file) const;
+    [[nodiscard]] const cache::Store* store() const { return options_.store; }
+    /// Steps that are still to come beside those known, each of so much work.
+    void expect(std::size_t steps, double work);
+    void step_begins(const std::string& stage, const std::string& item);
+    void step_done(const std::string& stage, const std::string& item, bool cached, double work);
+    [[nodiscard]] bool cancelled() const { return options_.cancelled && *options_.cancelled; }
+    /// @throws Cancelled where the caller asked for it.
+    void stop_if_cancelled() const;
+
+    /// The result under a key; nothing where there is no key, no store or no such result.
+    template <class T>
+    [[nodiscard]] std::optional<T> find(const std::string& key) const {
+        if (key.empty() || !options_.store) return std::nullopt;
+        auto bytes = options_.store->find(key);
+        return bytes ? value_of<T>(std::move(*bytes)) : std::nullopt;
+    }
+    template <class T>
+    void keep(const std::string& key, const T& value) const {
+        if (!key.empty() && options_.store) options_.store->keep(key, bytes_of(value));
+    }
+
+private:
+    void say(const std::string& stage, const std::string& item, bool begins, bool cached) const;
+
+    RunOptions options_;
+    std::map<std::string, std::string> digests_;
+    std::mutex mutex_;
+    std::size_t done_ = 0, total_ = 0;
+    double work_done_ = 0.0, work_computed_ = 0.0, work_ = 0.0;
+};
+
+/// Whether the likelihood's spectrum is wanted of so many measurements: one alone speaks for itself.
+[[nodiscard]] bool wants_likelihood(const SurfaceAnalysisOptions& options, std::ptrdiff_t measurements);
+
+/// Expected work of steps, in measurements: what a bar's time left rests on.
+inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
+[[nodiscard]] double surface_work(const SurfaceAnalysisOptions& options, std::size_t measurements);
+
+/// Keys of results, from the content of their files and all settings they depend on; empty where a file's content is
+/// unknown.
+[[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
+                                          const SurfaceAnalysisOptions& options);
+[[nodiscard]] std::string surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
+[[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input,
+                                         const loops::LensAndCounterBody& bodies);
+
+}  // namespace setae::study

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "results/pairs.hpp"
+#include "run.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/study/open_loop.hpp"
+#include "setae/study/study_result.hpp"
+#include "surfaces/surface_run.hpp"
+
+namespace setae::study {
+namespace {
+
+/// What the heights of a surface may take in memory [bytes], from the sizes of its files.
+double memory_of(const SurfaceInput& surface) {
+    constexpr double bytes_a_byte = 4.0;  // heights of 16 bits become doubles
+    std::set<std::string> files;
+    for (const auto& m : surface.measurements) files.insert(m.file);
+    double sum = 0.0;
+    for (const auto& file : files) {
+        std::error_code missing;
+        const auto size = std::filesystem::file_size(file, missing);
+        if (!missing) sum += bytes_a_byte * static_cast<double>(size);
+    }
+    return sum;
+}
+
+/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go
+/// into each.
+std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
+    constexpr double most_memory = 2e9;  // [bytes]
+    std::vector<double> memory;
+    for (const auto& surface : study.surfaces) memory.push_back(memory_of(surface));
+    std::sort(memory.rbegin(), memory.rend());
+    int at_once = 0;
+    for (double sum = 0.0; at_once < std::min<int>(threads.resolved(), static_cast<int>(memory.size())); ++at_once) {
+        sum += memory[static_cast<std::size_t>(at_once)];
+        if (at_once > 0 && sum > most_memory) break;
+    }
+    std::vector<SurfaceResult> results(study.surfaces.size());
+    const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
+    parallel::for_each_index(results.size(), {std::max(1, at_once)}, [&](std::size_t i) {
+        run.stop_if_cancelled();
+        results[i] = analyse_surface(study.surfaces[i], study.analysis, run, inside).surface;
+    });
+    return results;
+}
+
+/// @throws InvalidArgument where nobody says how large the sphere is.
+loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& study) {
+    const auto& elastomer = *study.elastomer(input.elastomer);
+    const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
+    if (!radius)
+        throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'",
+                                          input.file, elastomer.name));
+    loops::LensAndCounterBody bodies;
+    bodies.radius = *radius;
+    bodies.lens_poisson_ratio = elastomer.poisson_ratio;
+    bodies.counter_youngs_modulus = study.counter_youngs_modulus;
+    bodies.counter_poisson_ratio = study.counter_poisson_ratio;
+    bodies.lens_height = elastomer.sphere_height;
+    return bodies;
+}
+
+ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study, Run& run) {
+    ExperimentResult result;
+    result.input = input;
+    bool cached = false;
+    run.step_begins("experiment", input.file);
+    try {
+        result.bodies = bodies_of(input, study);
+        const auto& bodies = result.bodies;
+        const auto key = experiment_key(run, input, bodies);
+        result.analysis = run.find<loops::LoopAnalysis>(key);
+        cached = result.analysis.has_value();
+        if (!cached) {
+            result.analysis = analyse_loop(input, bodies, input.options);
+            run.keep(key, *result.analysis);
+        }
+        result.alerts = result.analysis->alerts;
+        if (input.models.any()) result.models = loop_models(*result.analysis, bodies, input.options, input.models);
+    } catch (const Error& error) {
+        result.error = error.what();
+    }
+    run.step_done("experiment", input.file, cached, experiment_work);
+    return result;
+}
+
+void expect_steps(const Study& study, Run& run) {
+    for (const auto& surface : study.surfaces) {
+        run.expect(surface.measurements.size(), measurement_work);
+        run.expect(1, surface_work(study.analysis, surface.measurements.size()));
+    }
+    run.expect(study.experiments.size(), experiment_work);
+}
+
+/// What follows from a study's surfaces and loops.
+void bring_together(StudyResult& result) {
+    for (const auto& input : result.study.elastomers) result.elastomers.push_back(elastomer_result(input, result));
+    result.replicates = elastomer_replicates(result);
+    result.pairs = measured_pairs(result);
+    evaluate_references(result);
+    const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                                         [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
+    if (likelihoods) {
+        result.by_average = Conclusions{.of_averages = true, .pairs = result.pairs};
+        conclude(result, *result.by_average);
+    }
+    conclude(result, result);
+}
+
+}  // namespace
+
+StudyResult predicted_study(Study study, SurfaceResult surface) {
+    StudyResult result;
+    result.study = std::move(study);
+    result.surfaces.push_back(std::move(surface));
+    bring_together(result);
+    return result;
+}
+
+StudyResult run_study(Study study, const RunOptions& options) {
+    StudyResult result;
+    result.study = std::move(study);
+    const auto& inputs = result.study;
+    result.inputs = input_files(inputs, options.threads);
+    Run run(options, result.inputs);
+    expect_steps(inputs, run);
+    if (inputs.surfaces.empty() && inputs.experiments.empty())
+        result.alerts.push_back({"EMPTY_STUDY", inputs.title,
+                                 "the study names no surface and no experiment: there is nothing to conclude from",
+                                 "add [surfaces.NAME] or [[experiments]], see docs/guides/study.md"});
+    result.surfaces = analyse_surfaces(inputs, run, options.threads);
+    result.experiments.resize(inputs.experiments.size());
+    parallel::for_each_index(inputs.experiments.size(), options.threads, [&](std::size_t i) {
+        if (!run.cancelled()) result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs, run);
+    });
+    run.stop_if_cancelled();
+    bring_together(result);
+    return result;
+}
+
+std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& options) {
+    const Run run(options, input_files(study, options.threads));
+    std::vector<PlannedStep> steps;
+    for (const auto& surface : study.surfaces)
+        for (auto& step : planned_steps(surface, study.analysis, run)) steps.push_back(std::move(step));
+    for (const auto& input : study.experiments) {
+        PlannedStep step{"experiment", input.file, {}, false};
+        try {
+            const auto key = experiment_key(run, input, bodies_of(input, study));
+            if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
+            step.cached = options.store && options.store->holds(key);
+        } catch (const Error& error) {
+            step.error = error.what();
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+}  // namespace setae::study

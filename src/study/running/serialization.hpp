@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/variant.hpp>
+#include <cereal/types/vector.hpp>
+
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "setae/study/study_result.hpp"
+
+// Results as bytes, exactly, for the cache. Every function takes its type apart by a structured binding: a field added
+// to a type does not compile here until it is kept, too.
+
+namespace Eigen {
+
+template <class Archive, class Scalar, int rows, int columns, int options>
+void save(Archive& archive, const Array<Scalar, rows, columns, options>& a) {
+    archive(a.rows(), a.cols());
+    archive(cereal::binary_data(a.data(), static_cast<std::size_t>(a.size()) * sizeof(Scalar)));
+}
+template <class Archive, class Scalar, int rows, int columns, int options>
+void load(Archive& archive, Array<Scalar, rows, columns, options>& a) {
+    Index n_rows = 0, n_columns = 0;
+    archive(n_rows, n_columns);
+    a.resize(n_rows, n_columns);
+    archive(cereal::binary_data(a.data(), static_cast<std::size_t>(a.size()) * sizeof(Scalar)));
+}
+template <class Archive>
+void save(Archive& archive, const MatrixXd& m) {
+    archive(m.rows(), m.cols());
+    archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+}
+template <class Archive>
+void load(Archive& archive, MatrixXd& m) {
+    Index n_rows = 0, n_columns = 0;
+    archive(n_rows, n_columns);
+    m.resize(n_rows, n_columns);
+    archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+}
+
+}  // namespace Eigen
+
+// the fields of a type, all of them, in their order
+#define SETAE_KEEP(Type, ...)                    \
+    template <class Archive>                     \
+    void serialize(Archive& archive, Type& of) { \
+        auto& [__VA_ARGS__] = of;                \
+        archive(__VA_ARGS__);                    \
+    }
+
+namespace setae {
+
+SETAE_KEEP(Interval, lower, upper, level)
+SETAE_KEEP(Estimate, value, standard_error, method, interval, degrees_of_freedom, seed)
+SETAE_KEEP(Alert, code, subject, message, action)
+SETAE_KEEP(Band, lower, upper)
+SETAE_KEEP(Quantity, quantity, symbol, estimate, unit, band, n, source, alerts)
+
+}  // namespace setae
+
+namespace setae::processing {
+
+SETAE_KEEP(StepRecord, step, numbers, alerts)
+
+}  // namespace setae::processing
+
+namespace setae::topography {
+
+SETAE_KEEP(Instrument, name, type, tip_radius, tip_radius_standard_error, resolution)
+SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, attributes)
+
+}  // namespace setae::topography
+
+namespace setae::spectra {
+
+SETAE_KEEP(PowerSpectrum1D, wavevector, C1D, standard_error, count, q_min, q_max, length, pitch, window, alerts,
+           metadata)
+SETAE_KEEP(LogGrid, bins_per_decade)
+SETAE_KEEP(CombinedSpectrum, wavevector, C1D, standard_error, count, instrument_count, q_min, q_max, grid, alerts)
+
+}  // namespace setae::spectra
+
+namespace setae::roughness {
+
+SETAE_KEEP(RealSpaceParameters, rms_height, rms_height_of_lines, rms_slope_x, rms_slope_y, rms_slope, rms_curvature,
+           mean_height, defined)
+SETAE_KEEP(DirectionalSlope, angle, rms, rms_standard_error, skewness, skewness_standard_error, excess_kurtosis,
+           excess_kurtosis_standard_error, blocks)
+SETAE_KEEP(SlopeDistribution, directions, slope, density, gaussian_p_value, isotropy_ratio, isotropy_p_value, alerts)
+SETAE_KEEP(TriangulatedArea, area_ratio, rms_slope, cells)
+SETAE_KEEP(WavelengthLimits, longest, shortest)
+SETAE_KEEP(SpectrumCurve, wavevector, values, band, density, nodes)
+SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D)
+SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
+SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
+
+}  // namespace setae::roughness
+
+namespace setae::spectral_fit {
+
+SETAE_KEEP(Agreement, instrument, decade, ratio, standard_error, chi_squared, groups, probability)
+SETAE_KEEP(TipFactor, instrument, tip_radius, wavevector, transfer)
+
+/// The settings that decide a result: all but the threads.
+template <class Archive>
+void serialize(Archive& archive, LikelihoodOptions& of) {
+    auto& [shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, seed, threads] = of;
+    static_cast<void>(threads);
+    archive(shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, seed);
+}
+
+}  // namespace setae::spectral_fit
+
+namespace setae::tables {
+
+SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
+
+}  // namespace setae::tables
+
+namespace setae::loops {
+
+template <class Archive, class T>
+void serialize(Archive& archive, Outcome<T>& of) {
+    archive(of.value, of.reason);
+}
+
+SETAE_KEEP(Loop, time, force, displacement, contact_radius)
+SETAE_KEEP(LensAndCounterBody, radius, lens_poisson_ratio, counter_youngs_modulus, counter_poisson_ratio, lens_height,
+           layer_thickness)
+SETAE_KEEP(IndexRange, first, last)
+SETAE_KEEP(TimeRange, first, last)
+SETAE_KEEP(ContactEdits, jump_in, loading, hold, unloading, pull_off, cuts)
+SETAE_KEEP(IgnoredSamples, range, reason)
+SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
+SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
+SETAE_KEEP(ContactPointChoice, mode, estimator, value)
+SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter,
+           relative_residual, contact_point_share, loop_sampling_share, stiffness_ratio, pinned_modulus_ratio,
+           frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift,
+           extrapolate_force_drift, displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
+           machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
+           interaction_range, limits)
+SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance,
+           force_scatter, force_slope, force_slope_standard_error)
+SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
+SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
+SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
+SETAE_KEEP(RunsTest, runs, above, below, p_value)
+SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point,
+           covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals, rms_residual,
+           relative_residual, chi2_reduced, runs)
+SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual,
+           n)
+SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, standard_error, systematic, radius_measured)
+SETAE_KEEP(FitRange, name, first, last, n, force_first, force_last)
+SETAE_KEEP(RangeSensitivity, dropped, fit)
+SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint,
+           pointwise, energy_release_rate, sensitivity, effective_variance_first)
+SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
+SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual,
+           radius_measured)
+SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)
+SETAE_KEEP(LoopEnergy, energy, without_drift, standard_error, opening, half_width)
+SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss,
+           tabor_parameter, applicable_model)
+SETAE_KEEP(ContactPointEstimate, method, contact_point, fit)
+SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom,
+           work_by_contact_point, modulus_by_contact_point)
+SETAE_KEEP(WorkEntry, range, energy, standard_error)
+SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact,
+           recovered_share, ideal_fixed_grips, ideal_this_machine, machine_stiffness, largest_contact_area,
+           true_area_ratio, loss_per_apparent_area, loss_per_true_area)
+SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)
+SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger,
+           compliance)
+SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
+SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
+SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context,
+           contact_points, ledger, compliance, further_contacts, cycles, faults, alerts)
+
+}  // namespace setae::loops
+
+namespace setae::study {
+
+SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
+SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
+SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size, pipeline,
+           steps)
+SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
+SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)
+SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
+           bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
+SETAE_KEEP(HeightPreview, positions, heights, map, size)
+SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height,
+           bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
+SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)
+SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
+           tips, rounds, converged)
+SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted,
+           alerts)
+
+/// The bytes of a value: equal values, equal bytes.
+template <class T>
+[[nodiscard]] std::string bytes_of(const T& value) {
+    std::ostringstream stream(std::ios::binary);
+    cereal::BinaryOutputArchive archive(stream);
+    archive(value);
+    return std::move(stream).str();
+}
+
+/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where they are cut
+/// short.
+template <class T>
+[[nodiscard]] std::optional<T> value_of(std::string bytes) {
+    std::istringstream stream(std::move(bytes), std::ios::binary);
+    T value{};
+    try {
+        cereal::BinaryInputArchive archive(stream);
+        archive(value);
+    } catch (const cereal::Exception&) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+}  // namespace setae::study
+
+#undef SETAE_KEEP
