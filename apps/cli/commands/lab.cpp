@@ -9,6 +9,7 @@
 #include "lab_causes.hpp"
 #include "lab_closure.hpp"
 #include "lab_contours.hpp"
+#include "lab_foil.hpp"
 #include "lab_loops.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/simulation/data_set.hpp"
@@ -66,6 +67,7 @@ void add_lab(CLI::App& program, Action& action) {
     add_area(*group, action);
     add_lab_loops(*group, action);
     add_lab_contours(*group, action);
+    add_lab_foil(*group, action);
 }
 
 }  // namespace setae::cli

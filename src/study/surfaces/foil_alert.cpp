@@ -12,7 +12,7 @@ Alert foil_projection_alert(const std::string& subject, double thickness) {
         fmt::format(
             "the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %",
             thickness * 1e9, felt_below * thickness * 1e9),
-        "take thinner foils; simulation::projection_bias gives the factor for a spectrum, docs/theory/tem-projection.md a table"};
+        "take thinner foils; `setae lab foil` gives the factor for a spectrum, docs/theory/tem-projection.md a table"};
 }
 
 }  // namespace setae::study
