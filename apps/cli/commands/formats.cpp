@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "format_pages.hpp"
-#include "setae/bytes/whole_file.hpp"
+#include "pages.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/tables/force_curve.hpp"
@@ -78,17 +77,11 @@ tables::TidyTable topographies_table() {
     return table;
 }
 
-ExitCode write_pages(const std::string& folder) {
-    std::filesystem::create_directories(folder);
-    const auto pages = format_pages();
-    for (const auto& [name, text] : pages)
-        bytes::write_whole_file((std::filesystem::path(folder) / name).string(), text);
-    print(fmt::format("{}: {} pages\n", folder, pages.size()));
-    return ExitCode::done;
-}
-
 ExitCode run(const Arguments& arguments) {
-    if (!arguments.documentation.empty()) return write_pages(arguments.documentation);
+    if (!arguments.documentation.empty()) {
+        write_pages(arguments.documentation, format_pages());
+        return ExitCode::done;
+    }
     if (arguments.common.explain) {
         explain();
         return ExitCode::done;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interruption.hpp"
+#include "pages.hpp"
 #include "run_arguments.hpp"
 #include "run_time.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -16,6 +17,7 @@
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
 #include "setae/study_figures/write_figures.hpp"
+#include "study_pages.hpp"
 #include "verbs.hpp"
 
 namespace setae::cli {
@@ -40,6 +42,7 @@ struct Arguments {
     std::string output;
     bool dry_run = false;
     bool no_figures = false;
+    std::string documentation;
 };
 
 void show_failures(const study::StudyResult& result) {
@@ -192,6 +195,10 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
 }
 
 ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        write_pages(arguments.documentation, study_pages());
+        return ExitCode::done;
+    }
     if (arguments.dry_run) return show_plan(arguments);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
@@ -209,6 +216,8 @@ void add_study(CLI::App& program, Action& action) {
     arguments->run.add_to(*verb);
     verb->add_flag("--dry-run", arguments->dry_run,
                    "list the steps and what of them is kept from earlier runs, then stop");
+    verb->add_option("--documentation", arguments->documentation,
+                     "write the pages on keys, alerts and figures of studies to this folder");
     on_named(*verb, action, arguments, explanation, run);
 }
 

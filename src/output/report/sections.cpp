@@ -41,9 +41,8 @@ std::string wavelengths(const MeasurementResult& m) {
 
 /// What of the alerts speaks of data that were cut or changed.
 std::string cuts_of(const MeasurementResult& m) {
-    static const std::set<std::string> codes{"TIP_CUTOFF",        "REENTRANT", "CONTOUR_STEPS",
-                                             "TRACE_NOISE",       "UNDEFINED", "PIXEL_NOISE",
-                                             "LIKELIHOOD_FAILED", "NO_BAND",   "COVERAGE_GAP"};
+    static const std::set<std::string> codes{"TIP_CUTOFF", "REENTRANT",   "CONTOUR_STEPS",     "TRACE_NOISE",
+                                             "UNDEFINED",  "PIXEL_NOISE", "LIKELIHOOD_FAILED", "COVERAGE_GAP"};
     std::string text;
     for (const auto& alert : m.alerts)
         if (codes.contains(alert.code)) text += (text.empty() ? "" : "; ") + alert.code + ": " + alert.message;

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/alert_kinds.hpp"
+
+#include <fmt/format.h>
+
+#include "setae/core/units.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/spectral_fit/likelihood_spectrum.hpp"
+#include "setae/study/study.hpp"
+
+namespace setae::output {
+namespace {
+
+std::string percent(double share) { return fmt::format("{:g} %", 100.0 * share); }
+
+std::vector<AlertKind> of_files() {
+    const char* about = "files";
+    return {
+        {"UNIT_ASSUMED", about, "the file states no unit; the one its format implies was taken"},
+        {"UNIT_GUESSED", about, "a table of a spectrum states no units"},
+        {"UNIT_MISMATCH", about, "two places state different units; the message says which was used"},
+        {"UNIT_PREFIX", about, "heights are stated in a prefixed unit that Gwyddion reads as m"},
+        {"SIZE_MISMATCH", about, "a size was given, and the file states another, which was used"},
+        {"SIZE_BETWEEN_POINTS", about, "the file states the distance from the first point to the last as size"},
+        {"SIZE_FROM_NAME", about, "the size follows from the file's name"},
+        {"SCALE_NOT_APPLIED", about, "the header has a scale factor of heights that was not applied"},
+        {"SCALE_TWICE", about,
+         "a scale of heights stands twice and is applied once; between measurements: one seems scaled twice"},
+        {"NO_HEIGHT_SCALE", about, "a channel's numbers cannot be made heights"},
+        {"SENSITIVITY_MISSING", about, "the header lacks the sensitivity that heights need"},
+        {"MASK_NOT_APPLIED", about, "the channel has a mask, which is a selection and removes nothing"},
+        {"HIDDEN_MEASUREMENT", about, "the file says that a measurement is not to be shown"},
+        {"FORCE_CURVES_NOT_READ", about, "a force volume: images alone are read"},
+        {"SLOPES_INTEGRATED", about, "the file holds slopes; heights are their integral"},
+        {"AMBIGUOUS_COLUMNS", about, "three columns of numbers without a header that says what they are"},
+        {"CHECKSUM", about, "a part of the file differs from its checksum"},
+        {"UNREADABLE_ARRAY", about, "an array is packed in a way that cannot be read"},
+        {"UNREADABLE_MEMBER", about, "a measurement of a container cannot be read; the others can"},
+        {"COPY_DIFFERS", about, "a container's processed copy is not its original"},
+        {"NO_PROCESSED_COPY", about, "a container's processed copy would need what setae does not do"},
+        {"ORIGINAL_MISSING", about, "a container holds a processed copy alone, which was used"},
+        {"MALFORMED_FIELD", about, "a field of a container's index is not as its schema says"},
+        {"NOT_IN_SCHEMA", about, "a container's index is not what its schema asks for"},
+        {"UNKNOWN_FIELD", about, "a container's index has a field that setae does not know"},
+        {"NAME_MISSING", about, "a surface of a container had no name and was given one"},
+        {"LARGE_MAP", about,
+         fmt::format(
+             "heights take more than {:g} GiB: read by bands of scan lines, without slope distribution, triangulated "
+             "area and arithmetic height",
+             static_cast<double>(study::SurfaceAnalysisOptions{}.largest_map) / (1 << 30))},
+        {"UNTESTED_FORMAT", about, "the format is read from its description, no real file was at hand"}};
+}
+
+std::vector<AlertKind> of_micrographs() {
+    const char* about = "micrographs and contours";
+    return {{"BAD_CALIBRATION", about, "the size of a pixel that the file states cannot be"},
+            {"BAD_NUMBER", about, "a field of the header is no number and is left out"},
+            {"UNKNOWN_UNIT", about, "the size of a pixel stands in a unit that is no length"},
+            {"RECIPROCAL_UNITS", about, "axes are reciprocal lengths: a diffraction pattern"},
+            {"PIXELS_NOT_SQUARE", about, "pixels differ in width and height; both are used"},
+            {"PIXEL_SIZE_DISAGREES", about, "two statements of the pixel size differ"},
+            {"SCALE_BAR_UNCONFIRMED", about, "the label of a scale bar was read, and nothing else confirms it"},
+            {"SCALE_BAR_AMBIGUOUS", about, "bar or label of the scale can be read in several ways"},
+            {"SCALE_BAR_DISAGREES", about, "scale bar and file state different sizes"},
+            {"COMPLEX_MAGNITUDE", about, "pixels are complex; their magnitude is read"},
+            {"SEVERAL_IMAGES", about, "the file holds several images; one is read"},
+            {"STACK", about, "the file holds a stack; one picture of it is read"},
+            {"VACUUM_ASSUMED", about, "neither phase has more structure; the bright one was taken for vacuum"},
+            {"TWO_EDGES", about, "there are several edges; the longest comes first"},
+            {"LOW_CONTRAST", about, "the edge hardly stands out of the noise of a pixel"},
+            {"SPIKES", about, "single points or pixels stand out of all their neighbours"},
+            {"CLOSED_OUTLINE", about, "the outline is closed; its longest way across was taken"},
+            {"REENTRANT", about, "stretches of a contour turn back and are left out"},
+            {"FOIL_THICKNESS", about, "the contour is the silhouette of a foil of unknown thickness"},
+            {"FOIL_PROJECTION", about,
+             "the contour is the silhouette of a foil: waves shorter than about ten times its thickness read low"}};
+}
+
+std::vector<AlertKind> of_surfaces() {
+    const char* about = "surfaces and spectra";
+    return {
+        {"UNDEF", about, "points of a measurement or picture are undefined"},
+        {"UNDEFINED", about, "heights are undefined or became so; a parameter has no value"},
+        {"CLIPPED", about, "many points have exactly the highest or the lowest height"},
+        {"QUANTISED", about, "heights have few levels, or one"},
+        {"SCARS", about, "stretches of scan lines stand out of both their neighbours"},
+        {"SCAN_DIRECTION", about, "scan lines are offset from each other"},
+        {"TILT_LARGE", about, "most of the rms height is tilt"},
+        {"CURVATURE_LEFT", about, "the level surface is bowed"},
+        {"ANISOTROPIC", about, "slopes differ between directions by more than chance gives"},
+        {"ONE_DIRECTION", about, "a line sees slopes along one direction alone"},
+        {"NON_GAUSSIAN", about, "slopes have kurtosis or skewness beyond chance: (9) assumes neither"},
+        {"PIXEL_NOISE", about, "the spectrum ends in a white floor: noise from point to point"},
+        {"TRACE_NOISE", about, "noise of a trace hides waves, or was taken off"},
+        {"CONTOUR_STEPS", about, "straight segments between points lower a contour's spectrum, which is undone"},
+        {"TIP_NOT_CONVERGED", about, "the estimate of a tip from its own scan still sharpened in its last round"},
+        {"TIP_CUTOFF", about, "waves shorter than the tip shows are cut from the spectrum"},
+        {"LOW_Q_GAP", about, "the spectrum still rises at its longest wavelength"},
+        {"COVERAGE_GAP", about, "no measurement sees a band of wavelengths between those of others"},
+        {"SINGLE_INSTRUMENT_DECADE", about, "one instrument alone sees a decade: nothing checks it"},
+        {"DISAGREE", about, "spectra of two measurements or instruments differ where both are reliable"},
+        {"INSTRUMENTS_DISAGREE", about,
+         fmt::format("an instrument's χ² in a decade has a probability below {:g} by the fit of the likelihood",
+                     spectral_fit::improbable_agreement)},
+        {"MEASUREMENTS_SCATTER", about,
+         "an instrument's measurements differ from each other beyond what their waves explain"},
+        {"LIKELIHOOD_FAILED", about, "the likelihood could not be fitted; the average stands for it"},
+        {"NOT_CONVERGED", about, "an iteration ended before its change was small: of a fit, a trace, a facet level"},
+        {"ROLLOFF_NOT_SEEN", about, "the longest waves seen still carry much of the height"},
+        {"CUTOFF_NOT_SEEN", about, "the self-affine fit's spectrum does not show where it ends"},
+        {"MODEL_MISSES", about, "values scatter about a self-affine model by more than their errors"},
+        {"RECONSTRUCTION", about, "the spectrum is reconstructed from three published moments"},
+        {"SPREAD_INCOMPLETE", about, "the ± of a moment leads outside self-affine spectra and is left out"},
+        {"FILTER_CUTOFF", about, "a filter's cutoff is shorter than its sampling, or longer than the data, allows"},
+        {"CONSTANT", about, "all heights are equal"},
+        {"FEW_PATCHES", about, "a map holds few independent patches"},
+        {"RAL_UNDEFINED", about, "the autocorrelation of a profile has no decay length"},
+        {"SAL_UNDEFINED", about, "the autocorrelation of a map does not decay within it"},
+        {"STR_UNDEFINED", about, "the autocorrelation of a map does not decay in every direction"},
+        {"STD_WITHOUT_DIRECTION", about, "no direction of texture stands out"}};
+}
+
+std::vector<AlertKind> of_loops() {
+    const char* about = "loops";
+    const loops::AlertLimits limits;
+    return {{"POOR_FIT", about,
+             fmt::format("rms residual above {} of the fitted range", percent(limits.relative_residual))},
+            {"RANGE_SENSITIVE", about,
+             fmt::format("W spreads by more than {} over the fit ranges tried", percent(limits.work_spread))},
+            {"LARGE_STRAIN", about, fmt::format("a/R above {:g}", limits.contact_radius_per_sphere_radius)},
+            {"THIN_LAYER", about, fmt::format("a/h above {:g}", limits.contact_radius_per_thickness)},
+            {"LENS_HEIGHT", about, fmt::format("lens lower than {}", format_value(limits.lens_height, "m", 3))},
+            {"TABOR_RANGE", about, fmt::format("Tabor parameter below {:g}", limits.tabor_parameter)},
+            {"CONTACT_POINT_UNKNOWN", about, "no estimate of the contact point could be made"},
+            {"CONTACT_POINT_SPREAD", about,
+             fmt::format("estimates of the contact point spread over more than {} of the largest penetration",
+                         percent(limits.contact_point_share))},
+            {"STIFFNESS_UNRESOLVED", about,
+             fmt::format("the contact is more than {:g} times stiffer than the machine", limits.stiffness_ratio)},
+            {"NO_RETRACTION", about, "the record ends before pull-off"},
+            {"NO_BASELINE", about, "no free flight before contact"},
+            {"DRIFT_UNKNOWN", about, "no free flight both before and after contact"},
+            {"LOOP_UNDERSAMPLED", about,
+             fmt::format("sampling leaves more than {} of the loop's energy uncertain",
+                         percent(limits.loop_sampling_share))},
+            {"TIME_BACKWARDS", about, "time runs backwards"},
+            {"FORCE_SATURATED", about, "the force stands still at its end of range"},
+            {"FRAME_MISSING", about,
+             fmt::format("more than {} of the frames in contact have no radius", percent(limits.frames_missing))},
+            {"UNITS_IMPLAUSIBLE", about,
+             fmt::format("radius larger than the sphere's, E* outside {:g} … {:g} Pa, or W above {:g} J/m²",
+                         limits.contact_modulus_least, limits.contact_modulus_most, limits.work_of_adhesion_most)},
+            {"TWO_CONTACTS", about, "the record holds several contacts"},
+            {"CLOCK_DOUBTFUL", about, "the offset found between the clocks of camera and force is doubtful"},
+            {"FRAMES_BAD", about, "frames of the recording have no contact radius"},
+            {"FRAMES_OUTSIDE", about, "frames lie outside the force record"}};
+}
+
+std::vector<AlertKind> of_studies() {
+    const char* about = "studies";
+    return {{"EMPTY_STUDY", about, "the study names no surface and no experiment"},
+            {"MODULUS_IMPLAUSIBLE", about, "E is far from what the molar mass between crosslinks gives"},
+            {"WILL_NOT_CONFORM", about, "(7) gives less than 0"},
+            {"CONFORMAL_INVALID", about, "at some wavelengths roughness stores more than it gains"},
+            {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
+            {"REFERENCE_LOSS", about, "rough loops lose less than ten times what the smooth reference loses"}};
+}
+
+}  // namespace
+
+std::vector<AlertKind> alert_kinds() {
+    std::vector<AlertKind> all;
+    for (const auto& kinds : {of_files(), of_micrographs(), of_surfaces(), of_loops(), of_studies()})
+        all.insert(all.end(), kinds.begin(), kinds.end());
+    return all;
+}
+
+}  // namespace setae::output
