@@ -211,7 +211,7 @@ def beside_gwyddion(program, gwyddion, folder, case):
     row = {"title": title}
     for cores in CORES:
         row[f"ours{cores}"] = run_json([program, task, "--input", path, "--threads", str(cores), "--repeat", "7"], cores)
-        row[f"peer{cores}"] = run_json([gwyddion, task, path, str(points), "7"], cores)
+        row[f"peer{cores}"] = run_json([gwyddion, task, path, str(points), "3"], cores)
     print(title, {key: value["seconds"] for key, value in row.items() if key != "title"}, flush=True)
     return row
 

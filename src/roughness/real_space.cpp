@@ -162,7 +162,7 @@ double variance(double sum, double sum2, double count) {
 [[noreturn]] void nothing_defined() { throw UndefinedDataError("no defined height to take an rms of"); }
 
 /// Scan lines of a map that are looked at together with those beside them.
-struct Band {
+struct ScanLines {
     const ArrayView2D& heights;  ///< (nx, lines)
     Index begin, end;            ///< the lines summed over
     bool periodic;               ///< along both directions: the band is the whole map
@@ -175,7 +175,7 @@ struct MapSums {
     double variance_of_lines = 0.0;  ///< Σ over lines of points times variance
     std::optional<double> origin = {};
 
-    void add(const Band& band, parallel::Threads threads) {
+    void add(const ScanLines& band, parallel::Threads threads) {
         constexpr Index block_rows = 64;
         if (!origin) origin = topography::first_defined(band.heights);
         if (!origin) return;

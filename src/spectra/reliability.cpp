@@ -155,13 +155,13 @@ TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<do
 }
 
 /// A map larger than memory and the scan lines of it that are looked at together.
-struct MapByBands {
+struct TiledLines {
     const topography::TiledMap& map;
     Index lines_together;
     const topography::Metadata& metadata;
 };
 
-Sampling sampling(const MapByBands& by_bands) { return {by_bands.map.pixel_size()[0], by_bands.map.size[0]}; }
+Sampling sampling(const TiledLines& tiled) { return {tiled.map.pixel_size()[0], tiled.map.size[0]}; }
 
 void keep_worse(TipCutoff& worst, const TipCutoff& other) {
     if (other.interval) {
@@ -175,17 +175,17 @@ void keep_worse(TipCutoff& worst, const TipCutoff& other) {
 }
 
 /// The least curvature of a map is the least of its bands, so its cutoff is that of the worst one.
-TipCutoff cutoff_of(const MapByBands& by_bands, double tip_radius, std::optional<double> standard_error,
+TipCutoff cutoff_of(const TiledLines& tiled, double tip_radius, std::optional<double> standard_error,
                     const ReliabilityOptions& options, parallel::Threads threads) {
-    const auto& map = by_bands.map;
+    const auto& map = tiled.map;
     if (options.percentile > 0.0 || options.both_directions)
         throw InvalidArgument(fmt::format(
             "{}: a tip criterion with a percentile or along both directions needs the map as a whole; read it whole, or use the strict "
             "minimum along x",
             topography::label(map.metadata)));
     TipCutoff worst{0.0, CutoffStatus::all_reliable, 0.0, {}};
-    for (Index first = 0; first < map.ny; first += by_bands.lines_together) {
-        const Array2D band = map.lines(first, std::min(by_bands.lines_together, map.ny - first));
+    for (Index first = 0; first < map.ny; first += tiled.lines_together) {
+        const Array2D band = map.lines(first, std::min(tiled.lines_together, map.ny - first));
         keep_worse(
             worst,
             cutoff_among({direction({band, true, map.pixel_size()[0], map.periodic}, map.size[0], options, threads)},
@@ -259,7 +259,7 @@ ReliableBand reliable_band(const Profile& profile, const ReliabilityOptions& opt
 
 ReliableBand reliable_band(const topography::TiledMap& map, Index lines_together, const ReliabilityOptions& options,
                            parallel::Threads threads) {
-    return band_of(MapByBands{map, lines_together, map.metadata}, options, threads);
+    return band_of(TiledLines{map, lines_together, map.metadata}, options, threads);
 }
 
 ReliableBand reliable_band(const topography::Measurement& measurement, const ReliabilityOptions& options,

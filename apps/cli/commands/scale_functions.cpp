@@ -51,12 +51,12 @@ struct ScaleArguments {
 };
 
 using Function = scales::FunctionOfScale (*)(const topography::Measurement&, const ScaleArguments&);
-using FunctionOfLargeMap = scales::FunctionOfScale (*)(const topography::TiledMap&, const ScaleArguments&);
+using FunctionOfTiledMap = scales::FunctionOfScale (*)(const topography::TiledMap&, const ScaleArguments&);
 
-/// What a verb computes; `of_large_map` is null where a map has to be held as a whole.
+/// What a verb computes; `of_tiled_map` is null where a map has to be held as a whole.
 struct Verb {
     Function of_measurement;
-    FunctionOfLargeMap of_large_map;
+    FunctionOfTiledMap of_tiled_map;
 };
 
 const topography::HeightMap& map_of(const topography::Measurement& measurement) {
@@ -97,7 +97,7 @@ scales::FunctionOfScale autocorrelation_or_slope(const topography::Measurement& 
     return arguments.slope ? scales::slope_from_autocorrelation(lines) : lines;
 }
 
-scales::FunctionOfScale autocorrelation_of_large_map(const topography::TiledMap& map, const ScaleArguments& arguments) {
+scales::FunctionOfScale autocorrelation_of_tiled_map(const topography::TiledMap& map, const ScaleArguments& arguments) {
     const scales::AutocorrelationOptions options{.threads = arguments.common.workers()};
     const auto bytes = static_cast<std::size_t>(arguments.surface.analysis().largest_map);
     if (!arguments.area) {
@@ -126,8 +126,8 @@ struct Found {
     bool some_failed = false;
 };
 
-scales::FunctionOfScale large_map_function(const study::LargeMap& large, const ScaleArguments& arguments,
-                                           FunctionOfLargeMap function) {
+scales::FunctionOfScale tiled_map_function(const study::TiledMeasurement& large, const ScaleArguments& arguments,
+                                           FunctionOfTiledMap function) {
     if (!function)
         throw InvalidArgument(
             topography::label(large.map.metadata) +
@@ -161,8 +161,7 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
             for (const auto& source : study::measurement_sources(input))
                 attempt([&] {
                     if (study::too_large(source, options)) {
-                        take(large_map_function(*source.by_bands, arguments, verb.of_large_map),
-                             source.by_bands->alerts);
+                        take(tiled_map_function(*source.tiled, arguments, verb.of_tiled_map), source.tiled->alerts);
                         return;
                     }
                     const auto prepared = source.prepare();
@@ -230,7 +229,7 @@ ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
 
 ExitCode run_sdrp(const ScaleArguments& arguments) { return run(arguments, {slope_or_curvature, nullptr}); }
 ExitCode run_acf(const ScaleArguments& arguments) {
-    return run(arguments, {autocorrelation_or_slope, autocorrelation_of_large_map});
+    return run(arguments, {autocorrelation_or_slope, autocorrelation_of_tiled_map});
 }
 ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, {bandwidth, nullptr}); }
 

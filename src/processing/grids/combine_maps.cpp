@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "grids/registration.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/processing/interpolation.hpp"
-#include "setae/processing/registration.hpp"
 
 namespace setae::processing {
 namespace {

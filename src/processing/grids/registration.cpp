@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/processing/registration.hpp"
+#include "grids/registration.hpp"
 
 #include <algorithm>
 #include <cmath>

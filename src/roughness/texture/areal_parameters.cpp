@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "feature_parameters.hpp"
 #include "filtered.hpp"
+#include "hybrid_parameters.hpp"
 #include "parameter_rows.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/texture/feature_parameters.hpp"
 #include "setae/texture/height_parameters.hpp"
-#include "setae/texture/hybrid_parameters.hpp"
-#include "setae/texture/spatial_parameters.hpp"
+#include "spatial_parameters.hpp"
 
 namespace setae::texture {
 namespace {

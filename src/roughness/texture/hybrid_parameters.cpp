@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/texture/hybrid_parameters.hpp"
+#include "hybrid_parameters.hpp"
 
 #include <cmath>
 #include <vector>

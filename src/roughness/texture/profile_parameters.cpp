@@ -11,8 +11,8 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/texture/height_parameters.hpp"
-#include "setae/texture/spatial_parameters.hpp"
 #include "setae/topography/line_scans.hpp"
+#include "spatial_parameters.hpp"
 
 namespace setae::texture {
 namespace {

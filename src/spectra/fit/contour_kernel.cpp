@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectral_fit/contour_kernel.hpp"
+#include "contour_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>

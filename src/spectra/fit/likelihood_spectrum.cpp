@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "contour_kernel.hpp"
 #include "observed_groups.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -15,7 +16,6 @@
 #include "setae/core/statistics.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/abel.hpp"
-#include "setae/spectral_fit/contour_kernel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/independent_lines.hpp"
 

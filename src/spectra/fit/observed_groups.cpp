@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "contour_kernel.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/reliability.hpp"
-#include "setae/spectral_fit/contour_kernel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/scan_kernel.hpp"
 #include "setae/topography/trace_response.hpp"

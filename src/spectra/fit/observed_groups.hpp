@@ -6,7 +6,7 @@
 
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/spectral_fit/tip_response.hpp"
-#include "setae/spectral_fit/whittle_fit.hpp"
+#include "whittle_fit.hpp"
 
 namespace setae::spectral_fit {
 

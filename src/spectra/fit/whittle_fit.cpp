@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/spectral_fit/whittle_fit.hpp"
+#include "whittle_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -67,7 +67,7 @@ HeightPreview preview_of(const topography::TiledMap& map, Index lines_together) 
     return preview.result();
 }
 
-Alert large_map_alert(const topography::Metadata& metadata, const topography::TiledMap& map, std::uint64_t largest) {
+Alert tiled_map_alert(const topography::Metadata& metadata, const topography::TiledMap& map, std::uint64_t largest) {
     const double gibibyte = std::uint64_t{1} << 30;
     return {
         "LARGE_MAP", topography::label(metadata),
@@ -116,19 +116,19 @@ roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const
 }
 
 bool too_large(const MeasurementSource& source, const SurfaceAnalysisOptions& options) {
-    if (!source.by_bands) return false;
-    const auto& map = source.by_bands->map;
+    if (!source.tiled) return false;
+    const auto& map = source.tiled->map;
     return static_cast<std::uint64_t>(map.nx) * static_cast<std::uint64_t>(map.ny) * sizeof(double) >
            options.largest_map;
 }
 
-MeasurementResult analyse_large_map(const LargeMap& large, const SurfaceAnalysisOptions& options,
+MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const SurfaceAnalysisOptions& options,
                                     parallel::Threads threads, const Wanted& wanted) {
     const auto& metadata = large.map.metadata;
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(options.largest_map));
     MeasurementResult result;
     describe(result, metadata, large.trend, large.alerts);
-    result.alerts.push_back(large_map_alert(metadata, large.map, options.largest_map));
+    result.alerts.push_back(tiled_map_alert(metadata, large.map, options.largest_map));
     const auto levelled = topography::detrended(large.map, large.trend, lines_together, threads);
     if (wanted.previews) result.preview = preview_of(levelled, lines_together);
     if (wanted.parameters) result.real_space = roughness::real_space_parameters(levelled, lines_together, threads);

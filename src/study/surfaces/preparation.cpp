@@ -92,13 +92,13 @@ topography::Trend trend_of(const formats::Channel& channel, const MeasurementInp
     return input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(metadata.instrument.type)));
 }
 
-std::optional<LargeMap> by_bands(const formats::Channel& channel, const MeasurementInput& input) {
+std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channel, const MeasurementInput& input) {
     if (!input.steps.empty()) return {};  // steps look at the whole map
     auto map = formats::tiled(channel);
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
     const auto trend = trend_of(channel, input, map->metadata);
-    return LargeMap{std::move(*map), trend, channel.info.alerts};
+    return TiledMeasurement{std::move(*map), trend, channel.info.alerts};
 }
 
 /// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
@@ -154,7 +154,7 @@ std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input
             input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
         if (wanted)
             found.push_back({[channel = channels[i], input, options] { return prepare(channel, input, options); },
-                             by_bands(channels[i], input)});
+                             tiled_measurement(channels[i], input)});
     }
     if (found.empty())
         throw InvalidArgument(

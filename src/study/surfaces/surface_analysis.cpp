@@ -63,7 +63,7 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
             if (!large && (keep || !found)) prepared = task.source.prepare();
             if (found) result = std::move(*found);
             else
-                result = large ? analyse_large_map(*task.source.by_bands, options, inside, wanted)
+                result = large ? analyse_tiled_map(*task.source.tiled, options, inside, wanted)
                                : analyse_measurement(prepared, options, inside, wanted);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);

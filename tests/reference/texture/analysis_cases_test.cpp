@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "analysis_cases.hpp"
+#include "hybrid_parameters.hpp"
 #include "profile_parts.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/texture/height_parameters.hpp"
-#include "setae/texture/hybrid_parameters.hpp"
 #include "setae/texture/material_ratio.hpp"
 #include "setae/texture/profile_parameters.hpp"
 

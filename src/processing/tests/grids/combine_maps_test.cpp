@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "grids/registration.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/processing/combine_maps.hpp"
-#include "setae/processing/registration.hpp"
 
 namespace setae::processing {
 namespace {

@@ -212,7 +212,7 @@ TEST(Autocorrelation, IsTheSameToTheByteForAnyNumberOfThreads) {
     }
 }
 
-TEST(StreamedAutocorrelation, IsThatOfTheMapInMemory) {
+TEST(TiledAutocorrelation, IsThatOfTheMapInMemory) {
     for (const bool periodic : {false, true})
         for (const bool holes : {false, true}) {
             HeightMap map{random_map(40, 53), {4.0, 5.3}, periodic, {}};
@@ -220,10 +220,10 @@ TEST(StreamedAutocorrelation, IsThatOfTheMapInMemory) {
             if (holes) map = with_holes(map);
             const std::size_t band = 7 * 40 * sizeof(double);
             const auto lines = autocorrelation_of_lines(map),
-                       streamed = autocorrelation_of_lines(topography::tiled(map), band);
-            EXPECT_LT((streamed.value / lines.value - 1.0).abs().maxCoeff(), 1e-10);
-            EXPECT_TRUE((streamed.count == lines.count).all());
-            EXPECT_EQ(streamed.reliable_from, lines.reliable_from);
+                       tiled = autocorrelation_of_lines(topography::tiled(map), band);
+            EXPECT_LT((tiled.value / lines.value - 1.0).abs().maxCoeff(), 1e-10);
+            EXPECT_TRUE((tiled.count == lines.count).all());
+            EXPECT_EQ(tiled.reliable_from, lines.reliable_from);
             const auto area = autocorrelation_of_area(map),
                        part = autocorrelation_of_area(topography::tiled(map), 1.0, {}, band);
             ASSERT_LE(part.value.size(), area.value.size());
@@ -235,19 +235,19 @@ TEST(StreamedAutocorrelation, IsThatOfTheMapInMemory) {
         }
 }
 
-TEST(StreamedAutocorrelation, RefusesDistancesOutsideTheMap) {
+TEST(TiledAutocorrelation, RefusesDistancesOutsideTheMap) {
     const HeightMap map{random_map(10, 12), {1.0, 1.2}, false, {}};
     EXPECT_THROW((void)autocorrelation_of_area(topography::tiled(map), 0.05), InvalidArgument);
     EXPECT_THROW((void)autocorrelation_of_area(topography::tiled(map), 1.0), InvalidArgument);
 }
 
-TEST(StreamedAutocorrelation, EndsWhereTipAndResolutionDoAsInMemory) {
+TEST(TiledAutocorrelation, EndsWhereTipAndResolutionDoAsInMemory) {
     HeightMap map{1e-3 * random_map(64, 12), {1.0, 0.2}, false, {}};
     map.metadata.instrument.tip_radius = 0.05;
     const auto whole = autocorrelation_of_lines(map),
-               by_bands = autocorrelation_of_lines(topography::tiled(map), 64 * 5 * sizeof(double));
+               tiled = autocorrelation_of_lines(topography::tiled(map), 64 * 5 * sizeof(double));
     EXPECT_GT(whole.reliable_from, map.pixel_size()[0]);
-    EXPECT_NEAR(by_bands.reliable_from, whole.reliable_from, 1e-6 * whole.reliable_from);
+    EXPECT_NEAR(tiled.reliable_from, whole.reliable_from, 1e-6 * whole.reliable_from);
     map.metadata.instrument.resolution = 0.9;
     EXPECT_DOUBLE_EQ(autocorrelation_of_lines(topography::tiled(map)).reliable_from, 0.45);
 }

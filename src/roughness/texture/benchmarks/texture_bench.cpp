@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "hybrid_parameters.hpp"
 #include "setae/texture/areal_parameters.hpp"
 #include "setae/texture/height_parameters.hpp"
-#include "setae/texture/hybrid_parameters.hpp"
-#include "setae/texture/spatial_parameters.hpp"
+#include "spatial_parameters.hpp"
 
 namespace setae::texture {
 namespace {

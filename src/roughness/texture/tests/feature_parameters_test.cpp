@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/texture/feature_parameters.hpp"
+#include "feature_parameters.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/texture/spatial_parameters.hpp"
+#include "spatial_parameters.hpp"
 
 #include <cmath>
 #include <random>

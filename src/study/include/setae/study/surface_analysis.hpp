@@ -123,7 +123,7 @@ struct PreparedMeasurement {
 };
 
 /// A map by bands of scan lines, as it lies in its file.
-struct LargeMap {
+struct TiledMeasurement {
     topography::TiledMap map;
     topography::Trend trend = topography::Trend::none;  ///< to be removed
     std::vector<Alert> alerts;
@@ -132,7 +132,7 @@ struct LargeMap {
 /// A measurement not yet read.
 struct MeasurementSource {
     std::function<PreparedMeasurement()> prepare;
-    std::optional<LargeMap> by_bands;  ///< of maps whose format can be read so
+    std::optional<TiledMeasurement> tiled;  ///< of maps whose format can be read so
 };
 
 /// Whether a map is to be read by bands: its heights take more than options.largest_map bytes.
@@ -155,7 +155,7 @@ struct Wanted {
 /// The same of a map that takes too much memory as a whole, read by bands of at most options.largest_map bytes. What
 /// needs all heights at once is left out, which the alert LARGE_MAP tells: slope distribution, triangulated area,
 /// arithmetic height.
-[[nodiscard]] MeasurementResult analyse_large_map(const LargeMap& large, const SurfaceAnalysisOptions& options,
+[[nodiscard]] MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const SurfaceAnalysisOptions& options,
                                                   parallel::Threads threads, const Wanted& wanted = {});
 
 /// Everything about one surface. Never throws for bad data: the failure stands in the result, of the measurement or of

@@ -29,7 +29,7 @@ struct LagSums {
 };
 
 /// Heights of a band, of the lines that begin pairs and of those that end them.
-struct Band {
+struct ScanLines {
     Array2D heights;  ///< (nx, lines and overlap), centred; NaN = undefined
     Index lines = 0;  ///< that begin pairs
 };
@@ -55,7 +55,7 @@ struct Spectra {
 };
 
 /// Adds the pairs that begin in the band: cross-correlations of its lines with its lines and overlap.
-void add_band(const Band& band, bool periodic, LagSums& sums, parallel::Threads threads) {
+void add_band(const ScanLines& band, bool periodic, LagSums& sums, parallel::Threads threads) {
     const Index nx = band.heights.rows(), padded_x = periodic ? nx : fourier::fast_length(nx + sums.x),
                 padded_y = fourier::fast_length(band.lines + sums.y);
     const fourier::RealTransform along_y(padded_y);
@@ -148,7 +148,7 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         std::min(map.ny, std::max({topography::lines_in(map, band_bytes / arrays) - sums.y, sums.y, Index{1}}));
     bool any_defined = false;
     for (Index first = 0; first < map.ny; first += lines) {
-        Band band;
+        ScanLines band;
         band.lines = std::min(lines, map.ny - first);
         band.heights =
             lines_of(map, first, map.periodic ? band.lines + sums.y : std::min(band.lines + sums.y, map.ny - first));

@@ -10,10 +10,10 @@ namespace setae::texture {
 ///
 /// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the standard's parameters are of
 /// products.
-class LagMap {
+class AutocorrelationOfProducts {
 public:
     /// @throws UndefinedDataError for a constant map.
-    LagMap(const topography::HeightMap& map, double mean, parallel::Threads threads);
+    AutocorrelationOfProducts(const topography::HeightMap& map, double mean, parallel::Threads threads);
 
     /// Largest lags in pixels: n − 1, or n/2 in periodic maps.
     [[nodiscard]] Index reach_x() const { return reach_x_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lag_map.hpp"
+#include "autocorrelation_of_products.hpp"
 
 #include <cmath>
 #include <complex>
@@ -36,7 +36,8 @@ Array2D products(Index nx, Index ny, Load load, parallel::Threads threads) {
 
 }  // namespace
 
-LagMap::LagMap(const topography::HeightMap& map, double mean, parallel::Threads threads) {
+AutocorrelationOfProducts::AutocorrelationOfProducts(const topography::HeightMap& map, double mean,
+                                                     parallel::Threads threads) {
     const auto nx = map.heights.rows(), ny = map.heights.cols();
     const auto grid_x = map.periodic ? nx : fourier::fast_length(2 * nx - 1),
                grid_y = map.periodic ? ny : fourier::fast_length(2 * ny - 1);
